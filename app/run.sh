@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# app/run.sh ARGS…   sets up and builds what is missing, then runs `palpate ARGS…` and passes its exit code on.
+#
+# Without arguments it opens the bundled phantom and plays its recording. Without a display, what would open the window
+# draws off-screen instead and writes out/palpate.png and out/summary.txt.
+set -u -o pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+ensure_packages "${palpate_build_packages[@]}"
+ensure_configured release
+build release palpate_app
+
+palpate=$palpate_root/build/release/bin/palpate
+phantom=$palpate_root/data/phantom
+
+case ${1:-} in
+    info | replay | evaluate | session | stability | -h | --help | --version) exec "$palpate" "$@" ;;
+esac
+[[ $# -gt 0 ]] || set -- "$phantom/phantom.palpate.json" "$phantom/palpation.palpate"
+[[ -z ${DISPLAY:-} ]] || exec "$palpate" "$@"
+if [[ " $*" == *" --screenshot"* ]]; then
+    headless "$palpate" "$@"
+    exit $?
+fi
+
+out=$palpate_root/out
+mkdir -p "$out"
+rm -f "$out/palpate.png" "$out/summary.txt"
+say "no display: drawing off-screen"
+headless "$palpate" "$@" --screenshot "$out/palpate.png" >"$out/summary.txt" || exit $?
+if [[ $1 == "$phantom/phantom.palpate.json" && ${2:-} == "$phantom/palpation.palpate" ]]; then
+    "$palpate" session measure "$2" >>"$out/summary.txt" || exit $?
+fi
+cat "$out/summary.txt"
+say "picture: $out/palpate.png"
+say "summary: $out/summary.txt"

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced by app/run.sh, tests/run.sh and .ci/run: makes a Debian 12 or 13 machine ready and builds. All that it and the
+# tools it starts say goes to stderr.
+
+palpate_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+palpate_build_packages=(g++ cmake ninja-build pkgconf libvtk9-dev qt6-base-dev libqt6opengl6-dev libgl-dev libeigen3-dev
+    libhidapi-dev libsqlite3-dev libcli11-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core)
+
+# Without any locale Qt complains on stderr and takes this one.
+[[ -n ${LC_ALL:-}${LC_CTYPE:-}${LANG:-} ]] || export LANG=C.UTF-8
+
+say() { printf 'palpate: %s\n' "$*" >&2; }
+fail() { say "$*"; exit 1; }
+
+# ensure_packages PACKAGE…: installs those that are missing.
+ensure_packages() {
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "not a Debian system: expecting what these packages hold to be installed: $*"
+        return
+    fi
+    local installed missing=() package as_root=()
+    # With what an installed package provides: Debian 13 has merged some of these into others.
+    installed=" $(dpkg-query -W -f='${db:Status-Status}:${Package} ${Provides} \n' "$@" 2>/dev/null |
+        sed -n 's/^installed://p' | tr ',\n' '  ')"
+    for package in "$@"; do
+        [[ $installed == *" $package "* ]] || missing+=("$package")
+    done
+    [[ ${#missing[@]} -eq 0 ]] && return
+    if [[ $(id -u) -ne 0 ]]; then
+        command -v sudo >/dev/null || fail "missing packages; neither root nor sudo is there to install them: ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "installing ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq >&2 || fail "apt-get update failed, see above"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+        -o Dpkg::Use-Pty=0 "${missing[@]}" >&2 || fail "apt-get install failed, see above"
+}
+
+# ensure_configured PRESET [CMAKE-ARGUMENT…]: configures once, and anew when the checkout was moved or the system changed.
+ensure_configured() {
+    local preset=$1 folder="$palpate_root/build/$1" stamp
+    shift
+    stamp="$palpate_root $(sed -n 's/^PRETTY_NAME=//p' /etc/os-release 2>/dev/null) $*"
+    if [[ -f $folder/build.ninja && $(cat "$folder/.configured-for" 2>/dev/null) == "$stamp" ]]; then
+        return
+    fi
+    say "configuring build/$preset"
+    rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles" "$folder/build.ninja"
+    (cd "$palpate_root" && cmake --preset "$preset" "$@") >&2 || fail "cmake --preset $preset failed, see above"
+    printf '%s\n' "$stamp" >"$folder/.configured-for"
+}
+
+# build PRESET [TARGET…]: brings the targets, or everything, up to date with at most 2 jobs.
+build() {
+    local preset=$1
+    shift
+    (
+        # Two runs at once would build into the same folder.
+        flock 9
+        cd "$palpate_root/build/$preset" || exit 1
+        # A first step runs each time, to look up the commit; only when more follows is there anything to tell.
+        ninja -j 2 "$@" 2>&1 9>&- | {
+            read -r first
+            while IFS= read -r line; do
+                [[ -n $first ]] && say "building in build/$preset" && printf '%s\n' "$first" >&2
+                first=
+                printf '%s\n' "$line" >&2
+            done
+            [[ $first == *error* ]] && printf '%s\n' "$first" >&2
+            true
+        }
+    ) 9>"$palpate_root/build/$preset/.lock" || fail "the build failed, see above"
+}
+
+# headless COMMAND…: runs it on a display of its own.
+headless() {
+    xvfb-run -a -s "-screen 0 1600x1000x24" "$@"
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QtTest>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace palpate::test {
+
+/// Registers a test class under its name; use PALPATE_TEST at the end of a tst_*.cpp.
+bool registerTest(const char* name, std::unique_ptr<QObject> (*make)());
+
+/// The folder of real meshes or of bad files, when it is there; tests that need it skip otherwise, saying so. Found
+/// beside the checkout, or where PALPATE_SHARED says.
+/// @param sub  "anatomy" or "hostile"
+std::optional<std::filesystem::path> sharedFolder(const std::string& sub);
+
+} // namespace palpate::test
+
+/// In a slot: skips it, saying so, without the shared folder `sub`; else `variable` is its path.
+#define PALPATE_SHARED_OR_SKIP(variable, sub)                                                                          \
+    const auto variable##Found = palpate::test::sharedFolder(sub);                                                     \
+    if (!variable##Found) {                                                                                            \
+        QSKIP("no shared/" sub " beside the checkout: nothing to test on");                                            \
+    }                                                                                                                  \
+    const std::filesystem::path variable = *variable##Found
+
+#define PALPATE_TEST(Class)                                                                                            \
+    [[maybe_unused]] static const bool registered##Class =                                                             \
+        palpate::test::registerTest(#Class, []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });
