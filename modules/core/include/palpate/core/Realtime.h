@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Marks a function that the servo thread may call: no allocation, lock, file or console I/O, exception, Qt or VTK
+/// call. Compilers that can check it (clang >= 20, -fsanitize=realtime) do.
+#if defined(__has_cpp_attribute)
+#if __has_cpp_attribute(clang::nonblocking)
+#define PALPATE_NONBLOCKING [[clang::nonblocking]]
+#endif
+#endif
+#ifndef PALPATE_NONBLOCKING
+#define PALPATE_NONBLOCKING
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace palpate::core {
+
+/// One code per cause that a user can act on.
+enum class StatusCode : std::uint8_t
+{
+    Ok,
+    BadCommandLine, ///< an argument is missing, unknown or out of range
+    NotFound,       ///< the file, device or element does not exist
+    Unreadable,     ///< the file exists but cannot be opened, read or written
+    BadFormat,      ///< the content is not what the format requires
+    NonFinite,      ///< a number is NaN or infinite
+    OutOfRange,     ///< an index, count or coordinate exceeds its bounds
+    Empty,          ///< nothing usable: no triangle of positive area, no row
+    Mismatch,       ///< belongs to something else: another mesh, another version
+    Unsupported,    ///< valid, but not something Palpate can do
+    Cancelled,      ///< the user asked to stop
+    DeviceLost,     ///< the device no longer answers
+    Internal,       ///< a promise of our own was broken
+};
+
+/// Result of an operation without a value: a code and one line for a person, naming file, place, what was found and
+/// what was expected. Thread: value type, no shared state.
+class [[nodiscard]] Status
+{
+  public:
+    Status() = default;
+    Status(StatusCode code, std::string message)
+        : m_code(code)
+        , m_message(std::move(message))
+    {
+    }
+
+    [[nodiscard]] bool isOk() const noexcept { return m_code == StatusCode::Ok; }
+    [[nodiscard]] StatusCode code() const noexcept { return m_code; }
+    [[nodiscard]] const std::string& message() const noexcept { return m_message; }
+
+  private:
+    StatusCode m_code = StatusCode::Ok;
+    std::string m_message;
+};
+
+/// A value or the Status that says why there is none.
+template<class T>
+class [[nodiscard]] Result
+{
+  public:
+    Result(T value)
+        : m_value(std::move(value))
+    {
+    }
+    /// @pre `!status.isOk()`
+    Result(Status status)
+        : m_status(std::move(status))
+    {
+    }
+
+    [[nodiscard]] bool isOk() const noexcept { return m_value.has_value(); }
+    [[nodiscard]] const Status& status() const noexcept { return m_status; }
+    /// @pre isOk()
+    [[nodiscard]] T& value() & { return *m_value; }
+    [[nodiscard]] const T& value() const& { return *m_value; }
+    [[nodiscard]] T&& value() && { return std::move(*m_value); }
+
+  private:
+    std::optional<T> m_value;
+    Status m_status;
+};
+
+} // namespace palpate::core

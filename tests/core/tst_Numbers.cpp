@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+using palpate::core::appendNumber;
+using palpate::core::parseNumber;
+
+class Numbers : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void readsDecimalNumbers_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<double>("value");
+        QTest::newRow("integer") << QByteArray("12") << 12.0;
+        QTest::newRow("fraction") << QByteArray("-0.5") << -0.5;
+        QTest::newRow("plus") << QByteArray("+2.5") << 2.5;
+        QTest::newRow("exponent") << QByteArray("1e3") << 1000.0;
+        QTest::newRow("capital exponent") << QByteArray("1E-3") << 0.001;
+        QTest::newRow("leading point") << QByteArray(".25") << 0.25;
+        QTest::newRow("trailing point") << QByteArray("4.") << 4.0;
+        QTest::newRow("blanks") << QByteArray(" \t3.5 \r") << 3.5;
+        QTest::newRow("denormal") << QByteArray("5e-324") << std::numeric_limits<double>::denorm_min();
+    }
+    void readsDecimalNumbers()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(double, value);
+        const auto read = parseNumber({text.constData(), static_cast<std::size_t>(text.size())});
+        QVERIFY(read.has_value());
+        QVERIFY(*read == value);
+    }
+
+    void refusesWhatIsNoNumber_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        for (const char* text :
+             {"", " ", "+", "-", "+-1", "++1", "1,5", "1.5mm", "0x10", "1 2", "e3", ".", "1e", "--1"}) {
+            QTest::newRow(text) << QByteArray(text);
+        }
+        QTest::newRow("zero byte") << QByteArray("1\0", 2);
+    }
+    void refusesWhatIsNoNumber()
+    {
+        QFETCH(QByteArray, text);
+        QVERIFY(!parseNumber({text.constData(), static_cast<std::size_t>(text.size())}).has_value());
+    }
+
+    void leavesFinitenessToTheCaller()
+    {
+        QVERIFY(std::isnan(parseNumber("nan").value_or(0.0)));
+        QVERIFY(std::isinf(parseNumber("-inf").value_or(0.0)));
+    }
+
+    void givesEveryDoubleBackBitForBit()
+    {
+        std::mt19937_64 random(20260101); // NOLINT: a fixed seed
+        int wrong = 0;
+        for (int i = 0; i < 200'000; ++i) {
+            const auto value = std::bit_cast<double>(random());
+            if (!std::isfinite(value)) {
+                continue;
+            }
+            std::string text;
+            appendNumber(text, value);
+            const auto read = parseNumber(text);
+            wrong += !read || std::bit_cast<std::uint64_t>(*read) != std::bit_cast<std::uint64_t>(value) ? 1 : 0;
+        }
+        QCOMPARE(wrong, 0);
+    }
+
+    void ignoresTheLocale()
+    {
+        const char* found = nullptr;
+        for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "fr_FR"}) {
+            if (std::setlocale(LC_ALL, name) != nullptr) {
+                found = name;
+                break;
+            }
+        }
+        if (found == nullptr) {
+            QSKIP("no locale with a decimal comma is installed");
+        }
+        std::string text;
+        appendNumber(text, 1.5);
+        const auto read = parseNumber("2.25");
+        std::setlocale(LC_ALL, "C");
+        QCOMPARE(text, std::string("1.5"));
+        QVERIFY(read.has_value() && *read == 2.25);
+    }
+};
+
+PALPATE_TEST(Numbers)
+#include "tst_Numbers.moc"

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/core/Status.h>
+
+#include <memory>
+
+using palpate::core::Result;
+using palpate::core::StatusCode;
+
+class Status : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void isOkByDefault()
+    {
+        const palpate::core::Status status;
+        QVERIFY(status.isOk());
+        QVERIFY(status.code() == StatusCode::Ok);
+        QVERIFY(status.message().empty());
+    }
+
+    void carriesCodeAndMessage()
+    {
+        const palpate::core::Status status(StatusCode::BadFormat, "liver.stl: cut in facet 12");
+        QVERIFY(!status.isOk());
+        QVERIFY(status.code() == StatusCode::BadFormat);
+        QCOMPARE(status.message(), std::string("liver.stl: cut in facet 12"));
+    }
+
+    void resultHoldsAValue()
+    {
+        Result<int> result(42);
+        QVERIFY(result.isOk());
+        QVERIFY(result.status().isOk());
+        QCOMPARE(result.value(), 42);
+        result.value() = 43;
+        QCOMPARE(result.value(), 43);
+    }
+
+    void resultHoldsWhyThereIsNone()
+    {
+        const Result<int> result(palpate::core::Status(StatusCode::NotFound, "no such file"));
+        QVERIFY(!result.isOk());
+        QVERIFY(result.status().code() == StatusCode::NotFound);
+        QCOMPARE(result.status().message(), std::string("no such file"));
+    }
+
+    void resultMovesWhatCannotBeCopied()
+    {
+        Result<std::unique_ptr<int>> result(std::make_unique<int>(7));
+        const std::unique_ptr<int> value = std::move(result).value();
+        QCOMPARE(*value, 7);
+    }
+};
+
+PALPATE_TEST(Status)
+#include "tst_Status.moc"
