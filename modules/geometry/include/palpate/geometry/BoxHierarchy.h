@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/core/Types.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace palpate::geometry {
+
+using core::Box;
+using core::Vec3;
+
+/// A box as floats relative to a hierarchy's origin, rounded outwards: it contains what it was made from. [mm]
+struct FloatBox
+{
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+
+    /// @return the smallest such box around `box - origin`.
+    [[nodiscard]] static FloatBox around(const Box& box, const Vec3& origin) noexcept PALPATE_NONBLOCKING;
+};
+
+/// A bounding-volume hierarchy of four children a node over any boxes: the triangles of a surface, or the structures of
+/// a layer. Built once in O(n log n), read-only after that: any number of threads may query it.
+class BoxHierarchy
+{
+  public:
+    /// Four child boxes, side by side, so that one comparison serves all four. An unused child has an empty box.
+    struct alignas(64) Node
+    {
+        float low[3][4];  ///< [mm] by axis, then child
+        float high[3][4]; ///< [mm]
+        /// Inner child: index of its node. Leaf: first item << 3 | number of items (1 … 4).
+        std::uint32_t child[4];
+        std::uint32_t leafMask; ///< bit i: child i is a leaf
+        std::uint32_t unused[3];
+    };
+    static_assert(sizeof(Node) == 128);
+
+    /// Items in a leaf, at most.
+    static constexpr std::uint32_t kLeafSize = 4;
+    /// Items in a hierarchy, at most: three bits of a child hold the leaf's count.
+    static constexpr std::size_t kMaxItems = std::size_t{1} << 29;
+
+    /// Builds over `boxes`; the result does not depend on the number of threads.
+    /// @param boxes    one an item; reordered: on return the items are in the order of the leaves
+    /// @param items    filled with the new order: `items[i]` is the number that item i had in `boxes`
+    /// @param origin   what the boxes are relative to, in the frame of the queries [mm]
+    /// @param threads  1 or 2 threads build
+    [[nodiscard]] static BoxHierarchy build(std::vector<FloatBox>& boxes, std::vector<std::uint32_t>& items,
+                                            const Vec3& origin, unsigned threads);
+
+    /// Calls `leaf(first, count)` for each leaf whose box touches `box`, in a fixed order, until it returns false.
+    /// @par Real-time Wait-free; bounded by the number of nodes.
+    template<class Leaf>
+    void visitBox(const Box& box, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+
+    /// Calls `leaf(first, count)` for the leaves whose box a segment touches, nearer ones first as a rule. `leaf`
+    /// returns the share of the segment, 0 … 1, that is still of interest; what lies wholly beyond is left out.
+    /// @par Source Segment against box by separating axes: Ericson, Real-Time Collision Detection (2005), 5.3.3.
+    /// @par Real-time Wait-free; bounded by the number of nodes.
+    template<class Leaf>
+    void visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+
+    [[nodiscard]] const Vec3& origin() const noexcept { return m_origin; }
+    [[nodiscard]] std::size_t byteSize() const noexcept { return m_nodes.capacity() * sizeof(Node); }
+    [[nodiscard]] std::size_t nodeCount() const noexcept { return m_nodes.size(); }
+
+  private:
+    // Depth of the binary tree is bounded by the builder (see BoxHierarchy.cpp); each level leaves at most three
+    // siblings waiting.
+    static constexpr int kMaxDepth = 64;
+    static constexpr int kStack = 3 * kMaxDepth + 4;
+
+    std::vector<Node> m_nodes; ///< [0] is the root; empty without items
+    Vec3 m_origin = Vec3::Zero();
+
+    friend class HierarchyBuilder;
+};
+
+} // namespace palpate::geometry
+
+#include "palpate/geometry/internal/BoxHierarchyVisit.h"

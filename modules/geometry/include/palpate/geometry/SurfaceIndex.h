@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/geometry/BoxHierarchy.h"
+#include "palpate/geometry/MeshReport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate::geometry {
+
+/// The haptic copy of one structure's surface: vertices, triangles and a bounding-volume hierarchy. Read-only once
+/// built: any number of threads may query it.
+///
+/// Triangles are stored in the order of the hierarchy's leaves and vertices in the order of their first use, so that
+/// what lies together on the surface lies together in memory.
+class SurfaceIndex
+{
+  public:
+    /// Builds the index in O(n log n) on at most `threads` threads; the result does not depend on their number.
+    /// @param repaired  a mesh from `repair`, in the world frame [mm]; at most 2^29 triangles
+    [[nodiscard]] static SurfaceIndex build(const RepairedMesh& repaired, unsigned threads = 2);
+
+    [[nodiscard]] std::uint32_t triangleCount() const noexcept
+    {
+        return static_cast<std::uint32_t>(m_triangles.size());
+    }
+    [[nodiscard]] std::uint32_t vertexCount() const noexcept { return static_cast<std::uint32_t>(m_vertices.size()); }
+    [[nodiscard]] const Vec3& vertex(std::uint32_t i) const noexcept { return m_vertices[i]; }
+    /// @param i  position in the index's own order
+    [[nodiscard]] Triangle triangle(std::uint32_t i) const noexcept
+    {
+        const Triangle& t = m_triangles[i];
+        return {t[0] & kIndexMask, t[1], t[2]};
+    }
+    /// True when the triangle belongs to a surface without an inside.
+    [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kTwoSidedBit) != 0; }
+    /// @return the triangle's number in the repaired mesh that the index was built from.
+    [[nodiscard]] std::uint32_t sourceTriangle(std::uint32_t i) const noexcept { return m_sources[i]; }
+
+    /// The items of its leaves are positions of triangles.
+    [[nodiscard]] const BoxHierarchy& hierarchy() const noexcept { return m_hierarchy; }
+    [[nodiscard]] const Box& bounds() const noexcept { return m_bounds; } ///< [mm]
+    /// Gap that a god-object keeps to this surface: above the rounding error of a plane distance, far below what can be
+    /// felt; see resources/docs/god-object.md. [mm]
+    [[nodiscard]] double skin_mm() const noexcept { return m_skin_mm; }
+    /// Mean length of the triangles' edges, as the side of the equilateral triangle of mean area. [mm]
+    [[nodiscard]] double facetSize_mm() const noexcept { return m_facetSize_mm; }
+    /// What touch costs: bytes held by the containers of this copy.
+    [[nodiscard]] std::size_t byteSize() const noexcept;
+
+  private:
+    static constexpr std::uint32_t kTwoSidedBit = 0x80000000u;
+    static constexpr std::uint32_t kIndexMask = 0x7fffffffu;
+
+    std::vector<Vec3> m_vertices;
+    std::vector<Triangle> m_triangles; ///< bit 31 of the first index: two-sided
+    std::vector<std::uint32_t> m_sources;
+    BoxHierarchy m_hierarchy;
+    Box m_bounds;
+    double m_skin_mm = 0.0;
+    double m_facetSize_mm = 0.0;
+};
+
+} // namespace palpate::geometry

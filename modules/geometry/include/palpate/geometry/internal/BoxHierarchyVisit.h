@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Traversals of BoxHierarchy: private, included by BoxHierarchy.h so that the visitor is inlined.
+
+#include "palpate/geometry/BoxHierarchy.h"
+
+#include <palpate/core/Float4.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace palpate::geometry {
+
+inline FloatBox FloatBox::around(const Box& box, const Vec3& origin) noexcept
+{
+    // Two ulp outwards: one for the conversion to float, one for the arithmetic itself. The constant keeps zero out.
+    constexpr float kOutwards = 2.4e-7f;
+    constexpr float kTiny = 1e-30f;
+    FloatBox result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const auto low = static_cast<float>(box.min()[axis] - origin[axis]);
+        const auto high = static_cast<float>(box.max()[axis] - origin[axis]);
+        result.low[i] = low - (std::fabs(low) * kOutwards + kTiny);
+        result.high[i] = high + (std::fabs(high) * kOutwards + kTiny);
+    }
+    return result;
+}
+
+template<class Leaf>
+void BoxHierarchy::visitBox(const Box& box, Leaf&& leaf) const noexcept
+{
+    if (m_nodes.empty()) {
+        return;
+    }
+    using core::absolute, core::Float4, core::laneBits, core::load4, core::Mask4;
+    const auto splat = [](float v) { return core::splat4(v); };
+    const FloatBox query = FloatBox::around(box, m_origin);
+    const Float4 low0 = splat(query.low[0]), low1 = splat(query.low[1]), low2 = splat(query.low[2]);
+    const Float4 high0 = splat(query.high[0]), high1 = splat(query.high[1]), high2 = splat(query.high[2]);
+    std::uint32_t stack[kStack];
+    int top = 0;
+    std::uint32_t current = 0;
+    for (;;) {
+        const Node& node = m_nodes[current];
+        const Mask4 touches = (load4(node.low[0]) <= high0) & (load4(node.high[0]) >= low0) &
+                              (load4(node.low[1]) <= high1) & (load4(node.high[1]) >= low1) &
+                              (load4(node.low[2]) <= high2) & (load4(node.high[2]) >= low2);
+        std::uint32_t lanes = laneBits(touches);
+        for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
+            const std::uint32_t child = node.child[std::countr_zero(leaves)];
+            if (!leaf(child >> 3, child & 7u)) {
+                return;
+            }
+        }
+        lanes &= ~node.leafMask;
+        if (lanes == 0) {
+            if (top == 0) {
+                return;
+            }
+            current = stack[--top];
+            continue;
+        }
+        current = node.child[std::countr_zero(lanes)];
+        for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
+            stack[top++] = node.child[std::countr_zero(lanes)];
+        }
+    }
+}
+
+template<class Leaf>
+void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf) const noexcept
+{
+    if (m_nodes.empty()) {
+        return;
+    }
+    using core::absolute, core::Float4, core::laneBits, core::load4, core::Mask4;
+    const auto splat = [](float v) { return core::splat4(v); };
+    const Vec3 start = from - m_origin;
+    const Vec3 whole = to - from;
+    Float4 mid[3], half[3], reach[3];
+    float slack = 0.0f;
+    const auto clip = [&](double share) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double h = 0.5 * share * whole[axis];
+            const double m = start[axis] + h;
+            mid[axis] = splat(static_cast<float>(m));
+            half[axis] = splat(static_cast<float>(h));
+            reach[axis] = splat(std::fabs(static_cast<float>(h)));
+        }
+        // Rounding of the float arithmetic below: a few ulp of the largest number in it, so that boxes are kept rather
+        // than lost.
+        slack = 8e-7f * static_cast<float>((start.cwiseAbs() + whole.cwiseAbs()).maxCoeff());
+    };
+    clip(1.0);
+    const Float4 along0 = splat(static_cast<float>(whole[0])), along1 = splat(static_cast<float>(whole[1])),
+                 along2 = splat(static_cast<float>(whole[2]));
+    double share = 1.0;
+    std::uint32_t stack[kStack];
+    int top = 0;
+    std::uint32_t current = 0;
+    for (;;) {
+        const Node& node = m_nodes[current];
+        Float4 c[3], e[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const Float4 low = load4(node.low[axis]), high = load4(node.high[axis]);
+            const Float4 extent = high - low;
+            c[axis] = (low + high) * splat(0.5f) - mid[axis];
+            // Empty boxes keep a negative extent and touch nothing.
+            e[axis] = extent * splat(0.5f) + absolute(extent) * splat(4e-7f) + splat(slack);
+        }
+        Mask4 touches = load4(node.low[0]) <= load4(node.high[0]);
+        for (int axis = 0; axis < 3; ++axis) {
+            touches &= absolute(c[axis]) <= e[axis] + reach[axis];
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+            const Float4 distance = absolute(c[j] * half[k] - c[k] * half[j]);
+            // The extents already carry the slack, times the segment's length: enough for this product's rounding.
+            const Float4 bound = e[j] * reach[k] + e[k] * reach[j] +
+                                 (absolute(c[j]) * reach[k] + absolute(c[k]) * reach[j]) * splat(4e-7f);
+            touches &= distance <= bound;
+        }
+        std::uint32_t lanes = laneBits(touches);
+        for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
+            const std::uint32_t child = node.child[std::countr_zero(leaves)];
+            const double left = leaf(child >> 3, child & 7u);
+            if (left < share) {
+                share = left;
+                clip(share);
+            }
+        }
+        lanes &= ~node.leafMask;
+        if (lanes != 0) {
+            // Farthest pushed first, so that the nearest is taken next.
+            const Float4 order = c[0] * along0 + c[1] * along1 + c[2] * along2;
+            const int first = top;
+            for (; lanes != 0; lanes &= lanes - 1) {
+                const int lane = std::countr_zero(lanes);
+                int at = top++;
+                stack[at] = static_cast<std::uint32_t>(lane);
+                for (; at > first && order[static_cast<int>(stack[at - 1])] < order[static_cast<int>(stack[at])];
+                     --at) {
+                    std::swap(stack[at - 1], stack[at]);
+                }
+            }
+            for (int i = first; i < top; ++i) {
+                stack[i] = node.child[stack[i]];
+            }
+        }
+        if (top == 0) {
+            return;
+        }
+        current = stack[--top];
+    }
+}
+
+} // namespace palpate::geometry

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/geometry/MeshReport.h"
+
+namespace palpate::geometry {
+
+namespace {
+
+/// "52,114 triangles"
+std::string counted(std::size_t n, const char* one, const char* many)
+{
+    const std::string digits = std::to_string(n);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) {
+            text += ',';
+        }
+        text += digits[i];
+    }
+    text += ' ';
+    return text += n == 1 ? one : many;
+}
+
+} // namespace
+
+bool MeshReport::isClean() const noexcept
+{
+    return zeroAreaTriangles == 0 && duplicateTriangles == 0 && inconsistentEdges == 0 && reorientedTriangles == 0 &&
+           openEdges == 0 && nonManifoldEdges == 0 && openComponents == 0 && insideOutComponents == 0;
+}
+
+std::vector<std::string> MeshReport::sentences() const
+{
+    std::vector<std::string> lines;
+    const auto say = [&lines](std::size_t n, const char* one, const char* many, const char* rest) {
+        if (n > 0) {
+            lines.push_back(counted(n, one, many) + rest);
+        }
+    };
+    say(zeroAreaTriangles, "triangle", "triangles", " without area left out");
+    say(duplicateTriangles, "duplicate triangle", "duplicate triangles", " left out");
+    say(reorientedTriangles, "triangle", "triangles", " turned round to face the same way as the rest");
+    say(openEdges, "open edge", "open edges", ": the surface has holes or a rim");
+    say(nonManifoldEdges, "edge", "edges", " shared by more than two triangles");
+    say(nonOrientableComponents, "part", "parts", " without a consistent front");
+    say(openComponents, "part", "parts", " without an inside, touched from both sides");
+    say(insideOutComponents, "closed part looks", "closed parts look",
+        " inside out: touched from within unless flipped");
+    return lines;
+}
+
+} // namespace palpate::geometry

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/geometry/EdgeTable.h"
+#include "palpate/geometry/MeshReport.h"
+
+#include "Orientation.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace palpate::geometry {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+class DisjointSets
+{
+  public:
+    explicit DisjointSets(std::size_t n)
+        : m_parent(n)
+    {
+        std::iota(m_parent.begin(), m_parent.end(), 0u);
+    }
+    std::uint32_t find(std::uint32_t i)
+    {
+        while (m_parent[i] != i) {
+            m_parent[i] = m_parent[m_parent[i]];
+            i = m_parent[i];
+        }
+        return i;
+    }
+    // The smaller number becomes the representative, so that the result does not depend on the order.
+    void join(std::uint32_t a, std::uint32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        if (a != b) {
+            m_parent[std::max(a, b)] = std::min(a, b);
+        }
+    }
+
+  private:
+    std::vector<std::uint32_t> m_parent;
+};
+
+std::uint64_t mix(std::uint64_t h)
+{
+    h ^= h >> 33;
+    h *= 0xff51afd7ed558ccdull;
+    h ^= h >> 33;
+    h *= 0xc4ceb9fe1a85ec53ull;
+    return h ^ (h >> 33);
+}
+
+/// Numbers things by equality in the order in which they first come.
+template<class Hash, class Equal>
+class FirstSeen
+{
+  public:
+    FirstSeen(std::size_t n, Hash hash, Equal equal)
+        : m_slots(std::bit_ceil(2 * n + 2), kNone)
+        , m_hash(hash)
+        , m_equal(equal)
+    {
+    }
+    /// @return the first number that equals `i`, `i` itself when it is new.
+    std::uint32_t insert(std::uint32_t i)
+    {
+        for (std::size_t at = m_hash(i) & (m_slots.size() - 1);; at = (at + 1) & (m_slots.size() - 1)) {
+            if (m_slots[at] == kNone) {
+                m_slots[at] = i;
+                return i;
+            }
+            if (m_equal(m_slots[at], i)) {
+                return m_slots[at];
+            }
+        }
+    }
+
+  private:
+    std::vector<std::uint32_t> m_slots;
+    Hash m_hash;
+    Equal m_equal;
+};
+
+/// Welds equal coordinates. @return for each vertex its new number.
+std::vector<std::uint32_t> weld(const std::vector<Vec3>& in, std::vector<Vec3>& out)
+{
+    const auto hash = [&in](std::uint32_t i) {
+        std::uint64_t h = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            h = mix(h ^ std::bit_cast<std::uint64_t>(in[i][axis] + 0.0)); // + 0.0 makes -0 equal to 0
+        }
+        return h;
+    };
+    const auto equal = [&in](std::uint32_t a, std::uint32_t b) { return in[a] == in[b]; };
+    FirstSeen seen(in.size(), hash, equal);
+    std::vector<std::uint32_t> renumbered(in.size());
+    out.reserve(in.size());
+    for (std::uint32_t i = 0; i < in.size(); ++i) {
+        const std::uint32_t first = seen.insert(i);
+        if (first == i) {
+            renumbered[i] = static_cast<std::uint32_t>(out.size());
+            out.push_back(in[i]);
+        } else {
+            renumbered[i] = renumbered[first];
+        }
+    }
+    return renumbered;
+}
+
+/// True when rounding alone can explain the triangle's area: it has no normal. The rounding of a cross product is a few
+/// ulp of the square of the longest edge.
+bool isZeroArea(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const Vec3 ab = b - a, ac = c - a;
+    const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
+    return !(ab.cross(ac).norm() > 8.0 * std::numeric_limits<double>::epsilon() * longest2);
+}
+
+void dropUnusedVertices(TriangleMesh& mesh)
+{
+    std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kNone);
+    for (const Triangle& t : mesh.triangles) {
+        for (const std::uint32_t v : t) {
+            renumbered[v] = 0;
+        }
+    }
+    std::uint32_t next = 0;
+    for (std::size_t v = 0; v < renumbered.size(); ++v) {
+        if (renumbered[v] == 0) {
+            mesh.vertices[next] = mesh.vertices[v];
+            renumbered[v] = next++;
+        }
+    }
+    mesh.vertices.resize(next);
+    for (Triangle& t : mesh.triangles) {
+        for (std::uint32_t& v : t) {
+            v = renumbered[v];
+        }
+    }
+}
+
+double signedVolume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& origin)
+{
+    return (mesh.vertices[t[0]] - origin).dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+}
+
+/// Winding number of the closed components but `self` around `p`, by a ray along +x.
+int windingWithout(const TriangleMesh& mesh, const std::vector<std::uint32_t>& componentOf,
+                   const std::vector<Component>& components, std::uint32_t self, const Vec3& p)
+{
+    int winding = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const std::uint32_t c = componentOf[i];
+        if (c == self || !components[c].isBalanced || !components[c].box.contains(p)) {
+            continue;
+        }
+        const Triangle& t = mesh.triangles[i];
+        std::array<Vec3, 3> q;
+        for (std::size_t k = 0; k < 3; ++k) {
+            q[k] = mesh.vertices[t[k]] - p;
+        }
+        // Half-open edges in y: each crossing of the yz projection is counted once.
+        int sides = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 &a = q[k], &b = q[(k + 1) % 3];
+            if ((a.y() > 0.0) != (b.y() > 0.0)) {
+                const double z = a.z() + (b.z() - a.z()) * (-a.y() / (b.y() - a.y()));
+                if (z > 0.0) {
+                    sides += a.y() > 0.0 ? 1 : -1;
+                }
+            }
+        }
+        if (sides != 0) {
+            const Vec3 n = (q[1] - q[0]).cross(q[2] - q[0]);
+            if (n.x() != 0.0 && n.dot(q[0]) / n.x() > 0.0) {
+                winding += n.x() > 0.0 ? 1 : -1;
+            }
+        }
+    }
+    return winding;
+}
+
+} // namespace
+
+RepairedMesh repair(const TriangleMesh& input)
+{
+    RepairedMesh result;
+    TriangleMesh& mesh = result.mesh;
+    MeshReport& report = result.report;
+    report.inputVertices = input.vertices.size();
+    report.inputTriangles = input.triangles.size();
+
+    const std::vector<std::uint32_t> renumbered = weld(input.vertices, mesh.vertices);
+    report.weldedVertices = input.vertices.size() - mesh.vertices.size();
+
+    std::vector<Triangle> candidates(input.triangles.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            candidates[i][k] = renumbered[input.triangles[i][k]];
+        }
+    }
+    const auto sorted = [&candidates](std::uint32_t i) {
+        Triangle t = candidates[i];
+        std::sort(t.begin(), t.end());
+        return t;
+    };
+    FirstSeen seen(
+        candidates.size(),
+        [&](std::uint32_t i) {
+            const Triangle t = sorted(i);
+            return mix(mix(t[0] | std::uint64_t{t[1]} << 32) ^ t[2]);
+        },
+        [&](std::uint32_t a, std::uint32_t b) { return sorted(a) == sorted(b); });
+    mesh.triangles.reserve(candidates.size());
+    result.source.reserve(candidates.size());
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+        const Triangle& t = candidates[i];
+        if (isZeroArea(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])) {
+            ++report.zeroAreaTriangles;
+        } else if (seen.insert(i) != i) {
+            ++report.duplicateTriangles;
+        } else {
+            mesh.triangles.push_back(t);
+            result.source.push_back(i);
+        }
+    }
+    dropUnusedVertices(mesh);
+    report.vertices = mesh.vertices.size();
+    report.triangles = mesh.triangles.size();
+    report.bounds = mesh.bounds();
+    const std::size_t n = mesh.triangles.size();
+    result.twoSided.assign(n, 0);
+    if (n == 0) {
+        return result;
+    }
+
+    const EdgeTable edges(mesh);
+    DisjointSets sets(n);
+    edges.forEach([&](const EdgeUse* uses, std::size_t count) {
+        for (std::size_t i = 1; i < count; ++i) {
+            sets.join(uses[0].triangle, uses[i].triangle);
+        }
+        report.openEdges += count == 1 ? 1 : 0;
+        report.nonManifoldEdges += count > 2 ? 1 : 0;
+        report.inconsistentEdges += count == 2 && uses[0].isForward == uses[1].isForward ? 1 : 0;
+    });
+    std::vector<std::uint32_t> componentOf(n);
+    std::vector<Component> components;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t root = sets.find(i);
+        if (root == i) {
+            componentOf[i] = static_cast<std::uint32_t>(components.size());
+            components.push_back({});
+            components.back().someTriangle = i;
+        } else {
+            componentOf[i] = componentOf[root]; // the root is the smallest of its set, so it was seen before
+        }
+    }
+    edges.forEach([&](const EdgeUse* uses, std::size_t count) {
+        if (count == 2 && uses[0].isForward == uses[1].isForward) {
+            components[componentOf[uses[0].triangle]].isConsistent = false;
+        }
+    });
+    std::vector<std::uint8_t> turned(n, 0);
+    if (report.inconsistentEdges > 0) {
+        for (const std::uint32_t t : trianglesToTurn(n, edges, componentOf, components)) {
+            turned[t] = 1;
+            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        }
+    }
+    edges.forEach([&](const EdgeUse* uses, std::size_t count) {
+        int balance = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            balance += uses[i].isForward != (turned[uses[i].triangle] != 0) ? 1 : -1;
+        }
+        if (balance != 0) {
+            components[componentOf[uses[0].triangle]].isBalanced = false;
+        }
+    });
+    const Vec3 origin = report.bounds.center();
+    for (std::size_t i = 0; i < n; ++i) {
+        Component& component = components[componentOf[i]];
+        component.volume6 += signedVolume6(mesh, mesh.triangles[i], origin);
+        for (const std::uint32_t v : mesh.triangles[i]) {
+            component.box.extend(mesh.vertices[v]);
+        }
+    }
+    // A component whose orientation was made up here faces outwards when it is closed.
+    std::vector<std::uint8_t> turnAll(components.size(), 0);
+    for (std::size_t c = 0; c < components.size(); ++c) {
+        Component& component = components[c];
+        component.isBalanced = component.isBalanced && component.isOrientable;
+        if (!component.isConsistent && component.isBalanced && component.volume6 < 0.0) {
+            turnAll[c] = 1;
+            component.volume6 = -component.volume6;
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (turnAll[componentOf[i]] != 0) {
+            turned[i] ^= 1;
+            std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+        }
+        report.reorientedTriangles += turned[i];
+        result.twoSided[i] = components[componentOf[i]].isBalanced ? 0 : 1;
+        const Triangle& t = mesh.triangles[i];
+        report.area_mm2 +=
+            0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+    }
+    report.components = components.size();
+    for (std::uint32_t c = 0; c < components.size(); ++c) {
+        const Component& component = components[c];
+        if (!component.isBalanced) {
+            ++report.openComponents;
+            report.nonOrientableComponents += component.isOrientable ? 0 : 1;
+            continue;
+        }
+        ++report.closedComponents;
+        report.volume_mm3 += component.volume6 / 6.0;
+        // Facing inwards is right for a cavity inside another closed component.
+        if (component.volume6 < 0.0) {
+            const Vec3& p = mesh.vertices[mesh.triangles[component.someTriangle][0]];
+            report.insideOutComponents += windingWithout(mesh, componentOf, components, c, p) > 0 ? 0 : 1;
+        }
+    }
+    return result;
+}
+
+} // namespace palpate::geometry

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/geometry/BoxHierarchy.h>
+
+#include <random>
+#include <set>
+
+using namespace palpate;
+using core::Box;
+using core::Vec3;
+using geometry::BoxHierarchy;
+using geometry::FloatBox;
+
+class BoxHierarchyTest : public QObject
+{
+    Q_OBJECT
+
+    struct Scene
+    {
+        std::vector<Box> boxes;
+        BoxHierarchy hierarchy;
+        std::vector<std::uint32_t> items;
+    };
+
+    static Scene randomScene(std::size_t n, double offset, double size, unsigned threads, unsigned seed)
+    {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        Scene scene;
+        const Vec3 origin = Vec3::Constant(offset);
+        std::vector<FloatBox> floats;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 low = origin + 100.0 * Vec3(unit(random), unit(random), unit(random));
+            scene.boxes.emplace_back(low, low + size * Vec3(unit(random), unit(random), unit(random)));
+            floats.push_back(FloatBox::around(scene.boxes.back(), origin));
+        }
+        scene.hierarchy = BoxHierarchy::build(floats, scene.items, origin, threads);
+        return scene;
+    }
+
+    static bool segmentTouches(const Box& box, const Vec3& from, const Vec3& to)
+    {
+        double enter = 0.0, leave = 1.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = to[axis] - from[axis];
+            if (d == 0.0) {
+                if (from[axis] < box.min()[axis] || from[axis] > box.max()[axis]) {
+                    return false;
+                }
+                continue;
+            }
+            const double t0 = (box.min()[axis] - from[axis]) / d, t1 = (box.max()[axis] - from[axis]) / d;
+            enter = std::max(enter, std::min(t0, t1));
+            leave = std::min(leave, std::max(t0, t1));
+        }
+        return enter <= leave;
+    }
+
+  private slots:
+    void everyQueryFindsWhatBruteForceFinds_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<double>("offset");
+        QTest::addColumn<double>("size");
+        for (const int count : {0, 1, 4, 5, 17, 3000}) {
+            QTest::addRow("%d boxes", count) << count << 0.0 << 5.0;
+        }
+        QTest::newRow("a million mm away") << 3000 << 1e6 << 5.0;
+        QTest::newRow("flat boxes") << 3000 << -1e6 << 0.0;
+    }
+    void everyQueryFindsWhatBruteForceFinds()
+    {
+        QFETCH(int, count);
+        QFETCH(double, offset);
+        QFETCH(double, size);
+        const Scene scene = randomScene(static_cast<std::size_t>(count), offset, size, 2, 1);
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        const auto point = [&] {
+            return Vec3(Vec3::Constant(offset) + 100.0 * Vec3(unit(random), unit(random), unit(random)));
+        };
+        std::size_t found = 0;
+        for (int round = 0; round < 300; ++round) {
+            const Vec3 from = point();
+            Vec3 to = round % 3 == 0 ? point() : Vec3(from + Vec3(unit(random), unit(random), unit(random)));
+            if (round % 5 == 0) {
+                to.y() = from.y(); // parallel to an axis' planes
+                to.z() = from.z();
+            }
+            const Box query(from.cwiseMin(to), from.cwiseMax(to));
+            std::set<std::uint32_t> inBox, onSegment;
+            scene.hierarchy.visitBox(query, [&](std::uint32_t first, std::uint32_t n) {
+                for (std::uint32_t i = first; i < first + n; ++i) {
+                    inBox.insert(scene.items[i]);
+                }
+                return true;
+            });
+            scene.hierarchy.visitSegment(from, to, [&](std::uint32_t first, std::uint32_t n) {
+                for (std::uint32_t i = first; i < first + n; ++i) {
+                    onSegment.insert(scene.items[i]);
+                }
+                return 1.0;
+            });
+            for (std::uint32_t i = 0; i < scene.boxes.size(); ++i) {
+                if (query.intersects(scene.boxes[i])) {
+                    QVERIFY(inBox.count(i) == 1);
+                }
+                if (segmentTouches(scene.boxes[i], from, to)) {
+                    QVERIFY(onSegment.count(i) == 1);
+                    ++found;
+                }
+            }
+        }
+        QVERIFY(count < 3000 || size == 0.0 || found > 100);
+    }
+
+    void leavesOutWhatLiesBeyondTheShareOfInterest()
+    {
+        const Scene scene = randomScene(5000, 0.0, 1.0, 1, 3);
+        int all = 0, near = 0;
+        const Vec3 from(0, 0, 0), to(100, 100, 100);
+        scene.hierarchy.visitSegment(from, to, [&](std::uint32_t, std::uint32_t) { return ++all, 1.0; });
+        scene.hierarchy.visitSegment(from, to, [&](std::uint32_t, std::uint32_t) { return ++near, 0.05; });
+        QVERIFY(near > 0);
+        QVERIFY2(near * 3 < all, qPrintable(QString("%1 of %2").arg(near).arg(all)));
+    }
+
+    void doesNotDependOnTheNumberOfThreads()
+    {
+        const Scene one = randomScene(50000, 0.0, 0.5, 1, 4), two = randomScene(50000, 0.0, 0.5, 2, 4);
+        QCOMPARE(one.items, two.items);
+        QCOMPARE(one.hierarchy.nodeCount(), two.hierarchy.nodeCount());
+    }
+
+    void keepsEveryItemOnceEvenWhenAllAreEqual()
+    {
+        std::vector<FloatBox> boxes(1000, FloatBox{{0, 0, 0}, {1, 1, 1}});
+        std::vector<std::uint32_t> items;
+        const BoxHierarchy hierarchy = BoxHierarchy::build(boxes, items, Vec3::Zero(), 2);
+        QCOMPARE(std::set<std::uint32_t>(items.begin(), items.end()).size(), std::size_t{1000});
+        std::size_t seen = 0;
+        hierarchy.visitBox(Box(Vec3::Zero(), Vec3::Ones()),
+                           [&](std::uint32_t, std::uint32_t n) { return seen += n, true; });
+        QCOMPARE(seen, std::size_t{1000});
+    }
+};
+
+static const bool registered = palpate::test::registerTest(
+    "BoxHierarchy", []() -> std::unique_ptr<QObject> { return std::make_unique<BoxHierarchyTest>(); });
+#include "tst_BoxHierarchy.moc"

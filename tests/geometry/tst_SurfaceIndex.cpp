@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <set>
+
+using namespace palpate;
+using namespace palpate::test;
+using geometry::RepairedMesh;
+
+class SurfaceIndexTest : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void holdsEveryTriangleOnceWithItsWinding()
+    {
+        const RepairedMesh r = geometry::repair(bumpySphere(12, 40.0, 0.05));
+        const geometry::SurfaceIndex index = geometry::SurfaceIndex::build(r);
+        QCOMPARE(std::size_t{index.triangleCount()}, r.mesh.triangles.size());
+        QCOMPARE(std::size_t{index.vertexCount()}, r.mesh.vertices.size());
+        std::set<std::uint32_t> seen;
+        for (std::uint32_t i = 0; i < index.triangleCount(); ++i) {
+            const std::uint32_t source = index.sourceTriangle(i);
+            QVERIFY(seen.insert(source).second);
+            for (std::size_t k = 0; k < 3; ++k) {
+                QVERIFY(index.vertex(index.triangle(i)[k]) == r.mesh.vertices[r.mesh.triangles[source][k]]);
+            }
+            QVERIFY(!index.isTwoSided(i));
+        }
+    }
+
+    void remembersWhichTrianglesAreTwoSided()
+    {
+        geometry::TriangleMesh mesh = sheet(5.0, 3);
+        append(mesh, transformed(sphere(3, 2.0), [](const Vec3& v) { return Vec3(v + Vec3(0, 0, 20)); }));
+        const RepairedMesh r = geometry::repair(mesh);
+        const geometry::SurfaceIndex index = geometry::SurfaceIndex::build(r);
+        std::size_t twoSided = 0;
+        for (std::uint32_t i = 0; i < index.triangleCount(); ++i) {
+            QCOMPARE(index.isTwoSided(i), r.twoSided[index.sourceTriangle(i)] == 1);
+            twoSided += index.isTwoSided(i) ? 1 : 0;
+        }
+        QCOMPARE(twoSided, std::size_t{18});
+    }
+
+    void costsAtMost64BytesATriangle()
+    {
+        const auto index = indexed(sphere(64, 50.0));
+        const double bytes = double(index->byteSize()) / index->triangleCount();
+        QVERIFY2(bytes <= 64.0, qPrintable(QString::number(bytes)));
+    }
+
+    void keepsTheSkinFarBelowWhatCanBeFelt_data()
+    {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<double>("offset");
+        QTest::newRow("organ") << 1.0 << 0.0;
+        QTest::newRow("in metres") << 1e-3 << 0.0;
+        QTest::newRow("far away") << 1.0 << 1e6;
+        QTest::newRow("huge") << 1e3 << 0.0;
+    }
+    void keepsTheSkinFarBelowWhatCanBeFelt()
+    {
+        QFETCH(double, scale);
+        QFETCH(double, offset);
+        const auto index = indexed(
+            transformed(sphere(16, 50.0), [&](const Vec3& v) { return Vec3(v * scale + Vec3::Constant(offset)); }));
+        const double extent = index->bounds().diagonal().norm();
+        QVERIFY(index->skin_mm() <= 1e-4);
+        QVERIFY(index->skin_mm() <= 1e-6 * extent);
+        // Above the spacing of doubles where the surface is, so that a gap of one skin exists at all.
+        QVERIFY(index->skin_mm() > 4 * 2.2e-16 * (offset + extent));
+    }
+
+    void survivesNothing() { QCOMPARE(indexed({})->triangleCount(), 0u); }
+};
+
+static const bool registered = palpate::test::registerTest(
+    "SurfaceIndex", []() -> std::unique_ptr<QObject> { return std::make_unique<SurfaceIndexTest>(); });
+#include "tst_SurfaceIndex.moc"
