@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/haptics/Tissue.h"
+
+#include <palpate/geometry/SurfaceIndex.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::haptics {
+
+/// One palpable structure. Its surface is shared, so that a change of tissue needs no new index.
+struct HapticStructure
+{
+    std::string name;
+    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< world frame [mm]; never null in a scene
+    Tissue tissue;
+    std::uint32_t layer = 0; ///< 0 is the outermost; structures of one layer share one god-object
+};
+
+/// The structures that share one god-object.
+struct HapticLayer
+{
+    std::vector<std::uint32_t> structures; ///< numbers in the scene, in the order of the hierarchy's leaves
+    geometry::BoxHierarchy hierarchy;      ///< over the structures' boxes: a tick pays only for those it is near
+    double facetSize_mm = 0.0;             ///< of the finest structure
+};
+
+/// What the servo thread can touch: an immutable list of structures sorted into layers, outermost first. Built and
+/// destroyed outside the servo thread, which only ever holds a pointer to it.
+class HapticScene
+{
+  public:
+    /// Layers beyond this many are merged into the last one.
+    static constexpr std::size_t kMaxLayers = 4;
+
+    /// @param structures  those without a surface or without triangles are left out of every layer but keep their
+    ///                    number. Layer numbers need not be contiguous: only their order counts.
+    explicit HapticScene(std::vector<HapticStructure> structures);
+
+    [[nodiscard]] const std::vector<HapticStructure>& structures() const noexcept { return m_structures; }
+    [[nodiscard]] std::size_t layerCount() const noexcept { return m_layers.size(); }
+    [[nodiscard]] const HapticLayer& layer(std::size_t layer) const noexcept { return m_layers[layer]; }
+    /// Bytes of all surfaces, counting a shared one once.
+    [[nodiscard]] std::size_t byteSize() const;
+
+  private:
+    std::vector<HapticStructure> m_structures;
+    std::vector<HapticLayer> m_layers;
+};
+
+} // namespace palpate::haptics

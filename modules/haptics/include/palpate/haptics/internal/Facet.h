@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/geometry/SurfaceIndex.h>
+
+#include <cstdint>
+
+namespace palpate::haptics::internal {
+
+using core::Vec3;
+
+/// A triangle ready to be tested against moves.
+struct Facet
+{
+    Vec3 a, b, c;   ///< corners [mm]
+    Vec3 n;         ///< unit normal of the front
+    double skin_mm; ///< gap that the god-object keeps to it
+    std::uint32_t structure;
+    std::uint32_t triangle; ///< position in the structure's SurfaceIndex
+    bool isTwoSided;
+
+    [[nodiscard]] static Facet of(const geometry::SurfaceIndex& surface, std::uint32_t structure,
+                                  std::uint32_t triangle) noexcept PALPATE_NONBLOCKING;
+};
+
+/// How far behind a plane a move may start and still count as starting on it, as a share of the skin: it covers the
+/// rounding of positions that were computed to lie in front.
+inline constexpr double kOnPlane = 1.0 / 16.0;
+
+/// Where a move meets a facet that blocks it.
+struct Crossing
+{
+    double key; ///< order of crossings along the move: 0 when touched already, else the share where it meets the plane
+    double depth; ///< how far behind the plane the move would end [mm]; the larger first when keys are equal
+    double stop;  ///< share of the move that may be made, 0 … 1: there the gap is the skin
+    Facet facet;
+    int side; ///< +1: met from the front, -1: from behind
+};
+
+/// Tests whether `facet` blocks the straight move x → y, as DESIGN defines blocking: it goes against the normal, starts
+/// on the front or on the plane, ends behind it and passes through the closed triangle.
+///
+/// The three edge tests are signs of the volumes spanned by the move and an edge. Two triangles that share an edge
+/// compute the same volume with the opposite sign, to the last bit, and what rounding could decide counts as inside:
+/// so no move passes between neighbours.
+/// @param limit  crossings beyond this key are of no interest
+/// @par Real-time Wait-free.
+[[nodiscard]] bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit,
+                          Crossing& crossing) noexcept PALPATE_NONBLOCKING;
+
+/// Where the foot of a god-object lies on a facet's plane.
+enum class Foot : std::uint8_t
+{
+    Away,   ///< not on the facet
+    AtEdge, ///< nearer to an edge than `edge_mm`, on either side of it
+    Inside, ///< on the facet
+};
+
+/// Finds where a god-object at `g` stands on `facet`: within `gap_mm` of its plane, its foot inside the closed triangle
+/// or not farther than `slack_mm` outside it; Away otherwise.
+/// @param side     that `g` is on: +1 front, -1 behind
+/// @param edge_mm  width of the band along the edges that counts as AtEdge
+/// @par Real-time Wait-free.
+[[nodiscard]] Foot footOn(const Facet& facet, int side, const Vec3& g, double gap_mm, double slack_mm,
+                          double edge_mm) noexcept PALPATE_NONBLOCKING;
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/GodObject.h"
+
+#include "palpate/haptics/internal/ConstrainedPoint.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate::haptics {
+
+namespace {
+
+using internal::ConstrainedPoint;
+using internal::Crossing;
+using internal::Facet;
+using internal::Foot;
+using internal::HalfSpace;
+using internal::Neighbourhood;
+
+/// A facet that the god-object touches, and from which side.
+struct Contact
+{
+    Facet facet;
+    int side;
+    Foot foot = Foot::Away;  ///< where the god-object stands on it, when it was last asked
+    bool isInTheWay = false; ///< was met by a move from the very place where the god-object is
+
+    [[nodiscard]] Vec3 normal() const noexcept { return side > 0 ? facet.n : Vec3(-facet.n); }
+    /// Distance of `g` in front of the plane [mm].
+    [[nodiscard]] double gap(const Vec3& g) const noexcept { return side * facet.n.dot(g - facet.a); }
+    [[nodiscard]] bool isSame(const Contact& other) const noexcept
+    {
+        return facet.structure == other.facet.structure && facet.triangle == other.facet.triangle && side == other.side;
+    }
+};
+
+/// One tick of one god-object.
+class Tick
+{
+  public:
+    Tick(const Vec3& hip, const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near,
+         const Vec3& god) noexcept
+        : m_hip(hip)
+        , m_scene(scene)
+        , m_layer(layer)
+        , m_near(near)
+        , m_god(god)
+    {
+    }
+
+    void touch(const Facet& facet, int side, bool isInTheWay = false) noexcept
+    {
+        m_contacts[static_cast<std::size_t>(m_count++)] = {facet, side, Foot::Away, isInTheWay};
+        m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
+    }
+
+    /// @return how many moves were tried, `limit` when it was not enough.
+    std::uint32_t converge(std::uint32_t limit) noexcept
+    {
+        double spring = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = 0; i < limit; ++i) {
+            if (i % kPatience == kPatience - 1) {
+                // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
+                // many moves has arrived.
+                const double last = std::exchange(spring, (m_hip - m_god).norm());
+                if (spring > last - m_skin_mm && !escape()) {
+                    return i + 1;
+                }
+            }
+            const Vec3 target = nextTarget();
+            Crossing crossing;
+            if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
+                if (!stopAt(target, crossing) && !escape()) {
+                    return i + 1;
+                }
+                continue;
+            }
+            moveTo(target);
+            const int before = m_count;
+            keepSupporting();
+            if (m_count == before && (isCertain() || !escape())) {
+                return i + 1;
+            }
+        }
+        return limit;
+    }
+
+    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
+    [[nodiscard]] int count() const noexcept { return m_count; }
+    [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
+
+  private:
+    /// The constrained point of the present contacts; those with no part in it are released.
+    Vec3 nextTarget() noexcept
+    {
+        if (m_count == 0) {
+            return m_hip;
+        }
+        const Vec3 wanted = m_hip - m_god;
+        std::array<HalfSpace, kMost> planes;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(m_count); ++i) {
+            planes[i] = {m_contacts[i].normal(), m_contacts[i].facet.skin_mm - m_contacts[i].gap(m_god)};
+        }
+        const ConstrainedPoint point = internal::constrainedPoint(
+            wanted, std::span(planes).first(static_cast<std::size_t>(m_count)), allowance(wanted));
+        for (int i = 0; i < point.count; ++i) {
+            // `active` ascends, so nothing is overwritten before it is used.
+            m_contacts[static_cast<std::size_t>(i)] = m_contacts[point.active[static_cast<std::size_t>(i)]];
+        }
+        m_count = point.count;
+        return m_god + point.u;
+    }
+
+    /// Violation of a plane that is rounding: a thousandth of the skin, or what a spring of this length leaves.
+    [[nodiscard]] double allowance(const Vec3& wanted) const noexcept
+    {
+        return std::max(1e-3 * m_skin_mm, 8.0 * std::numeric_limits<double>::epsilon() * wanted.norm());
+    }
+
+    /// Moves up to the facet in the way and takes its plane as a constraint.
+    /// @return false when that leads nowhere any more.
+    bool stopAt(const Vec3& target, const Crossing& crossing) noexcept
+    {
+        const Contact met{crossing.facet, crossing.side};
+        m_skin_mm = std::max(m_skin_mm, met.facet.skin_mm);
+        if (moveTo(m_god + crossing.stop * (target - m_god))) {
+            keepSupporting();
+        }
+        // In place each new plane moves the constrained point away from the HIP, as in a dual active-set method: no set
+        // of planes comes back.
+        const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                                        [&met](const Contact& c) { return c.isSame(met); });
+        if (isHeld) {
+            return false;
+        }
+        if (m_count == kMost) {
+            std::move(m_contacts.begin() + 1, m_contacts.end(), m_contacts.begin());
+            --m_count;
+        }
+        touch(met.facet, met.side, true);
+        return true;
+    }
+
+    /// @return false, unmoved, for less than rounding: a thousandth of the skin.
+    bool moveTo(const Vec3& p) noexcept
+    {
+        if ((p - m_god).cwiseAbs().maxCoeff() <= 1e-3 * m_skin_mm) {
+            return false;
+        }
+        m_god = p;
+        for (int i = 0; i < m_count; ++i) {
+            m_contacts[static_cast<std::size_t>(i)].isInTheWay = false;
+        }
+        return true;
+    }
+
+    /// Drops the contacts whose triangle is no longer below the god-object. One that stood in the way of a move from
+    /// here may lie beside it, met at a shallow angle: it holds as long as another contact holds too.
+    void keepSupporting() noexcept
+    {
+        // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
+        const double slack = m_count > 1 ? m_skin_mm : 0.0;
+        const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](Contact& c) {
+            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, slack, kTouched * c.facet.skin_mm);
+            return c.foot == Foot::Away && !(c.isInTheWay && m_count > 1);
+        });
+        m_count = static_cast<int>(end - m_contacts.begin());
+    }
+
+    /// True when the contacts alone show that no move comes closer: none, one with the foot well inside it, or two
+    /// below the god-object that share an edge and rise towards each other.
+    [[nodiscard]] bool isCertain() const noexcept
+    {
+        return m_count == 0 || (m_count == 1 && m_contacts[0].foot == Foot::Inside) ||
+               (m_count == 2 && isConcaveEdge());
+    }
+
+    [[nodiscard]] bool isConcaveEdge() const noexcept
+    {
+        const Contact &p = m_contacts[0], &q = m_contacts[1];
+        if (p.foot == Foot::Away || q.foot == Foot::Away) {
+            return false;
+        }
+        int shared = 0;
+        for (const Vec3* v : {&p.facet.a, &p.facet.b, &p.facet.c}) {
+            if (*v == q.facet.a || *v == q.facet.b || *v == q.facet.c) {
+                ++shared;
+            } else if (q.gap(*v) < 0.0) {
+                return false;
+            }
+        }
+        return shared == 2;
+    }
+
+    /// At a vertex the surface may fall away on one side although the planes around it leave no room: the free space
+    /// is not the intersection of the half-spaces there. Tries the straight way and those along each facet and each
+    /// pair of facets that are touched.
+    /// @return true when one of them led closer to the HIP.
+    bool escape() noexcept
+    {
+        std::array<Contact, kMostTouched> touched;
+        std::size_t n = 0;
+        double skin = m_skin_mm;
+        for (int i = 0; i < m_count; ++i) {
+            touched[n++] = m_contacts[static_cast<std::size_t>(i)];
+        }
+        const auto held = static_cast<std::ptrdiff_t>(n);
+        m_near.forEachNear(m_scene, m_layer, m_god, [&](const Facet& facet) {
+            const int side = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
+            const Contact contact{facet, side};
+            const double reach = kTouched * facet.skin_mm;
+            if (n < touched.size() && internal::footOn(facet, side, m_god, reach, reach, 0.0) != Foot::Away &&
+                std::none_of(touched.begin(), touched.begin() + held,
+                             [&](const Contact& c) { return c.isSame(contact); })) {
+                touched[n++] = contact;
+                skin = std::max(skin, facet.skin_mm);
+            }
+        });
+        // Within the skin's thickness a facet's very edge may stand in the way of what is open beyond it: the ways are
+        // tried from a little above, away from the HIP.
+        const Vec3 wanted = m_hip - m_god;
+        const double spring = wanted.norm();
+        Vec3 from = m_god - wanted * (kTouched * skin / spring);
+        Crossing above;
+        if (m_near.sweep(m_scene, m_layer, m_god, from, above)) {
+            from = m_god + above.stop * (from - m_god);
+        }
+        const double enough = spring - 16.0 * skin; // less gain is not worth a move
+        if (follow(from, {}, enough)) {
+            return true;
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            if (follow(from, std::span(&touched[i], 1), enough)) {
+                return true;
+            }
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = i + 1; j < n; ++j) {
+                if (follow(from, std::array{touched[i], touched[j]}, enough)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Moves from `from` along the given planes alone. @return false, unmoved, when that leads no nearer to the HIP
+    /// than `enough` [mm].
+    bool follow(Vec3 from, std::span<const Contact> along, double enough) noexcept
+    {
+        std::array<HalfSpace, 2> planes;
+        const auto setPlanes = [&] {
+            for (std::size_t i = 0; i < along.size(); ++i) {
+                planes[i] = {along[i].normal(), along[i].facet.skin_mm - along[i].gap(from)};
+            }
+            return std::span<const HalfSpace>(planes).first(along.size());
+        };
+        // First up to a skin above the planes themselves, where that is free: their edges are no longer in the way
+        // then.
+        Crossing crossing;
+        const Vec3 up = internal::constrainedPoint(Vec3::Zero(), setPlanes(), 0.0).u;
+        if (!along.empty() && !m_near.sweep(m_scene, m_layer, from, from + up, crossing)) {
+            from += up;
+        }
+        const Vec3 wanted = m_hip - from;
+        const ConstrainedPoint point = internal::constrainedPoint(wanted, setPlanes(), allowance(wanted));
+        if ((wanted - point.u).norm() > enough) {
+            return false;
+        }
+        Vec3 u = point.u;
+        const bool isBlocked = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
+        if (isBlocked) {
+            u *= crossing.stop;
+            if ((wanted - u).norm() > enough) {
+                return false;
+            }
+        }
+        moveTo(from + u);
+        m_count = 0;
+        for (int i = 0; i < point.count; ++i) {
+            const Contact& c = along[point.active[static_cast<std::size_t>(i)]];
+            touch(c.facet, c.side);
+        }
+        keepSupporting();
+        if (isBlocked) {
+            touch(crossing.facet, crossing.side);
+        }
+        return true;
+    }
+
+    static constexpr std::size_t kMost = 4;         // three constraints and the plane just met
+    static constexpr std::size_t kMostTouched = 16; // facets around a vertex that `escape` considers
+    // In skins: a skin's distance from each of two walls at a sharp angle is this far from a third.
+    static constexpr double kTouched = 64.0;
+    static constexpr std::uint32_t kPatience = 32;
+
+    const Vec3& m_hip;
+    const HapticScene& m_scene;
+    const HapticLayer& m_layer;
+    Neighbourhood& m_near;
+    Vec3 m_god;
+    std::array<Contact, kMost> m_contacts;
+    int m_count = 0;
+    double m_skin_mm = 0.0;
+};
+
+} // namespace
+
+GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::size_t layerNumber,
+                              const GodObjectLimits& limits) noexcept
+{
+    GodObjectStep result;
+    if (!p_WH.allFinite()) {
+        result.p_WG = m_state.p_WG;
+        result.status = TickStatus::InvalidInput;
+        return result;
+    }
+    if (m_state.placed == 0) {
+        m_state = {};
+        m_state.p_WG = p_WH;
+        m_state.placed = 1;
+        m_neighbourhood.clear();
+    }
+    const HapticLayer& layer = scene.layer(layerNumber);
+    m_neighbourhood.beginTick(m_state.p_WG);
+    Tick tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG);
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        const geometry::SurfaceIndex& surface = *scene.structures()[m_state.structure[i]].surface;
+        tick.touch(Facet::of(surface, m_state.structure[i], m_state.triangle[i]), m_state.side[i]);
+    }
+    result.iterations = tick.converge(limits.iterations);
+    if (result.iterations >= limits.iterations) {
+        result.status = TickStatus::IterationLimit;
+    }
+    m_state.p_WG = result.p_WG = tick.god();
+    result.constraints = m_state.constraints = static_cast<std::uint8_t>(std::min(tick.count(), 3));
+    for (int i = 0; i < m_state.constraints; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Contact& contact = tick.contact(i);
+        result.active[k] = {contact.facet.structure, contact.facet.triangle, contact.normal()};
+        m_state.structure[k] = contact.facet.structure;
+        m_state.triangle[k] = contact.facet.triangle;
+        m_state.side[k] = static_cast<std::int8_t>(contact.side);
+    }
+    return result;
+}
+
+void GodObject::forgetContacts() noexcept
+{
+    m_state.constraints = 0;
+    m_neighbourhood.clear();
+}
+
+void GodObject::restore(const GodObjectState& state) noexcept
+{
+    m_state = state;
+    m_neighbourhood.clear();
+}
+
+} // namespace palpate::haptics

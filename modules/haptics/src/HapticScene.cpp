@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/HapticScene.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace palpate::haptics {
+
+HapticScene::HapticScene(std::vector<HapticStructure> structures)
+    : m_structures(std::move(structures))
+{
+    std::map<std::uint32_t, std::vector<std::uint32_t>> byNumber;
+    for (std::uint32_t i = 0; i < m_structures.size(); ++i) {
+        if (m_structures[i].surface != nullptr && m_structures[i].surface->triangleCount() > 0) {
+            byNumber[m_structures[i].layer].push_back(i);
+        }
+    }
+    std::vector<std::vector<std::uint32_t>> layers;
+    for (const auto& [number, members] : byNumber) {
+        if (layers.size() == kMaxLayers) {
+            layers.back().insert(layers.back().end(), members.begin(), members.end());
+        } else {
+            layers.push_back(members);
+        }
+    }
+    for (const std::vector<std::uint32_t>& members : layers) {
+        HapticLayer layer;
+        core::Box bounds;
+        for (const std::uint32_t i : members) {
+            bounds.extend(m_structures[i].surface->bounds());
+        }
+        std::vector<geometry::FloatBox> boxes;
+        for (const std::uint32_t i : members) {
+            const geometry::SurfaceIndex& surface = *m_structures[i].surface;
+            // A god-object within a few skins of a surface must find it.
+            const double reach = 8.0 * surface.skin_mm();
+            const core::Box box(surface.bounds().min().array() - reach, surface.bounds().max().array() + reach);
+            boxes.push_back(geometry::FloatBox::around(box, bounds.center()));
+            layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()
+                                                           : std::min(layer.facetSize_mm, surface.facetSize_mm());
+        }
+        std::vector<std::uint32_t> order;
+        layer.hierarchy = geometry::BoxHierarchy::build(boxes, order, bounds.center(), 1);
+        for (const std::uint32_t i : order) {
+            layer.structures.push_back(members[i]);
+        }
+        m_layers.push_back(std::move(layer));
+    }
+}
+
+std::size_t HapticScene::byteSize() const
+{
+    std::set<const geometry::SurfaceIndex*> counted;
+    std::size_t bytes = 0;
+    for (const HapticStructure& structure : m_structures) {
+        if (structure.surface != nullptr && counted.insert(structure.surface.get()).second) {
+            bytes += structure.surface->byteSize();
+        }
+    }
+    return bytes;
+}
+
+} // namespace palpate::haptics

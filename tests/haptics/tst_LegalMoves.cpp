@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The god-object against the definition itself, by brute force in long double: what no legal move can better, and what
+// never goes where no legal move leads.
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace palpate;
+using namespace palpate::test;
+using geometry::RepairedMesh;
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::Palpator;
+using haptics::TickResult;
+using haptics::TickStatus;
+
+namespace {
+
+using Long3 = Eigen::Matrix<long double, 3, 1>;
+
+/// DESIGN's words: against the normal, from the front or the plane, to behind it, through the closed triangle.
+bool isBlocked(const RepairedMesh& r, const Vec3& from, const Vec3& to)
+{
+    const Long3 x = from.cast<long double>(), y = to.cast<long double>(), d = y - x;
+    const core::Box reach(from.cwiseMin(to), from.cwiseMax(to));
+    for (std::size_t i = 0; i < r.mesh.triangles.size(); ++i) {
+        const geometry::Triangle& t = r.mesh.triangles[i];
+        const Vec3 &va = r.mesh.vertices[t[0]], &vb = r.mesh.vertices[t[1]], &vc = r.mesh.vertices[t[2]];
+        if (!reach.intersects(core::Box(va.cwiseMin(vb).cwiseMin(vc), va.cwiseMax(vb).cwiseMax(vc)))) {
+            continue;
+        }
+        const Long3 a = va.cast<long double>(), b = vb.cast<long double>(), c = vc.cast<long double>();
+        const Long3 n = (b - a).cross(c - a);
+        long double start = n.dot(x - a), end = n.dot(y - a), side = 1;
+        if (start < 0) {
+            if (r.twoSided[i] == 0) {
+                continue;
+            }
+            side = -1;
+            start = -start;
+            end = -end;
+        }
+        if (end >= 0 || side * n.dot(d) >= 0) {
+            continue;
+        }
+        if (side * d.dot((a - x).cross(b - x)) <= 0 && side * d.dot((b - x).cross(c - x)) <= 0 &&
+            side * d.dot((c - x).cross(a - x)) <= 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Winding number around `p`: 1 inside a closed surface that faces outwards.
+double winding(const RepairedMesh& r, const Vec3& p)
+{
+    double angle = 0.0;
+    for (const geometry::Triangle& t : r.mesh.triangles) {
+        const Vec3 a = r.mesh.vertices[t[0]] - p, b = r.mesh.vertices[t[1]] - p, c = r.mesh.vertices[t[2]] - p;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        angle += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle / (4 * std::numbers::pi);
+}
+
+} // namespace
+
+class LegalMoves : public QObject
+{
+    Q_OBJECT
+
+    static geometry::TriangleMesh crossingBoxes()
+    {
+        geometry::TriangleMesh mesh = box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3);
+        append(mesh, box(Vec3(-4, -4, 3), Vec3(16, 5, 17), 2));
+        return mesh;
+    }
+
+  private slots:
+    void noLegalMoveComesCloserAndNothingPopsThrough_data()
+    {
+        QTest::addColumn<geometry::TriangleMesh>("mesh");
+        QTest::addColumn<double>("size");
+        QTest::addColumn<bool>("hasHollows");
+        QTest::newRow("bumpy sphere") << bumpySphere(10, 10.0, 0.08) << 10.0 << true;
+        QTest::newRow("box") << box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3) << 10.0 << false;
+        QTest::newRow("crossing boxes") << crossingBoxes() << 12.0 << true;
+        QTest::newRow("groove of 10 degrees") << groove(std::numbers::pi / 18, 10.0, 12.0) << 10.0 << true;
+    }
+    void noLegalMoveComesCloserAndNothingPopsThrough()
+    {
+        QFETCH(geometry::TriangleMesh, mesh);
+        QFETCH(double, size);
+        QFETCH(bool, hasHollows);
+        const RepairedMesh r = geometry::repair(mesh);
+        const HapticScene scene({HapticStructure{
+            "it", std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(r)), {0.5, 0.0}, 0}});
+        const double skin = scene.structures()[0].surface->skin_mm();
+        std::mt19937 random(5);
+        std::normal_distribution<double> normal;
+        int contacts = 0, several = 0;
+        for (int path = 0; path < 15; ++path) {
+            Palpator palpator;
+            palpator.setScene(&scene);
+            Vec3 hip = 2.5 * size * Vec3(normal(random), normal(random), normal(random)).normalized();
+            Vec3 aim = hip;
+            for (int i = 0; i < 150; ++i) {
+                // Towards a place in the solid, then another: pressing, sliding, leaving.
+                if (i % 30 == 0) {
+                    aim = 0.9 * size * Vec3(normal(random), normal(random), normal(random)).normalized();
+                }
+                hip += 0.06 * (aim - hip) +
+                       0.02 * size * Vec3(normal(random), normal(random), normal(random)) * (i % 7 == 0);
+                const TickResult t = palpator.step(hip, 1e-3);
+                QCOMPARE(int(t.status), int(TickStatus::Converged));
+                if (t.constraints == 0) {
+                    QVERIFY((t.p_WG - hip).norm() <= 1e-12);
+                    continue;
+                }
+                ++contacts;
+                several += t.constraints > 1 ? 1 : 0;
+                QVERIFY2(winding(r, t.p_WG) < 0.9, qPrintable(QString("path %1 tick %2 is inside").arg(path).arg(i)));
+                const double spring = (hip - t.p_WG).norm();
+                const Vec3 straight = (hip - t.p_WG) / spring;
+                for (int q = 0; q < 60; ++q) {
+                    const Vec3 u =
+                        (straight * std::abs(normal(random)) + Vec3(normal(random), normal(random), normal(random)))
+                            .normalized();
+                    const double along = u.dot(straight);
+                    for (const double share : {1.0, 0.1, 0.01}) {
+                        const Vec3 to = t.p_WG + u * (along * spring * share);
+                        if (along > 0.0 && spring - (hip - to).norm() > 1e-6) {
+                            QVERIFY2(isBlocked(r, t.p_WG, to),
+                                     qPrintable(QString("path %1 tick %2: %3 mm closer, %4 constraints")
+                                                    .arg(path)
+                                                    .arg(i)
+                                                    .arg(spring - (hip - to).norm())
+                                                    .arg(t.constraints)));
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY(contacts > 500);
+        QVERIFY(!hasHollows || several > 10);
+        QVERIFY(skin < 1e-8);
+    }
+
+    void aSoupIsFeltLikeTheWeldedSurface()
+    {
+        const geometry::TriangleMesh mesh = bumpySphere(12, 20.0, 0.05);
+        const HapticScene welded({HapticStructure{"welded", indexed(mesh), {}, 0}});
+        const HapticScene loose({HapticStructure{"loose", indexed(soup(mesh)), {}, 0}});
+        Palpator one, two;
+        one.setScene(&welded);
+        two.setScene(&loose);
+        for (int i = 0; i < 1000; ++i) {
+            const double a = 5e-3 * i;
+            const Vec3 hip = (i < 40 ? 24 - 0.2 * i : 16) * Vec3(std::cos(a), std::sin(a) * 0.8, std::sin(a) * 0.6);
+            QVERIFY((one.step(hip, 1e-3).p_WG - two.step(hip, 1e-3).p_WG).norm() < 1e-9);
+        }
+    }
+};
+
+PALPATE_TEST(LegalMoves)
+#include "tst_LegalMoves.moc"
