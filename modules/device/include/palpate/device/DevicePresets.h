@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/device/HapticDevice.h"
+
+#include <span>
+#include <string_view>
+
+namespace palpate::device {
+
+/// The largest force that a device without motors is said to take [N]: nobody feels it, but every force that is
+/// shown stays finite and bounded. The largest of the presets.
+inline constexpr double kShownForceLimit_N = 20.0;
+
+/// Published limits of a kind of device, for the simulated one and for advice about stiffness.
+struct DevicePreset
+{
+    std::string_view id;   ///< for command lines: "touch", "phantom-desktop", ...
+    std::string_view name; ///< for a person
+    double maxForce_N = 0.0;
+    double maxStiffness_N_per_mm = 0.0;
+    double maxDamping_Ns_per_mm = 0.0;
+    double workspaceRadius_mm = 0.0;
+};
+
+/// All presets: Touch, PHANToM Desktop, PHANToM Premium 1.5, Falcon, omega, delta, WoodenHaptics. Where makers give a
+/// range (Touch), the smaller and so safer end.
+/// @par Source The device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures.
+[[nodiscard]] std::span<const DevicePreset> devicePresets() noexcept;
+
+/// @return the preset called `id`, or null.
+[[nodiscard]] const DevicePreset* findDevicePreset(std::string_view id) noexcept;
+
+/// What a device of this kind says about itself: three sensed and driven axes, no buttons.
+[[nodiscard]] DeviceInfo deviceInfo(const DevicePreset& preset);
+
+} // namespace palpate::device

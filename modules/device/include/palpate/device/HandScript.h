@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/core/Status.h>
+#include <palpate/core/Types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate::device {
+
+/// Where a hand wants to be at a time.
+struct HandTarget
+{
+    double time_s = 0.0;
+    core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
+};
+
+/// A smooth path through targets: each coordinate is a cubic Hermite curve with continuous velocity that never swings
+/// beyond the targets on either side of it and stands still at the first, the last and every turning point.
+/// @par Source Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984), doi:10.1137/0905021 (weighted harmonic mean of
+/// slopes).
+class HandScript
+{
+  public:
+    HandScript() = default;
+    /// @param targets  at least one; times ascend strictly; all numbers finite
+    static core::Result<HandScript> make(std::vector<HandTarget> targets);
+
+    struct Motion
+    {
+        core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
+        core::Vec3 v_W = core::Vec3::Zero(); ///< [mm/s]
+    };
+    /// Before the first and after the last target the path stands still there.
+    /// @par Real-time Wait-free; a binary search over the targets.
+    [[nodiscard]] Motion at(double time_s) const noexcept PALPATE_NONBLOCKING;
+    /// Time of the last target [s].
+    [[nodiscard]] double end_s() const noexcept { return m_targets.empty() ? 0.0 : m_targets.back().time_s; }
+
+  private:
+    std::vector<HandTarget> m_targets;
+    std::vector<core::Vec3> m_v_W; // at each target [mm/s]
+};
+
+} // namespace palpate::device

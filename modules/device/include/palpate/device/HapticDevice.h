@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/core/Status.h>
+#include <palpate/core/Types.h>
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+namespace palpate::device {
+
+using core::Vec3;
+
+/// What a device can sense and drive, and its limits.
+struct DeviceInfo
+{
+    std::string id;   ///< stable, for settings and recordings: "mouse", "simulated-hand", "playback"
+    std::string name; ///< for a person
+    bool sensesOrientation = false;
+    int buttons = 0;
+    int actuatedAxes = 0;    ///< 0: feels nothing, the window shows the force instead
+    double maxForce_N = 0.0; ///< the safety gate bounds every force by it
+    double maxStiffness_N_per_mm = 0.0;
+    double maxDamping_Ns_per_mm = 0.0;
+    double workspaceRadius_mm = 0.0; ///< about the origin of D; 0: not limited
+    double rate_Hz = 1000.0;         ///< that the device itself works at
+};
+
+/// The newest state of a device.
+struct DeviceState
+{
+    Vec3 p_D = Vec3::Zero();                             ///< tip [mm]; for built-in devices D is the world frame
+    core::Quaternion q_D = core::Quaternion::Identity(); ///< orientation, unit
+    std::uint32_t buttons = 0;                           ///< a bit each
+    std::int64_t time_ns = 0; ///< monotonic, when it was measured; the safety gate fails it to zero force when stale
+    bool isPresent = false;   ///< false: nothing measured yet, the hand let go, or the device is lost
+    bool isLost = false;      ///< true: the device itself no longer answers (unplugged); latched as a fault
+};
+static_assert(std::is_trivially_destructible_v<DeviceState>); // crosses threads in a PlainCopy
+
+/// A device that senses a hand and may push back. A driver whose I/O can block runs a thread of its own behind this
+/// interface and only exchanges its newest state and force here.
+class HapticDevice
+{
+  public:
+    virtual ~HapticDevice() = default;
+
+    [[nodiscard]] virtual DeviceInfo info() const = 0;
+    /// Opens the device. Any thread but the servo thread, before the first tick.
+    virtual core::Status start() = 0;
+    /// Lets go, with zero force. Any thread but the servo thread, after the last tick.
+    virtual void stop() noexcept = 0;
+
+    /// Gives the newest state.
+    /// @param now_ns  monotonic time of this tick; scripted devices advance by the tick, never by this
+    /// @par Real-time Wait-free. Servo thread, once a tick.
+    [[nodiscard]] virtual DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING = 0;
+    /// Takes the force on the hand in frame D, already bounded by the safety gate [N].
+    /// @par Real-time Wait-free. Servo thread, once a tick, after `read`.
+    virtual void write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING = 0;
+
+    HapticDevice() = default;
+    HapticDevice(const HapticDevice&) = delete;
+    HapticDevice& operator=(const HapticDevice&) = delete;
+};
+
+} // namespace palpate::device
