@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/servo/SafetyGate.h"
+#include "palpate/servo/TickRecord.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <cstdint>
+
+namespace palpate::servo {
+
+/// Feels one tick as its record says: nothing when `flags` has kNoHand, from anew when it has kReset. The servo thread
+/// and every replay call this and nothing else, so that rows (p_WH, flags) and the nominal period are all a replay
+/// needs. Where a row's `scene` differs from the one before, call `palpator.setScene` first.
+/// @param p_WH  HIP after the safety gate [mm]
+/// @param dt_s  nominal period, 1 / rate [s]
+/// @par Real-time Wait-free.
+[[nodiscard]] haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
+                                           double dt_s) noexcept PALPATE_NONBLOCKING;
+
+/// One servo tick without a thread, a clock or a device: safety gate in, model, safety gate out. D is the world frame.
+///
+/// The damper gets the nominal period, not the measured one: a late tick then feels a little more damping than it
+/// should, but the same rows give the same forces on every machine.
+/// @par Real-time Wait-free, no allocation. One thread.
+class ServoCore
+{
+  public:
+    /// @param rate_Hz  > 0
+    ServoCore(const GateLimits& limits, double rate_Hz) noexcept;
+
+    /// Lets the coming ticks feel another scene.
+    /// @param scene  only read; must outlive its use here; null = nothing to touch
+    void setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
+
+    /// @return the tick's record; `fSent_W` is for the device. kOverrun and kDroppedBefore are the caller's to add.
+    [[nodiscard]] TickRecord tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
+
+    /// Says whether the tick just done ended late.
+    void noteOverrun(bool isOverrun, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
+    void rearm() noexcept PALPATE_NONBLOCKING;
+    void beginStop() noexcept PALPATE_NONBLOCKING { m_gate.beginStop(); }
+
+    [[nodiscard]] const SafetyGate& gate() const noexcept { return m_gate; }
+    [[nodiscard]] Fault fault() const noexcept { return m_fault; }
+    /// Number of the coming tick.
+    [[nodiscard]] std::int64_t nextTick() const noexcept { return m_tick; }
+    [[nodiscard]] std::uint32_t sceneGeneration() const noexcept { return m_generation; }
+    /// Everything that decides the coming ticks besides scene, HIP and flags.
+    [[nodiscard]] haptics::PalpatorState palpatorState() const noexcept { return m_palpator.state(); }
+
+  private:
+    void latch(std::int64_t tick, std::int64_t now_ns) noexcept;
+
+    haptics::Palpator m_palpator;
+    SafetyGate m_gate;
+    double m_dt_s;
+    std::int64_t m_tick = 0;
+    std::uint32_t m_generation = 0;
+    bool m_isSceneChanged = false;
+    Fault m_fault;
+};
+
+} // namespace palpate::servo

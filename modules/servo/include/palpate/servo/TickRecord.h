@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Types.h>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace palpate::servo {
+
+using core::Vec3;
+
+/// Why a tick is not an ordinary one; a bit each.
+enum TickFlag : std::uint16_t
+{
+    kOverrun = 1,        ///< the tick ended after its deadline
+    kInputGated = 2,     ///< the safety gate changed or refused the HIP
+    kOutputGated = 4,    ///< the safety gate changed the force
+    kIterationLimit = 8, ///< the solver stopped at its bound
+    kDroppedBefore = 16, ///< ticks before this one are missing: the ring was full
+    kSceneChanged = 32,  ///< first tick on another scene
+    kReset = 64,         ///< the god-object started anew at the HIP in this tick (the hand came or the device started)
+    kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
+};
+
+/// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window.
+struct TickRecord
+{
+    std::int64_t tick = 0;       ///< since the servo started
+    std::int64_t time_ns = 0;    ///< monotonic
+    Vec3 p_WH = Vec3::Zero();    ///< HIP that was solved, after the safety gate [mm]
+    Vec3 p_WG = Vec3::Zero();    ///< god-object [mm]
+    Vec3 n_W = Vec3::Zero();     ///< contact direction, unit, zero in free space
+    Vec3 f_W = Vec3::Zero();     ///< force of the model [N]
+    Vec3 fSent_W = Vec3::Zero(); ///< force given to the device, after the safety gate [N]
+    std::int32_t structure = -1; ///< number in the scene, -1 in free space
+    std::uint32_t triangle = 0;  ///< in the structure's mesh as given to `geometry::repair`
+    std::uint32_t scene = 0;     ///< generation number of the scene that was felt, see ServoLoop::setScene
+    std::uint32_t buttons = 0;
+    std::uint32_t solve_ns = 0; ///< time in the solver
+    std::uint32_t iterations = 0;
+    std::uint16_t flags = 0; ///< TickFlag
+    std::uint8_t constraints = 0;
+};
+static_assert(std::is_trivially_destructible_v<TickRecord>); // crosses threads in a PlainCopy
+
+} // namespace palpate::servo

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/servo/RealtimeSetup.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cfenv>
+#include <cstring>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+namespace palpate::servo {
+
+namespace {
+
+constexpr const char* kLockedMemory = "locked memory";
+/// Both limits at once; they hold from the next log-in.
+constexpr const char* kRaiseLimits = "printf '%s - rtprio 80\\n%s - memlock unlimited\\n' \"$USER\" \"$USER\" | "
+                                     "sudo tee /etc/security/limits.d/70-palpate.conf   # then log out and in again";
+
+std::string reason(int error)
+{
+    char buffer[128];
+    return strerror_r(error, buffer, sizeof(buffer)); // GNU's: returns the text
+}
+
+RealtimeItem priorityItem(int wanted)
+{
+    RealtimeItem item{"real-time priority", false, "", ""};
+    const int lowest = sched_get_priority_min(SCHED_FIFO);
+    int priority = std::clamp(wanted, lowest, sched_get_priority_max(SCHED_FIFO));
+    sched_param parameter{};
+    parameter.sched_priority = priority;
+    int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
+    rlimit limit{};
+    if (error == EPERM && getrlimit(RLIMIT_RTPRIO, &limit) == 0 && limit.rlim_cur >= static_cast<rlim_t>(lowest) &&
+        limit.rlim_cur < static_cast<rlim_t>(priority)) {
+        priority = static_cast<int>(limit.rlim_cur);
+        parameter.sched_priority = priority;
+        error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
+    }
+    if (error == 0) {
+        item.isGranted = true;
+        item.message = "SCHED_FIFO " + std::to_string(priority);
+    } else {
+        item.message = "SCHED_FIFO " + std::to_string(priority) + " was refused: " + reason(error);
+        item.remedy = kRaiseLimits;
+    }
+    return item;
+}
+
+RealtimeItem memoryItem()
+{
+    RealtimeItem item{kLockedMemory, false, "", ""};
+    // Pages are locked as they are touched: locking all that is mapped would fill memory with untouched stacks.
+    if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+        item.message = "mlockall was refused: " + reason(errno);
+        item.remedy = kRaiseLimits;
+        return item;
+    }
+    // Under a finite limit, MCL_FUTURE would make later allocations of the whole program fail. A privileged process may
+    // exceed the limit, which is found out by locking more than it allows.
+    rlimit limit{};
+    if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+        const std::size_t size = static_cast<std::size_t>(limit.rlim_cur) + (std::size_t{1} << 20U);
+        void* probe = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        const int error = errno;
+        if (probe == MAP_FAILED) {
+            munlockall();
+            item.message = "only " + std::to_string(limit.rlim_cur / 1024) + " KiB may be locked: " + reason(error);
+            item.remedy = kRaiseLimits;
+            return item;
+        }
+        munmap(probe, size);
+    }
+    item.isGranted = true;
+    item.message = "pages stay in memory once touched";
+    return item;
+}
+
+/// Touches the stack that the ticks will use, so that no tick is the first to. Not inlined: the frame must go away.
+__attribute__((noinline)) void touchStack() noexcept
+{
+    constexpr std::size_t kStack = 256 * 1024;
+    volatile char stack[kStack];
+    for (std::size_t i = 0; i < kStack; i += 1024) {
+        stack[i] = 0;
+    }
+    static_cast<void>(stack[0]);
+}
+
+} // namespace
+
+RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
+{
+    RealtimeReport report;
+
+    char name[16] = {};
+    std::strncpy(name, request.threadName, sizeof(name) - 1);
+    const int named = pthread_setname_np(pthread_self(), name);
+    report.items.push_back({"thread name", named == 0, named == 0 ? std::string(name) : reason(named), ""});
+
+    if (request.askPriority) {
+        report.items.push_back(priorityItem(request.priority));
+        report.items.push_back(memoryItem());
+        report.isRealtime = report.items[1].isGranted && report.items[2].isGranted;
+        touchStack();
+    } else {
+        report.items.push_back({"real-time priority", false, "not asked for", ""});
+        report.items.push_back({kLockedMemory, false, "not asked for", ""});
+    }
+
+    const bool hasSlack = prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL) == 0;
+    report.items.push_back({"timer slack", hasSlack, hasSlack ? std::string("1 ns") : reason(errno), ""});
+
+    if (request.cpu >= 0) {
+        cpu_set_t set;
+        CPU_ZERO(&set);
+        int error = EINVAL;
+        if (request.cpu < CPU_SETSIZE) {
+            CPU_SET(static_cast<unsigned>(request.cpu), &set);
+            error = pthread_setaffinity_np(pthread_self(), sizeof(set), &set);
+        }
+        const std::string cpu = "CPU " + std::to_string(request.cpu);
+        report.items.push_back({"own CPU", error == 0, error == 0 ? cpu : cpu + " was refused: " + reason(error), ""});
+    }
+
+    const bool isDefault = std::fesetenv(FE_DFL_ENV) == 0;
+    report.items.push_back({"floating point", isDefault,
+                            isDefault ? "default environment, denormals kept: a replay gives the same bits"
+                                      : "the default environment could not be set",
+                            ""});
+    return report;
+}
+
+void releaseRealtime(const RealtimeReport& report) noexcept
+{
+    for (const RealtimeItem& item : report.items) {
+        if (item.isGranted && item.name == kLockedMemory) {
+            munlockall();
+        }
+    }
+}
+
+} // namespace palpate::servo

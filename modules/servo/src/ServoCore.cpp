@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/servo/ServoCore.h"
+
+#include <palpate/core/Clock.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::servo {
+
+haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
+                             double dt_s) noexcept PALPATE_NONBLOCKING
+{
+    if ((flags & kNoHand) != 0) {
+        return {};
+    }
+    if ((flags & kReset) != 0) {
+        palpator.reset();
+    }
+    return palpator.step(p_WH, dt_s);
+}
+
+ServoCore::ServoCore(const GateLimits& limits, double rate_Hz) noexcept
+    : m_gate(limits, 1.0 / rate_Hz)
+    , m_dt_s(1.0 / rate_Hz)
+{
+}
+
+void ServoCore::setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING
+{
+    m_palpator.setScene(scene);
+    m_generation = generation;
+    m_isSceneChanged = true;
+}
+
+TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
+{
+    TickRecord record;
+    record.tick = m_tick++;
+    record.time_ns = now_ns;
+    record.scene = m_generation;
+
+    unsigned flags = 0;
+    if (m_isSceneChanged) {
+        flags |= kSceneChanged;
+    }
+    const GatedInput input = m_gate.admit(state, now_ns);
+    if (input.isGated) {
+        flags |= kInputGated;
+    }
+    if (!input.isPresent) {
+        flags |= kNoHand;
+    } else {
+        if (input.isFirst) {
+            flags |= kReset;
+        }
+        record.p_WH = input.p_D;
+        record.buttons = state.buttons;
+    }
+
+    const std::int64_t begin_ns = core::monotonicNow_ns();
+    const haptics::TickResult felt = feelTick(m_palpator, input.p_D, static_cast<std::uint16_t>(flags), m_dt_s);
+    const std::int64_t solve_ns = core::monotonicNow_ns() - begin_ns;
+    if (input.isPresent) {
+        record.solve_ns = static_cast<std::uint32_t>(
+            std::clamp<std::int64_t>(solve_ns, 0, std::numeric_limits<std::uint32_t>::max()));
+    }
+    record.p_WG = felt.p_WG;
+    record.n_W = felt.n_W;
+    record.f_W = felt.f_W;
+    record.structure = felt.structure;
+    record.triangle = felt.triangle;
+    record.iterations = felt.iterations;
+    record.constraints = felt.constraints;
+    if (felt.status == haptics::TickStatus::IterationLimit) {
+        flags |= kIterationLimit;
+    }
+
+    ForceRequest request;
+    request.f_D = felt.f_W;
+    request.isInContact = felt.structure >= 0;
+    request.isSceneChanged = m_isSceneChanged;
+    record.fSent_W = m_gate.release(request);
+    if (record.fSent_W != record.f_W) {
+        flags |= kOutputGated;
+    }
+    record.flags = static_cast<std::uint16_t>(flags);
+    m_isSceneChanged = false;
+    latch(record.tick, now_ns);
+    return record;
+}
+
+void ServoCore::noteOverrun(bool isOverrun, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
+{
+    m_gate.noteOverrun(isOverrun);
+    latch(m_tick - 1, now_ns);
+}
+
+void ServoCore::rearm() noexcept PALPATE_NONBLOCKING
+{
+    m_gate.rearm();
+    m_fault = {};
+}
+
+void ServoCore::latch(std::int64_t tick, std::int64_t now_ns) noexcept
+{
+    if (m_fault.kind == FaultKind::None && m_gate.fault() != FaultKind::None) {
+        m_fault = {m_gate.fault(), tick, now_ns};
+    }
+}
+
+} // namespace palpate::servo

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RealtimeGuard.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <ctime>
+#include <dlfcn.h>
+#include <pthread.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PALPATE_GUARD_AVAILABLE 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PALPATE_GUARD_AVAILABLE 0
+#endif
+#endif
+#ifndef PALPATE_GUARD_AVAILABLE
+#define PALPATE_GUARD_AVAILABLE 1
+#endif
+
+namespace {
+
+// Plain thread-local numbers in the program itself: reaching them allocates nothing.
+constinit thread_local bool isArmed = false;
+constinit thread_local std::uint64_t allocationCount = 0;
+constinit thread_local std::uint64_t lockCount = 0;
+
+#if PALPATE_GUARD_AVAILABLE
+void countAllocation() noexcept
+{
+    allocationCount += isArmed ? 1 : 0;
+}
+
+void countLock() noexcept
+{
+    lockCount += isArmed ? 1 : 0;
+}
+
+/// The C library's own function behind the one that is interposed.
+template<class Function>
+Function* next(const char* name) noexcept
+{
+    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+#endif
+
+} // namespace
+
+#if PALPATE_GUARD_AVAILABLE
+
+extern "C" {
+
+// glibc's names for its own allocator, there for programs that replace malloc.
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* memory);
+
+void* malloc(std::size_t size)
+{
+    countAllocation();
+    return __libc_malloc(size);
+}
+
+void* calloc(std::size_t count, std::size_t size)
+{
+    countAllocation();
+    return __libc_calloc(count, size);
+}
+
+void* realloc(void* memory, std::size_t size)
+{
+    countAllocation();
+    return __libc_realloc(memory, size);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size)
+{
+    countAllocation();
+    return __libc_memalign(alignment, size);
+}
+
+void* memalign(std::size_t alignment, std::size_t size)
+{
+    countAllocation();
+    return __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
+{
+    countAllocation();
+    *memory = __libc_memalign(alignment, size);
+    return *memory == nullptr ? ENOMEM : 0;
+}
+
+void free(void* memory)
+{
+    countAllocation();
+    __libc_free(memory);
+}
+
+int pthread_mutex_lock(pthread_mutex_t* mutex)
+{
+    static const auto original = next<int(pthread_mutex_t*)>("pthread_mutex_lock");
+    countLock();
+    return original(mutex);
+}
+
+int pthread_mutex_trylock(pthread_mutex_t* mutex)
+{
+    static const auto original = next<int(pthread_mutex_t*)>("pthread_mutex_trylock");
+    countLock();
+    return original(mutex);
+}
+
+int pthread_rwlock_rdlock(pthread_rwlock_t* lock)
+{
+    static const auto original = next<int(pthread_rwlock_t*)>("pthread_rwlock_rdlock");
+    countLock();
+    return original(lock);
+}
+
+int pthread_rwlock_wrlock(pthread_rwlock_t* lock)
+{
+    static const auto original = next<int(pthread_rwlock_t*)>("pthread_rwlock_wrlock");
+    countLock();
+    return original(lock);
+}
+
+int pthread_cond_wait(pthread_cond_t* condition, pthread_mutex_t* mutex)
+{
+    static const auto original = next<int(pthread_cond_t*, pthread_mutex_t*)>("pthread_cond_wait");
+    countLock();
+    return original(condition, mutex);
+}
+
+} // extern "C"
+
+#endif
+
+namespace palpate::test {
+
+RealtimeGuard::RealtimeGuard() noexcept
+{
+    allocationCount = 0;
+    lockCount = 0;
+    isArmed = true;
+}
+
+RealtimeGuard::~RealtimeGuard()
+{
+    isArmed = false;
+}
+
+std::uint64_t RealtimeGuard::allocations() const noexcept
+{
+    return allocationCount;
+}
+
+std::uint64_t RealtimeGuard::locks() const noexcept
+{
+    return lockCount;
+}
+
+bool RealtimeGuard::isAvailable() noexcept
+{
+    return PALPATE_GUARD_AVAILABLE != 0;
+}
+
+} // namespace palpate::test

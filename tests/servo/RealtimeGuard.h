@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace palpate::test {
+
+/// Counts what a real-time thread must not do: while one lives, every malloc, calloc, realloc, aligned allocation and
+/// free (and so every new, delete and throw), and every lock of a mutex or read-write lock and wait on a condition,
+/// made by its thread through this program's symbols. Works by interposing those functions in the test program.
+class RealtimeGuard
+{
+  public:
+    RealtimeGuard() noexcept;
+    ~RealtimeGuard();
+    RealtimeGuard(const RealtimeGuard&) = delete;
+    RealtimeGuard& operator=(const RealtimeGuard&) = delete;
+
+    /// Counted since construction.
+    [[nodiscard]] std::uint64_t allocations() const noexcept;
+    [[nodiscard]] std::uint64_t locks() const noexcept;
+
+    /// False under a sanitizer, which owns these functions: nothing is counted then.
+    [[nodiscard]] static bool isAvailable() noexcept;
+};
+
+} // namespace palpate::test

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RealtimeGuard.h"
+#include "TestRunner.h"
+#include "TouchScenes.h"
+
+#include <palpate/core/Clock.h>
+#include <palpate/device/PlaybackDevice.h>
+#include <palpate/device/PointerDevice.h>
+#include <palpate/device/SimulatedHand.h>
+#include <palpate/servo/ServoCore.h>
+#include <palpate/servo/ServoLoop.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+using palpate::core::Vec3;
+using palpate::device::DeviceState;
+using palpate::servo::ServoCore;
+using palpate::servo::TickRecord;
+using palpate::test::RealtimeGuard;
+
+namespace {
+
+/// A device whose servo thread is guarded from its first read to its last.
+class GuardedDevice final : public palpate::device::HapticDevice
+{
+  public:
+    explicit GuardedDevice(std::vector<Vec3> motion)
+        : m_motion(std::move(motion))
+    {
+    }
+    palpate::device::DeviceInfo info() const override
+    {
+        return palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+    }
+    palpate::core::Status start() override { return {}; }
+    void stop() noexcept override { m_guard.reset(); }
+    DeviceState read(std::int64_t now_ns) noexcept override
+    {
+        if (!m_guard) {
+            m_guard.emplace();
+        }
+        allocations.store(m_guard->allocations());
+        locks.store(m_guard->locks());
+        DeviceState state;
+        state.isPresent = m_tick % 700 != 699;
+        state.time_ns = now_ns;
+        state.p_D = m_motion[m_tick++ % m_motion.size()];
+        reads.fetch_add(1);
+        return state;
+    }
+    void write(const Vec3&) noexcept override {}
+
+    std::atomic<std::uint64_t> allocations{0};
+    std::atomic<std::uint64_t> locks{0};
+    std::atomic<std::uint64_t> reads{0};
+
+  private:
+    std::vector<Vec3> m_motion;
+    std::size_t m_tick = 0;
+    std::optional<RealtimeGuard> m_guard;
+};
+
+} // namespace
+
+class RealtimeSafety : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void init()
+    {
+        if (!RealtimeGuard::isAvailable()) {
+            QSKIP("a sanitizer owns the allocator here");
+        }
+    }
+
+    void guardTripsOnWhateverAllocatesOrLocks()
+    {
+        static void* volatile sink = nullptr; // the compiler must not pair allocations off
+        std::mutex mutex;
+        std::vector<std::uint64_t> counts;
+        counts.reserve(16);
+        {
+            const RealtimeGuard guard;
+            counts.push_back(guard.allocations());
+            sink = std::malloc(16);
+            counts.push_back(guard.allocations());
+            std::free(sink);
+            counts.push_back(guard.allocations());
+            sink = ::operator new(16);
+            counts.push_back(guard.allocations());
+            ::operator delete(sink);
+            counts.push_back(guard.allocations());
+            sink = ::operator new(64, std::align_val_t(64));
+            ::operator delete(sink, std::align_val_t(64));
+            counts.push_back(guard.allocations());
+            try {
+                throw std::runtime_error("caught below");
+            } catch (const std::runtime_error&) {
+            }
+            counts.push_back(guard.allocations());
+            counts.push_back(guard.locks());
+            {
+                const std::lock_guard lock(mutex);
+            }
+            counts.push_back(guard.locks());
+            static_cast<void>(mutex.try_lock());
+            counts.push_back(guard.locks());
+            mutex.unlock();
+        }
+        sink = std::malloc(16);
+        std::free(sink);
+        QCOMPARE(counts[0], std::uint64_t{0});
+        for (std::size_t i = 1; i < 7; ++i) {
+            QVERIFY2(counts[i] > counts[i - 1], qPrintable(QString::number(i)));
+        }
+        QCOMPARE(counts[7], std::uint64_t{0});
+        QCOMPARE(counts[8], std::uint64_t{1});
+        QCOMPARE(counts[9], std::uint64_t{2});
+    }
+
+    void tickNeitherAllocatesNorLocks_data()
+    {
+        QTest::addColumn<bool>("isTouching");
+        QTest::addColumn<bool>("isHostile");
+        QTest::newRow("free space") << false << false;
+        QTest::newRow("in and out of contact") << true << false;
+        QTest::newRow("bad inputs and faults") << true << true;
+    }
+    void tickNeitherAllocatesNorLocks()
+    {
+        QFETCH(bool, isTouching);
+        QFETCH(bool, isHostile);
+        const auto scene = palpate::test::sphereScene(isTouching ? 30.0 : 5.0, 0.5, 0.001);
+        const auto motion = palpate::test::palpatingMotion(5000);
+        palpate::device::DeviceInfo info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("touch"));
+        info.workspaceRadius_mm = 0.0;
+        ServoCore core(palpate::servo::GateLimits::forDevice(info), 1000.0);
+        int contacts = 0;
+        int faults = 0;
+        std::uint64_t allocations = 0;
+        std::uint64_t locks = 0;
+        {
+            const RealtimeGuard guard;
+            core.setScene(scene.get(), 1);
+            for (int i = 0; i < 5000; ++i) {
+                DeviceState state;
+                state.isPresent = !isHostile || i % 97 != 0;
+                state.time_ns = 1'000'000LL * i;
+                state.p_D = motion[static_cast<std::size_t>(i)];
+                if (isHostile && i % 211 == 0) {
+                    state.p_D[i % 3] = std::numeric_limits<double>::quiet_NaN();
+                }
+                if (isHostile && i % 307 < 6) {
+                    state.p_D *= 1e9;
+                }
+                const TickRecord record = core.tick(state, 1'000'000LL * i);
+                contacts += record.structure >= 0 ? 1 : 0;
+                core.noteOverrun(isHostile && i % 400 < 30, 1'000'000LL * i);
+                if (core.fault().kind != palpate::servo::FaultKind::None && i % 50 == 0) {
+                    ++faults;
+                    core.rearm();
+                }
+            }
+            core.beginStop();
+            allocations = guard.allocations();
+            locks = guard.locks();
+        }
+        QCOMPARE(allocations, std::uint64_t{0});
+        QCOMPARE(locks, std::uint64_t{0});
+        QCOMPARE(contacts > 100, isTouching);
+        QCOMPARE(faults > 5, isHostile);
+    }
+
+    void builtInDevicesNeitherAllocateNorLock()
+    {
+        using palpate::device::HandScript;
+        palpate::device::PointerDevice pointer;
+        palpate::device::SimulatedHand hand(
+            HandScript::make({{0.0, Vec3(0, 0, 5)}, {0.5, Vec3(1, 0, -5)}, {1.0, Vec3(0, 0, 5)}}).value());
+        palpate::device::PlaybackDevice playback(palpate::test::palpatingMotion(500));
+        playback.setLooping(true);
+        QVERIFY(hand.start().isOk() && playback.start().isOk());
+        std::uint64_t counted = 0;
+        {
+            const RealtimeGuard guard;
+            for (int i = 0; i < 2000; ++i) {
+                for (palpate::device::HapticDevice* device :
+                     std::initializer_list<palpate::device::HapticDevice*>{&pointer, &hand, &playback}) {
+                    static_cast<void>(device->read(i));
+                    device->write(Vec3(0.0, 0.1, 0.2));
+                }
+            }
+            counted = guard.allocations() + guard.locks();
+        }
+        QCOMPARE(counted, std::uint64_t{0});
+    }
+
+    void loopNeitherAllocatesNorLocksWithScenesRecordingsAndFaults()
+    {
+        GuardedDevice device(palpate::test::palpatingMotion(3000));
+        palpate::servo::ServoLoop loop;
+        palpate::servo::ServoOptions options;
+        options.rate_Hz = 2000.0;
+        options.ringCapacity = 256; // overflows too
+        loop.setScene(palpate::test::sphereScene(30.0, 0.5));
+        QVERIFY(loop.start(device, options).isOk());
+        for (int i = 0; device.reads.load() < 2000; ++i) {
+            if (i % 10 == 0) {
+                loop.setScene(i % 20 == 0 ? nullptr : palpate::test::sphereScene(30.0, 0.4));
+            }
+            if (i % 7 == 0) {
+                loop.startRecording();
+            }
+            palpate::servo::RecordingStart start;
+            while (loop.fetchRecordingStart(start)) {
+            }
+            TickRecord record;
+            for (int k = 0; k < 50 && loop.popTick(record); ++k) {
+            }
+            static_cast<void>(loop.fetchSnapshot(record));
+            static_cast<void>(loop.ticksBeforeFault());
+            loop.rearm();
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        }
+        const std::uint64_t allocations = device.allocations.load();
+        const std::uint64_t locks = device.locks.load();
+        loop.stop();
+        QCOMPARE(allocations, std::uint64_t{0});
+        QCOMPARE(locks, std::uint64_t{0});
+    }
+};
+
+PALPATE_TEST(RealtimeSafety)
+#include "tst_RealtimeSafety.moc"

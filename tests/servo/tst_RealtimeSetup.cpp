@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/servo/RealtimeSetup.h>
+
+#include <cfenv>
+#include <limits>
+#include <pthread.h>
+#include <sched.h>
+#include <string>
+#include <thread>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+using palpate::servo::makeThreadRealtime;
+using palpate::servo::RealtimeItem;
+using palpate::servo::RealtimeReport;
+using palpate::servo::RealtimeRequest;
+
+namespace {
+
+template<class Work>
+void onAThread(Work work)
+{
+    std::thread(work).join();
+}
+
+const RealtimeItem* itemOf(const RealtimeReport& report, const std::string& name)
+{
+    for (const RealtimeItem& item : report.items) {
+        if (item.name == name) {
+            return &item;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+class RealtimeSetup : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void saysOfEachItemWhatItGotOrWhyNot()
+    {
+        RealtimeReport report;
+        onAThread([&] {
+            report = makeThreadRealtime({});
+            palpate::servo::releaseRealtime(report);
+        });
+        for (const char* name :
+             {"real-time priority", "locked memory", "timer slack", "thread name", "floating point"}) {
+            const RealtimeItem* item = itemOf(report, name);
+            QVERIFY2(item != nullptr, name);
+            QVERIFY2(!item->message.empty(), name);
+            QVERIFY2(!item->isGranted || item->remedy.empty(), name);
+            qInfo("%s: %s, %s", name, item->isGranted ? "granted" : "refused", item->message.c_str());
+        }
+        for (const char* name : {"real-time priority", "locked memory"}) {
+            const RealtimeItem* item = itemOf(report, name);
+            QVERIFY2(item->isGranted || item->remedy.find("sudo") != std::string::npos, name);
+        }
+        QCOMPARE(report.isRealtime,
+                 itemOf(report, "real-time priority")->isGranted && itemOf(report, "locked memory")->isGranted);
+    }
+
+    void saysThatTheThreadIsWhatItReports()
+    {
+        int policy = -1;
+        char name[16] = {};
+        RealtimeReport report;
+        onAThread([&] {
+            report = makeThreadRealtime({});
+            sched_param parameter{};
+            pthread_getschedparam(pthread_self(), &policy, &parameter);
+            pthread_getname_np(pthread_self(), name, sizeof(name));
+            palpate::servo::releaseRealtime(report);
+        });
+        QCOMPARE(policy == SCHED_FIFO, itemOf(report, "real-time priority")->isGranted);
+        QCOMPARE(std::string(name), std::string("palpate-servo"));
+    }
+
+    void asksForNoPermissionUnlessTold()
+    {
+        RealtimeReport report;
+        int policy = -1;
+        onAThread([&] {
+            RealtimeRequest request;
+            request.askPriority = false;
+            report = makeThreadRealtime(request);
+            sched_param parameter{};
+            pthread_getschedparam(pthread_self(), &policy, &parameter);
+        });
+        QVERIFY(!report.isRealtime);
+        QCOMPARE(policy, SCHED_OTHER);
+        QCOMPARE(itemOf(report, "real-time priority")->message, std::string("not asked for"));
+    }
+
+    void namesACpuThatIsNotThere()
+    {
+        RealtimeReport report;
+        onAThread([&] {
+            RealtimeRequest request;
+            request.askPriority = false;
+            request.cpu = 100'000;
+            report = makeThreadRealtime(request);
+        });
+        const RealtimeItem* item = itemOf(report, "own CPU");
+        QVERIFY(item != nullptr && !item->isGranted);
+        QVERIFY(item->message.find("CPU 100000") != std::string::npos);
+    }
+
+    void keepsDenormalsAndRoundsToNearestWhateverTheCreatorHad()
+    {
+        double half = 0.0;
+        int rounding = -1;
+        onAThread([&] {
+#if defined(__SSE2__)
+            _mm_setcsr(_mm_getcsr() | 0x8040); // FTZ and DAZ, as fast-math libraries leave them
+#endif
+            std::fesetround(FE_UPWARD);
+            RealtimeRequest request;
+            request.askPriority = false;
+            static_cast<void>(makeThreadRealtime(request));
+            volatile double smallest = std::numeric_limits<double>::min();
+            smallest = smallest / 2.0;
+            half = smallest;
+            rounding = std::fegetround();
+        });
+        QVERIFY(half > 0.0);
+        QCOMPARE(rounding, FE_TONEAREST);
+    }
+};
+
+PALPATE_TEST(RealtimeSetup)
+#include "tst_RealtimeSetup.moc"

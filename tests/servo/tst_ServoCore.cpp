@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+#include "TouchScenes.h"
+
+#include <palpate/device/SimulatedHand.h>
+#include <palpate/servo/ServoCore.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+using palpate::core::Vec3;
+using palpate::device::DeviceState;
+using palpate::servo::FaultKind;
+using palpate::servo::GateLimits;
+using palpate::servo::TickRecord;
+using Core = palpate::servo::ServoCore;
+
+namespace {
+
+GateLimits limitsOf(const char* preset)
+{
+    palpate::device::DeviceInfo info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset));
+    info.workspaceRadius_mm = 0.0;
+    return GateLimits::forDevice(info);
+}
+
+DeviceState hand(const Vec3& p, std::int64_t now_ns)
+{
+    DeviceState state;
+    state.isPresent = true;
+    state.p_D = p;
+    state.time_ns = now_ns;
+    return state;
+}
+
+std::int64_t timeOf(std::int64_t tick)
+{
+    return 1'000'000'000 + tick * 1'000'000;
+}
+
+} // namespace
+
+class ServoCore : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void withoutASceneEverythingIsFreeSpace()
+    {
+        Core core(limitsOf("touch"), 1000.0);
+        for (int i = 0; i < 10; ++i) {
+            const TickRecord record = core.tick(hand(Vec3(i, 0, 0), timeOf(i)), timeOf(i));
+            QCOMPARE(record.tick, std::int64_t{i});
+            QVERIFY(record.time_ns == timeOf(i));
+            QVERIFY(record.f_W.isZero(0.0) && record.fSent_W.isZero(0.0));
+            QVERIFY(record.p_WG == Vec3(i, 0, 0));
+            QCOMPARE(record.structure, -1);
+            QCOMPARE(record.scene, 0U);
+            QCOMPARE(record.flags, static_cast<std::uint16_t>(i == 0 ? palpate::servo::kReset : 0));
+        }
+    }
+
+    void handThatIsAwaySolvesNothingAndComesBackAnew()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 0.5);
+        Core core(limitsOf("omega"), 1000.0);
+        core.setScene(scene.get(), 7);
+        TickRecord record = core.tick({}, timeOf(0));
+        QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kNoHand | palpate::servo::kSceneChanged));
+        QCOMPARE(record.scene, 7U);
+        QVERIFY(record.f_W.isZero(0.0) && record.fSent_W.isZero(0.0));
+
+        for (int i = 1; i < 700; ++i) { // from above to 5 mm below the surface
+            record = core.tick(hand(Vec3(0, 0, 32.0 - 0.01 * i), timeOf(i)), timeOf(i));
+            QCOMPARE((record.flags & palpate::servo::kReset) != 0, i == 1);
+            QVERIFY((record.flags & palpate::servo::kSceneChanged) == 0);
+        }
+        QCOMPARE(record.structure, 0);
+        QVERIFY(record.constraints > 0);
+        // The spring between god-object and HIP, to rounding.
+        QVERIFY((record.f_W - 0.5 * (record.p_WG - record.p_WH)).norm() < 1e-12);
+        QVERIFY(std::abs(record.fSent_W.norm() - record.f_W.norm()) < 1e-12);
+
+        record = core.tick({}, timeOf(700));
+        QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kNoHand));
+        QVERIFY(record.fSent_W.isZero(0.0));
+
+        // Back inside the sphere: released, not hit.
+        record = core.tick(hand(Vec3(0, 0, 20.0), timeOf(701)), timeOf(701));
+        QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kReset));
+        QVERIFY(record.f_W.isZero(1e-9));
+        QCOMPARE(record.structure, -1);
+    }
+
+    void contactForceStartsInTheTickOfContact()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 1.0);
+        Core core(limitsOf("omega"), 1000.0);
+        core.setScene(scene.get(), 1);
+        for (int i = 0; i < 600; ++i) {
+            QVERIFY(core.tick(hand(Vec3(0, 0, 31.0), timeOf(i)), timeOf(i)).fSent_W.isZero(0.0));
+        }
+        const TickRecord record = core.tick(hand(Vec3(0, 0, 25.0), timeOf(600)), timeOf(600)); // 6 m/s
+        QVERIFY(record.f_W.norm() > 4.5);
+        QVERIFY((record.fSent_W - record.f_W).norm() < 1e-12);
+        QVERIFY((record.flags & palpate::servo::kOutputGated) == 0);
+    }
+
+    void hidingAStructureUnderTheHandIsNoStep()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 1.0);
+        const auto stiffer = palpate::test::sphereScene(30.0, 3.0);
+        const GateLimits limits = limitsOf("omega");
+        const double bound = limits.maxForceRate_N_per_s * 0.001 + 1e-9;
+        Core core(limits, 1000.0);
+        core.setScene(scene.get(), 1);
+        Vec3 last = Vec3::Zero();
+        for (int i = 0; i < 1200; ++i) {
+            if (i == 800) {
+                core.setScene(stiffer.get(), 2);
+            }
+            if (i == 900) {
+                core.setScene(nullptr, 3);
+            }
+            if (i == 1000) {
+                core.setScene(scene.get(), 4);
+            }
+            const TickRecord record =
+                core.tick(hand(Vec3(0, 0, std::max(27.0, 31.0 - 0.01 * i)), timeOf(i)), timeOf(i));
+            QVERIFY((record.fSent_W - last).norm() <= bound);
+            last = record.fSent_W;
+            if (i == 899) {
+                QVERIFY(last.norm() > 8.0);
+            }
+            if (i > 910) {
+                QVERIFY(last.isZero(1e-6)); // gone; and what comes back around the hand lets it out
+            }
+        }
+    }
+
+    void neverWritesMoreThanTheDeviceCan()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 5.0);
+        Core core(limitsOf("touch"), 1000.0);
+        core.setScene(scene.get(), 1);
+        TickRecord record;
+        for (int i = 0; i < 1000; ++i) {
+            record = core.tick(hand(Vec3(0, 0, std::max(20.0, 31.0 - 0.02 * i)), timeOf(i)), timeOf(i));
+            QVERIFY(record.fSent_W.norm() <= 3.3 + 1e-12);
+        }
+        QVERIFY(record.f_W.norm() > 40.0);
+        QVERIFY((record.flags & palpate::servo::kOutputGated) != 0);
+    }
+
+    void latchesAFaultWithItsTickUntilRearmed()
+    {
+        Core core(limitsOf("touch"), 1000.0);
+        static_cast<void>(core.tick(hand(Vec3::Zero(), timeOf(0)), timeOf(0)));
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        const TickRecord record = core.tick(hand(Vec3(nan, 0, 0), timeOf(1)), timeOf(1));
+        QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kInputGated));
+        QVERIFY(record.p_WH.isZero(0.0));
+        QVERIFY(core.fault().kind == FaultKind::NonFiniteInput);
+        QCOMPARE(core.fault().tick, std::int64_t{1});
+        QVERIFY(core.fault().time_ns == timeOf(1));
+        static_cast<void>(core.tick(hand(Vec3::Zero(), timeOf(2)), timeOf(2)));
+        QVERIFY(core.fault().kind == FaultKind::NonFiniteInput);
+        core.rearm();
+        QVERIFY(core.fault().kind == FaultKind::None);
+        QCOMPARE(core.tick(hand(Vec3::Zero(), timeOf(3)), timeOf(3)).flags,
+                 static_cast<std::uint16_t>(palpate::servo::kReset));
+    }
+
+    /// What a replay has: rows and a state in the middle. What it must give: the same bits.
+    void rowsAndFlagsAloneReplayBitForBit()
+    {
+        const std::vector<std::shared_ptr<const palpate::haptics::HapticScene>> scenes{
+            nullptr, palpate::test::sphereScene(30.0, 0.5, 0.002), palpate::test::sphereScene(30.5, 0.8)};
+        const auto motion = palpate::test::palpatingMotion(6000);
+        std::mt19937 random(3); // NOLINT: a fixed seed
+        Core core(limitsOf("omega"), 1000.0);
+        std::vector<TickRecord> rows;
+        constexpr std::size_t kBegin = 2345; // in mid-touch
+        palpate::haptics::PalpatorState begin;
+        for (std::size_t i = 0; i < motion.size(); ++i) {
+            const auto tick = static_cast<std::int64_t>(i);
+            if (i % 1000 == 500) {
+                const auto generation = static_cast<std::uint32_t>(1 + i / 1000 % 2);
+                core.setScene(scenes[generation].get(), generation);
+            }
+            if (i == kBegin) {
+                begin = core.palpatorState();
+            }
+            DeviceState state = hand(motion[i], timeOf(tick));
+            state.isPresent = i % 777 > 20;
+            if (i % 401 == 7) {
+                state.p_D *= 100.0; // refused
+            }
+            if (i % 1501 == 7) {
+                state.time_ns -= 8'000'000; // a fault
+            }
+            if (i % 1500 == 300) {
+                core.rearm();
+            }
+            rows.push_back(core.tick(state, timeOf(tick) + static_cast<std::int64_t>(random() % 300'000)));
+        }
+
+        palpate::haptics::Palpator palpator;
+        std::uint32_t scene = 0;
+        std::size_t contacts = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i == kBegin) { // once more, from the middle
+                palpator = {};
+                palpator.setScene(scenes[rows[i].scene].get());
+                scene = rows[i].scene;
+                palpator.restore(begin);
+            } else if (rows[i].scene != scene) {
+                scene = rows[i].scene;
+                palpator.setScene(scenes[scene].get());
+            }
+            const auto felt = palpate::servo::feelTick(palpator, rows[i].p_WH, rows[i].flags, 0.001);
+            TickRecord again;
+            again.p_WG = felt.p_WG;
+            again.n_W = felt.n_W;
+            again.f_W = felt.f_W;
+            again.structure = felt.structure;
+            again.triangle = felt.triangle;
+            again.iterations = felt.iterations;
+            again.constraints = felt.constraints;
+            QVERIFY2(palpate::test::isSameTick(again, rows[i]), qPrintable(QString("tick %1").arg(i)));
+            contacts += felt.structure >= 0 ? 1 : 0;
+        }
+        QVERIFY(contacts > 1000);
+    }
+
+    void simulatedHandRestsOnTheSphereItPresses()
+    {
+        using palpate::device::HandScript;
+        const auto scene = palpate::test::sphereScene(30.0, 0.4);
+        palpate::device::SimulatedHand device(
+            HandScript::make({{0.0, Vec3(0, 0, 35)}, {1.0, Vec3(0, 0, 26)}, {3.0, Vec3(0, 0, 26)}}).value());
+        QVERIFY(device.start().isOk());
+        Core core(limitsOf("touch"), 1000.0);
+        core.setScene(scene.get(), 1);
+        TickRecord record;
+        for (int i = 0; !device.isFinished(); ++i) {
+            record = core.tick(device.read(timeOf(i)), timeOf(i));
+            device.write(record.fSent_W);
+        }
+        // Grip and tissue are springs in series: 0.5 (p - 26) = f = 0.4 (g - p).
+        QVERIFY((record.fSent_W - record.f_W).norm() < 1e-12);
+        QVERIFY((0.5 * (record.p_WH - Vec3(0, 0, 26)) - record.fSent_W).norm() < 1e-4);
+        QVERIFY(record.fSent_W[2] > 0.5);
+    }
+};
+
+PALPATE_TEST(ServoCore)
+#include "tst_ServoCore.moc"
