@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/meshio/MeshFile.h"
+#include "palpate/meshio/SceneFile.h"
+
+#include <palpate/geometry/MeshReport.h>
+
+#include <memory>
+
+namespace palpate::meshio {
+
+/// One structure ready for the view and for touching: repaired, flipped and posed in the world frame.
+struct LoadedStructure
+{
+    SceneStructure description; ///< its `part` is filled where the mesh file holds several
+    FileFrame frame = FileFrame::Untagged;
+    std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
+};
+
+/// A scene with its meshes.
+struct LoadedScene
+{
+    SceneFile scene; ///< one entry of `scene.structures` for each of `structures`
+    std::vector<LoadedStructure> structures;
+    std::vector<std::string> warnings; ///< one line each, for a person: repairs, assumed units, an untagged frame
+    std::vector<std::string> losses;   ///< one line each: what the scene names but could not be opened
+};
+
+/// Opens a scene file, a mesh file, or a folder (all its mesh files, sorted by name). Meshes without a scene file get
+/// default tissue and colours by known anatomical names; all is visible and palpable, in layer 0. What cannot be opened
+/// is a loss while anything else can.
+/// @param options  `unit_mm` holds for mesh files only: a scene file says its own
+[[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
+
+} // namespace palpate::meshio

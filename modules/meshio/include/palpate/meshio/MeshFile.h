@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+#include <palpate/geometry/TriangleMesh.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpate::meshio {
+
+/// Anatomical frame that a file says its coordinates are in (the `SPACE=` tag of 3D Slicer).
+enum class FileFrame : std::uint8_t
+{
+    Untagged, ///< no tag: taken as LPS
+    Lps,
+    Ras, ///< converted on import: x and y change sign
+};
+
+/// One structure of a file, in LPS and mm.
+struct MeshStructure
+{
+    std::string name; ///< from the file, else the file's stem
+    geometry::TriangleMesh mesh;
+    std::optional<std::array<double, 3>> colour; ///< red, green, blue in 0 … 1, where the file has one
+};
+
+/// All of a mesh file, in LPS and mm. Every index is in range and every coordinate finite and within 1e7 mm; each
+/// structure has at least one triangle.
+struct MeshFile
+{
+    std::filesystem::path path;
+    std::string format; ///< "STL binary", "STL ASCII", "VTP", "OBJ", "PLY"
+    FileFrame frame = FileFrame::Untagged;
+    double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
+    std::vector<MeshStructure> structures;
+    std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
+};
+
+struct ReadOptions
+{
+    double unit_mm = 1.0; ///< what one unit of the file's numbers is [mm]: 1000 for metres, 10 for cm
+    /// Told the share done, 0 … 1; return false to cancel. Called on the reading thread. May be empty.
+    std::function<bool(double)> progress;
+};
+
+/// Reads STL (ASCII, binary), VTP, OBJ or PLY; the kind is told from the content.
+///
+/// Polygons and strips are triangulated. OBJ groups and objects, and the `StructureId` cell array with
+/// `StructureNames` of a VTP, become structures. The numeric locale does not matter.
+/// @return one line that names the file, the place, what was found and what was expected, if it cannot be read whole
+/// @par Thread Any; no shared state.
+[[nodiscard]] core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// Writes VTP (with `StructureId`, `StructureNames` and `SPACE=LPS`) or binary STL (structures merged, `SPACE=LPS` in
+/// the header), by the extension. Atomic: a temporary file beside it, then a rename.
+[[nodiscard]] core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshStructure> structures);
+
+} // namespace palpate::meshio

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+#include <palpate/core/Types.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::meshio {
+
+/// A structure as a scene file describes it.
+struct SceneStructure
+{
+    std::filesystem::path mesh; ///< in memory absolute, in the file relative to the scene file
+    std::string part;           ///< name of the structure inside the mesh file; empty: all of the file
+    double unit_mm = 1.0;       ///< what one unit of the mesh file is [mm]
+    std::string name;
+    std::array<double, 3> colour{0.85, 0.6, 0.5}; ///< red, green, blue in 0 … 1
+    double opacity = 1.0;                         ///< 0 … 1
+    bool visible = true;
+    bool palpable = true;
+    bool flipped = false; ///< turn the surface inside out on import
+    double stiffness_N_per_mm = 0.5;
+    double damping_Ns_per_mm = 0.0;
+    std::uint32_t layer = 0;                            ///< 0 is the outermost
+    core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
+    std::string extra; ///< fields of this structure that this version does not know, as a JSON object
+};
+
+/// Where the view stands.
+struct SceneCamera
+{
+    core::Vec3 position_W = core::Vec3(0, -500, 0); ///< [mm]
+    core::Vec3 focus_W = core::Vec3::Zero();        ///< [mm]
+    core::Vec3 up_W = core::Vec3::UnitZ();
+    double viewAngle_deg = 30.0;
+};
+
+/// A place that a person marked.
+struct SceneFinding
+{
+    std::string name;
+    core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
+    std::string note;
+};
+
+/// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are
+/// kept.
+struct SceneFile
+{
+    static constexpr int kVersion = 1;
+    std::vector<SceneStructure> structures;
+    std::optional<SceneCamera> camera;
+    std::vector<SceneFinding> findings;
+    std::string extra; ///< top-level fields that this version does not know, as a JSON object
+};
+
+/// @return true for a path that is named as a scene file (".json").
+[[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
+
+/// Reads and checks a scene file. The meshes are not read. A wrong field is an error that names it by its path in the
+/// document: "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
+[[nodiscard]] core::Result<SceneFile> readScene(const std::filesystem::path& path);
+
+/// Writes the scene atomically, mesh paths relative to it.
+[[nodiscard]] core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene);
+
+} // namespace palpate::meshio

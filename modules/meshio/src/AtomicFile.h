@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace palpate::meshio::internal {
+
+/// Writes a file whole or not at all: a temporary one beside it, synced, then renamed over it.
+[[nodiscard]] core::Status writeAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+} // namespace palpate::meshio::internal

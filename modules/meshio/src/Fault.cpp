@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fault.h"
+
+namespace palpate::meshio::internal {
+
+core::Status fault(core::StatusCode code, std::string_view file, std::string_view place, std::string_view found,
+                   std::string_view expected)
+{
+    std::string line(file);
+    if (!place.empty()) {
+        line.append(": ").append(place);
+    }
+    line.append(": ").append(found);
+    if (!expected.empty()) {
+        line.append("; expected ").append(expected);
+    }
+    return {code, std::move(line)};
+}
+
+std::string atLine(std::uint64_t line)
+{
+    return "line " + std::to_string(line);
+}
+
+std::string atByte(std::uint64_t byte)
+{
+    return "byte " + std::to_string(byte);
+}
+
+std::string grouped(std::uint64_t value)
+{
+    std::string digits = std::to_string(value);
+    for (std::size_t i = digits.size(); i > 3;) {
+        i -= 3;
+        digits.insert(i, 1, ',');
+    }
+    return digits;
+}
+
+std::string counted(std::uint64_t value, std::string_view noun)
+{
+    std::string text = grouped(value).append(" ").append(noun);
+    if (value != 1) {
+        text += 's';
+    }
+    return text;
+}
+
+std::string inQuotes(std::string_view text)
+{
+    constexpr std::size_t kMost = 40;
+    std::string out = "\"";
+    for (const char c : text.substr(0, kMost)) {
+        const auto byte = static_cast<unsigned char>(c);
+        out += byte < 0x20 || byte == 0x7f ? '?' : c;
+    }
+    out += text.size() > kMost ? "…\"" : "\"";
+    return out;
+}
+
+} // namespace palpate::meshio::internal

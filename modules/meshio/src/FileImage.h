@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace palpate::meshio::internal {
+
+/// A private copy of a file's bytes in memory, which VTK can open by a name. What was checked is what is read: nobody
+/// else can change or cut it in between, and a path with any characters will do.
+class FileImage
+{
+  public:
+    /// Copies the file at `path`.
+    [[nodiscard]] static core::Result<FileImage> load(const std::filesystem::path& path);
+    /// Copies `bytes`. @param file  its name in error messages
+    [[nodiscard]] static core::Result<FileImage> copy(std::string_view bytes, std::string_view file);
+
+    FileImage(FileImage&& other) noexcept;
+    FileImage& operator=(FileImage&& other) noexcept;
+    FileImage(const FileImage&) = delete;
+    FileImage& operator=(const FileImage&) = delete;
+    ~FileImage();
+
+    [[nodiscard]] std::string_view bytes() const noexcept { return {m_data, m_size}; }
+    [[nodiscard]] std::span<char> writable() noexcept { return {m_data, m_size}; }
+    /// @return a path under which this process can open the image while it lives.
+    [[nodiscard]] std::string openPath() const;
+
+  private:
+    FileImage() = default;
+    [[nodiscard]] static core::Result<FileImage> allocate(std::size_t size, std::string_view file);
+
+    int m_descriptor = -1;
+    char* m_data = nullptr;
+    std::size_t m_size = 0;
+};
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+/// Reads one JSON object field by field. The first field that is not what it must be is kept as the error, with its
+/// path in the document; fields that nobody asked for are what is unknown.
+class JsonFields
+{
+  public:
+    /// @param path  of this object, "structures[2]"; empty for the document
+    JsonFields(const QJsonObject& object, std::string file, std::string path, core::Status& status);
+
+    void read(const char* name, std::string& value);
+    void read(const char* name, bool& value);
+    void read(const char* name, double& value, double low, double high);
+    /// Reads exactly `count` numbers. @return nothing when the field is absent or wrong
+    std::optional<std::vector<double>> numbers(const char* name, std::size_t count, double low, double high);
+    std::optional<QJsonObject> object(const char* name);
+    /// The objects of an array; empty when the field is absent.
+    std::vector<QJsonObject> objects(const char* name);
+
+    [[nodiscard]] bool has(const char* name) const { return m_object.contains(QLatin1String(name)); }
+    /// Fields not read so far, as JSON text; empty when there are none.
+    [[nodiscard]] std::string unknown() const;
+    /// @return "structures[2].opacity"
+    [[nodiscard]] std::string pathOf(const char* name) const;
+    void fail(const char* name, const std::string& found, const std::string& expected);
+
+  private:
+    QJsonValue take(const char* name);
+    void failType(const char* name, const QJsonValue& value, const std::string& expected);
+
+    QJsonObject m_object;
+    QJsonObject m_unknown;
+    std::string m_file;
+    std::string m_path;
+    core::Status& m_status;
+};
+
+} // namespace palpate::meshio::internal

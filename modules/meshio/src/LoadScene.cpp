@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/LoadScene.h"
+
+#include "AnatomyColours.h"
+#include "Fault.h"
+#include "FileKind.h"
+#include "Workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <new>
+#include <system_error>
+
+namespace palpate::meshio {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using namespace internal;
+
+constexpr double kFilesShare = 0.7; ///< of the time, the rest is repair
+
+/// A mesh file that the scene needs, read once.
+struct Source
+{
+    std::filesystem::path path;
+    double unit_mm = 1.0;
+    std::optional<Result<MeshFile>> file;
+};
+
+/// A structure on its way into the scene.
+struct Pending
+{
+    SceneStructure description;
+    FileFrame frame = FileFrame::Untagged;
+    geometry::TriangleMesh mesh;
+    std::shared_ptr<const geometry::RepairedMesh> surface;
+};
+
+class Loader
+{
+  public:
+    explicit Loader(const ReadOptions& options)
+        : m_options(options)
+    {
+    }
+
+    Result<LoadedScene> load(const std::filesystem::path& path);
+
+  private:
+    Status addScene(const std::filesystem::path& path);
+    Status addFolder(const std::filesystem::path& path);
+    std::size_t sourceOf(const std::filesystem::path& path, double unit_mm);
+    void readSources();
+    void expandFiles();
+    void expandScene();
+    void lose(const std::string& line) { m_scene.losses.push_back(line); }
+    void repairAll();
+    void collect();
+    void noteFrames();
+    void noteUnit();
+
+    const ReadOptions& m_options;
+    bool m_isSceneFile = false;
+    std::vector<Source> m_sources;
+    std::map<std::pair<std::filesystem::path, double>, std::size_t> m_sourceOf;
+    std::vector<Pending> m_pending;
+    std::atomic<bool> m_isCancelled{false};
+    Status m_firstFailure;
+    LoadedScene m_scene;
+};
+
+std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm)
+{
+    const auto [found, isNew] = m_sourceOf.emplace(std::pair(path, unit_mm), m_sources.size());
+    if (isNew) {
+        m_sources.push_back({path, unit_mm, std::nullopt});
+    }
+    return found->second;
+}
+
+Status Loader::addScene(const std::filesystem::path& path)
+{
+    Result<SceneFile> scene = readScene(path);
+    if (!scene.isOk()) {
+        return scene.status();
+    }
+    if (scene.value().structures.empty()) {
+        return fault(StatusCode::Empty, path.filename().string(), "structures", "none", "at least one");
+    }
+    m_scene.scene = std::move(scene).value();
+    for (const SceneStructure& structure : m_scene.scene.structures) {
+        (void)sourceOf(structure.mesh, structure.unit_mm);
+    }
+    m_isSceneFile = true;
+    return {};
+}
+
+Status Loader::addFolder(const std::filesystem::path& path)
+{
+    std::error_code error;
+    std::vector<std::filesystem::path> files;
+    for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
+        if (hasMeshExtension(entry->path()) && entry->is_regular_file(error)) {
+            files.push_back(entry->path());
+        }
+    }
+    const std::string name = path.filename().empty() ? path.string() : path.filename().string();
+    if (error) {
+        return fault(StatusCode::Unreadable, name, "", "the folder cannot be read: " + error.message(),
+                     "a folder of meshes");
+    }
+    if (files.empty()) {
+        return fault(StatusCode::Empty, name, "", "a folder without mesh files", "STL, VTP, OBJ or PLY files in it");
+    }
+    std::sort(files.begin(), files.end());
+    for (const std::filesystem::path& file : files) {
+        (void)sourceOf(file, m_options.unit_mm);
+    }
+    return {};
+}
+
+void Loader::readSources()
+{
+    std::atomic<std::size_t> done{0};
+    const auto count = static_cast<double>(m_sources.size());
+    onTwoThreads(m_sources.size(), [&](std::size_t i, bool isCaller) {
+        Source& source = m_sources[i];
+        ReadOptions options;
+        options.unit_mm = source.unit_mm;
+        // The caller's function is called on the caller's thread only.
+        options.progress = [&, isCaller](double share) {
+            if (isCaller && m_options.progress &&
+                !m_options.progress(kFilesShare * (static_cast<double>(done.load()) + share) / count)) {
+                m_isCancelled = true;
+            }
+            return !m_isCancelled.load();
+        };
+        if (m_isCancelled) {
+            source.file = Status(StatusCode::Cancelled, source.path.filename().string() + ": reading was cancelled");
+        } else {
+            source.file = readMesh(source.path, options);
+        }
+        ++done;
+    });
+}
+
+/// Mesh files without a scene: each of their structures, as it is.
+void Loader::expandFiles()
+{
+    for (Source& source : m_sources) {
+        if (!source.file->isOk()) {
+            continue;
+        }
+        MeshFile& file = source.file->value();
+        for (MeshStructure& structure : file.structures) {
+            Pending& pending = m_pending.emplace_back();
+            SceneStructure& d = pending.description;
+            d.mesh = source.path;
+            d.part = file.structures.size() > 1 ? structure.name : std::string();
+            d.unit_mm = source.unit_mm;
+            d.name = structure.name;
+            d.colour = structure.colour.value_or(anatomyColour(structure.name, m_pending.size() - 1));
+            pending.frame = file.frame;
+            pending.mesh = std::move(structure.mesh);
+        }
+    }
+}
+
+/// A scene file's structures: the part that each names, or all parts of its file.
+void Loader::expandScene()
+{
+    for (const SceneStructure& wanted : m_scene.scene.structures) {
+        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        if (!source.file->isOk()) {
+            continue;
+        }
+        const MeshFile& file = source.file->value();
+        bool isFound = false;
+        for (const MeshStructure& structure : file.structures) {
+            if (!wanted.part.empty() && structure.name != wanted.part) {
+                continue;
+            }
+            isFound = true;
+            Pending& pending = m_pending.emplace_back();
+            pending.description = wanted;
+            if (file.structures.size() > 1 && wanted.part.empty()) {
+                pending.description.part = structure.name;
+                pending.description.name = structure.name;
+            }
+            pending.frame = file.frame;
+            pending.mesh = structure.mesh;
+        }
+        if (!isFound) {
+            lose(fault(StatusCode::NotFound, source.path.filename().string(), "",
+                       "no structure " + inQuotes(wanted.part), "one of that name")
+                     .message());
+        }
+    }
+}
+
+void Loader::repairAll()
+{
+    std::atomic<std::size_t> done{0};
+    onTwoThreads(m_pending.size(), [&](std::size_t i, bool isCaller) {
+        if (m_isCancelled) {
+            return;
+        }
+        Pending& pending = m_pending[i];
+        for (core::Vec3& p : pending.mesh.vertices) {
+            p = pending.description.X_WM * p;
+        }
+        if (pending.description.flipped) {
+            geometry::flip(pending.mesh);
+        }
+        pending.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh));
+        pending.mesh = {};
+        const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
+        if (isCaller && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
+            m_isCancelled = true;
+        }
+    });
+}
+
+void Loader::collect()
+{
+    m_scene.scene.structures.clear();
+    for (Pending& pending : m_pending) {
+        const std::string& name = pending.description.name;
+        if (pending.surface->mesh.triangles.empty()) {
+            lose(name + ": none of " + counted(pending.surface->report.inputTriangles, "triangle") +
+                 " has an area; expected at least one");
+            continue;
+        }
+        for (const std::string& sentence : pending.surface->report.sentences()) {
+            m_scene.warnings.push_back(name + ": " + sentence);
+        }
+        m_scene.scene.structures.push_back(pending.description);
+        m_scene.structures.push_back({std::move(pending.description), pending.frame, std::move(pending.surface)});
+    }
+}
+
+void Loader::noteFrames()
+{
+    std::vector<std::string> untagged;
+    for (const Source& source : m_sources) {
+        if (!source.file->isOk()) {
+            continue;
+        }
+        const MeshFile& file = source.file->value();
+        const std::string name = source.path.filename().string();
+        for (const std::string& note : file.notes) {
+            m_scene.warnings.push_back(name + ": " + note);
+        }
+        if (file.frame == FileFrame::Untagged) {
+            untagged.push_back(name);
+        } else if (file.frame == FileFrame::Ras) {
+            m_scene.warnings.push_back(name + ": tagged SPACE=RAS: x and y negated to get LPS");
+        }
+    }
+    if (!untagged.empty()) {
+        const std::string more =
+            untagged.size() > 1 ? " and " + counted(untagged.size() - 1, "more file") : std::string();
+        m_scene.warnings.push_back(untagged.front() + more + ": no SPACE tag: coordinates taken as LPS");
+    }
+}
+
+void Loader::noteUnit()
+{
+    constexpr double kSmallest = 2.0; // an organ this many mm wide would be very small
+    if (m_isSceneFile || m_scene.structures.empty() || m_options.unit_mm != 1.0) {
+        return;
+    }
+    geometry::Box box;
+    for (const LoadedStructure& structure : m_scene.structures) {
+        box.extend(structure.surface->report.bounds);
+    }
+    const double widest = box.sizes().maxCoeff();
+    if (widest < kSmallest) {
+        std::array<char, 32> text = {};
+        std::snprintf(text.data(), text.size(), "%.3g", widest);
+        m_scene.warnings.push_back(m_sources.front().path.filename().string() + ": only " + text.data() +
+                                   " units wide, taken as mm; looks like metres: open with --unit m");
+    }
+}
+
+Result<LoadedScene> Loader::load(const std::filesystem::path& path)
+{
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    std::error_code error;
+    Status status;
+    if (std::filesystem::is_directory(whole, error)) {
+        status = addFolder(whole.has_filename() ? whole : whole.parent_path());
+    } else if (isSceneFile(whole)) {
+        status = addScene(whole);
+    } else {
+        (void)sourceOf(whole, m_options.unit_mm);
+    }
+    if (!status.isOk()) {
+        return status;
+    }
+    readSources();
+    const Status cancelled(StatusCode::Cancelled, path.filename().string() + ": opening was cancelled");
+    if (m_isCancelled) {
+        return cancelled;
+    }
+    for (const Source& source : m_sources) {
+        if (!source.file->isOk()) {
+            lose(source.file->status().message());
+            m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
+        }
+    }
+    if (m_isSceneFile) {
+        expandScene();
+    } else {
+        expandFiles();
+    }
+    repairAll();
+    if (m_isCancelled) {
+        return cancelled;
+    }
+    collect();
+    if (m_scene.structures.empty()) {
+        return !m_firstFailure.isOk()
+                   ? m_firstFailure
+                   : Status(StatusCode::Empty, path.filename().string() + ": " + m_scene.losses.front());
+    }
+    noteFrames();
+    noteUnit();
+    return std::move(m_scene);
+}
+
+} // namespace
+
+core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options)
+{
+    try {
+        return Loader(options).load(path);
+    } catch (const std::bad_alloc&) {
+        return fault(StatusCode::OutOfRange, path.filename().string(), "", "not enough memory to open it",
+                     "a scene that fits");
+    }
+}
+
+} // namespace palpate::meshio

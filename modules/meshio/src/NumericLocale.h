@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clocale>
+#include <locale.h>
+
+namespace palpate::meshio::internal {
+
+/// Makes the calling thread read and write numbers with a decimal point while it lives, whatever the program's locale
+/// is: a Qt program inherits its user's, and VTK reads with strtod. Other threads are not touched.
+class NumericLocale
+{
+  public:
+    NumericLocale()
+        : m_point(newlocale(LC_ALL_MASK, "C", static_cast<locale_t>(nullptr)))
+        , m_before(m_point != nullptr ? uselocale(m_point) : nullptr)
+    {
+    }
+    ~NumericLocale()
+    {
+        if (m_point != nullptr) {
+            uselocale(m_before);
+            freelocale(m_point);
+        }
+    }
+    NumericLocale(const NumericLocale&) = delete;
+    NumericLocale& operator=(const NumericLocale&) = delete;
+
+  private:
+    locale_t m_point;
+    locale_t m_before;
+};
+
+} // namespace palpate::meshio::internal

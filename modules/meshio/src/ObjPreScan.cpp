@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PreScan.h"
+
+#include "Fault.h"
+#include "PolygonCutter.h"
+#include "TextScan.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <map>
+#include <optional>
+#include <set>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr std::size_t kMostCorners = PolygonCutter::kMostCorners;
+constexpr std::size_t kLongestNumber = 64; ///< VTK reads lines of a bounded length
+
+/// Numbers names in the order of their first use.
+class NameList
+{
+  public:
+    std::uint32_t idOf(std::string_view name)
+    {
+        const auto [found, isNew] = m_ids.emplace(name, static_cast<std::uint32_t>(m_names.size()));
+        if (isNew) {
+            m_names.push_back(found->first);
+        }
+        return found->second;
+    }
+    [[nodiscard]] const std::vector<std::string>& names() const noexcept { return m_names; }
+
+  private:
+    std::map<std::string, std::uint32_t, std::less<>> m_ids;
+    std::vector<std::string> m_names;
+};
+
+/// Reads the text and writes what VTK needs of it: the vertices as they stand and the faces with plain indices from 1.
+class ObjScan
+{
+  public:
+    ObjScan(std::string_view text, const ScanContext& context)
+        : m_text(text)
+        , m_context(context)
+        , m_lines(text)
+    {
+    }
+
+    Status run();
+    PreScan finish();
+    [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
+
+  private:
+    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    {
+        return fault(code, m_context.file, atLine(m_line), found, expected);
+    }
+    Status readVertex(std::string_view rest);
+    Status readFace(std::string_view rest);
+    /// Joins lines that end in a backslash.
+    std::string_view wholeLine();
+
+    std::string_view m_text;
+    const ScanContext& m_context;
+    LineReader m_lines;
+    std::string m_joined;
+    std::string m_plain;
+    std::uint64_t m_line = 0;
+    std::int64_t m_points = 0;
+    std::int64_t m_highest = 0; ///< largest vertex that a face uses, and its line
+    std::uint64_t m_highestLine = 0;
+    NameList m_objects;
+    NameList m_groups;
+    std::optional<std::uint32_t> m_object; ///< none before the first "o"
+    std::optional<std::uint32_t> m_group;  ///< none before the first "g"
+    std::vector<std::uint32_t> m_objectOfFace;
+    std::vector<std::uint32_t> m_groupOfFace;
+    std::uint64_t m_ignored = 0; ///< lines, points and free-form elements
+    PreScan m_scan;
+};
+
+std::string_view ObjScan::wholeLine()
+{
+    std::string_view line = m_lines.line();
+    m_line = m_lines.number();
+    if (!line.ends_with('\\')) {
+        return line;
+    }
+    m_joined.clear();
+    while (line.ends_with('\\')) {
+        m_joined.append(line.substr(0, line.size() - 1)).append(" ");
+        if (!m_lines.next()) {
+            return m_joined;
+        }
+        line = m_lines.line();
+    }
+    m_joined.append(line);
+    return m_joined;
+}
+
+Status ObjScan::readVertex(std::string_view rest)
+{
+    m_plain += 'v';
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view word = takeWord(rest);
+        const std::optional<double> value = wordToNumber(word);
+        if (!value) {
+            return wrong(StatusCode::BadFormat,
+                         word.empty() ? "the vertex has fewer than three coordinates"
+                                      : inQuotes(word) + " is not a number",
+                         "three numbers after \"v\"");
+        }
+        if (const std::string bad = coordinateFault(*value, m_context.unit_mm); !bad.empty()) {
+            return wrong(StatusCode::NonFinite, bad + " (" + inQuotes(word) + ")", "finite coordinates within 10 km");
+        }
+        m_plain += ' ';
+        if (word.size() > kLongestNumber || word.front() == '+') { // some of VTK's versions take no plus sign
+            core::appendNumber(m_plain, *value);
+        } else {
+            m_plain.append(word);
+        }
+    }
+    m_plain += '\n';
+    ++m_points;
+    return {};
+}
+
+Status ObjScan::readFace(std::string_view rest)
+{
+    std::size_t corners = 0;
+    m_plain += 'f';
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+        const std::string_view first = word.substr(0, word.find('/'));
+        const std::optional<std::int64_t> given = wordToInteger(first);
+        if (!given) {
+            return wrong(StatusCode::BadFormat, inQuotes(word) + " is not a vertex index", "whole numbers after \"f\"");
+        }
+        const std::int64_t index = *given < 0 ? m_points + 1 + *given : *given;
+        if (*given == 0 || index < 1) {
+            return wrong(StatusCode::OutOfRange,
+                         "vertex index " + std::to_string(*given) + " (" +
+                             grouped(static_cast<std::uint64_t>(m_points)) + " vertices so far)",
+                         "indices from 1, or negative ones that count back from there");
+        }
+        if (index > m_highest) {
+            m_highest = index;
+            m_highestLine = m_line;
+        }
+        m_plain.append(" ").append(std::to_string(index));
+        ++corners;
+    }
+    m_plain += '\n';
+    if (corners < 3 || corners > kMostCorners) {
+        return wrong(StatusCode::BadFormat, "a face with " + counted(corners, "corner"),
+                     corners < 3 ? "at least 3" : "at most " + grouped(kMostCorners));
+    }
+    m_object = m_object ? m_object : m_objects.idOf("");
+    m_group = m_group ? m_group : m_groups.idOf("");
+    m_objectOfFace.push_back(*m_object);
+    m_groupOfFace.push_back(*m_group);
+    return {};
+}
+
+Status ObjScan::run()
+{
+    std::uint64_t step = 0;
+    while (m_lines.next()) {
+        if (++step % 65536 == 0 && m_context.progress &&
+            !m_context.progress(double(m_lines.begin()) / double(m_text.size()))) {
+            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+        }
+        std::string_view rest = wholeLine();
+        if (rest.find('\0') != std::string_view::npos) {
+            return wrong(StatusCode::BadFormat, "a zero byte", "text");
+        }
+        const std::string_view word = takeWord(rest);
+        Status status;
+        if (word.empty()) {
+            continue;
+        }
+        if (word.front() == '#') {
+            noteSpaceTag(m_lines.line(), m_scan);
+        } else if (word == "v") {
+            status = readVertex(rest);
+        } else if (word == "f" || word == "fo") {
+            status = readFace(rest);
+        } else if (word == "o") {
+            m_object = m_objects.idOf(trimmed(rest.substr(0, 256)));
+        } else if (word == "g") {
+            m_group = m_groups.idOf(trimmed(rest.substr(0, 256)));
+        } else if (word == "l" || word == "p" || word == "curv" || word == "curv2" || word == "surf") {
+            ++m_ignored;
+        }
+        if (!status.isOk()) {
+            return status;
+        }
+    }
+    if (m_objectOfFace.empty()) {
+        m_line = m_lines.number();
+        return wrong(StatusCode::Empty, "0 faces", "at least one");
+    }
+    if (m_highest > m_points) {
+        m_line = m_highestLine;
+        return wrong(StatusCode::OutOfRange, "vertex index " + std::to_string(m_highest),
+                     "at most " + std::to_string(m_points) + ", the number of vertices");
+    }
+    return {};
+}
+
+PreScan ObjScan::finish()
+{
+    m_scan.format = "OBJ";
+    m_scan.points = static_cast<std::uint64_t>(m_points);
+    m_scan.cells = m_objectOfFace.size();
+    // Several objects are the structures; else the groups are: modelling programs also use groups to split one object
+    // by material.
+    const bool byObject = std::set(m_objectOfFace.begin(), m_objectOfFace.end()).size() > 1;
+    m_scan.partNames = byObject ? m_objects.names() : m_groups.names();
+    m_scan.partOfCell = byObject ? m_objectOfFace : m_groupOfFace;
+    if (m_scan.partNames.size() == 1 && m_scan.partNames.front().empty()) {
+        m_scan.partNames.front() = m_objects.names()[m_objectOfFace.front()];
+    }
+    if (m_ignored > 0) {
+        m_scan.notes.push_back(counted(m_ignored, "line, point or curve element") + " ignored");
+    }
+    return std::move(m_scan);
+}
+
+} // namespace
+
+Result<PreScan> preScanObj(FileImage& image, const ScanContext& context)
+{
+    std::string_view text = image.bytes();
+    if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
+        text.remove_prefix(3);
+    }
+    ObjScan scan(text, context);
+    if (Status status = scan.run(); !status.isOk()) {
+        return status;
+    }
+    Result<FileImage> plain = FileImage::copy(scan.plain(), context.file);
+    if (!plain.isOk()) {
+        return plain.status();
+    }
+    image = std::move(plain).value();
+    return scan.finish();
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlyHeader.h"
+#include "PreScan.h"
+
+#include "Fault.h"
+#include "TextScan.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr std::uint64_t kMostCorners = 255; ///< of a face, in VTK's reader
+
+/// Reads the body's numbers one after the other, from text or from bytes.
+class PlyBody
+{
+  public:
+    PlyBody(std::string_view bytes, const PlyHeader& header)
+        : m_bytes(bytes)
+        , m_rest(bytes.substr(header.bodyBegin))
+        , m_encoding(header.encoding)
+        , m_line(header.bodyLine + 1)
+    {
+    }
+
+    /// @return nothing at the end of the file, or when what stands there is not a number
+    std::optional<double> next(PlyType type)
+    {
+        return m_encoding == PlyEncoding::Ascii ? nextWord() : nextBinary(type);
+    }
+    /// @return true when only blanks (text) or nothing (binary) is left.
+    [[nodiscard]] bool isAtEnd() const
+    {
+        return m_encoding == PlyEncoding::Ascii ? trimmed(m_rest).empty() : m_rest.empty();
+    }
+    [[nodiscard]] std::string place() const
+    {
+        return m_encoding == PlyEncoding::Ascii ? atLine(m_line) : atByte(offset());
+    }
+    [[nodiscard]] std::size_t offset() const { return m_bytes.size() - m_rest.size(); }
+    /// What stands where `next` gave nothing.
+    [[nodiscard]] std::string found() const
+    {
+        std::string_view rest = m_rest;
+        const std::string_view word = takeWord(rest);
+        return m_encoding == PlyEncoding::Ascii && !word.empty() ? inQuotes(word) + " is not a number"
+                                                                 : "the file ends";
+    }
+
+  private:
+    std::optional<double> nextWord()
+    {
+        std::string_view after = m_rest;
+        const std::string_view word = takeWord(after);
+        m_line += static_cast<std::uint64_t>(std::count(m_rest.data(), word.data(), '\n'));
+        const std::optional<double> value = wordToNumber(word);
+        m_rest = value ? after : m_rest.substr(static_cast<std::size_t>(word.data() - m_rest.data()));
+        return value;
+    }
+
+    template<class T>
+    double take()
+    {
+        std::array<char, sizeof(T)> raw;
+        std::memcpy(raw.data(), m_rest.data(), sizeof(T));
+        if ((m_encoding == PlyEncoding::BigEndian) != (std::endian::native == std::endian::big)) {
+            std::reverse(raw.begin(), raw.end());
+        }
+        m_rest.remove_prefix(sizeof(T));
+        return static_cast<double>(std::bit_cast<T>(raw));
+    }
+
+    std::optional<double> nextBinary(PlyType type)
+    {
+        if (m_rest.size() < plySize(type)) {
+            return std::nullopt;
+        }
+        switch (type) {
+        case PlyType::Int8:
+            return take<std::int8_t>();
+        case PlyType::UInt8:
+            return take<std::uint8_t>();
+        case PlyType::Int16:
+            return take<std::int16_t>();
+        case PlyType::UInt16:
+            return take<std::uint16_t>();
+        case PlyType::Int32:
+            return take<std::int32_t>();
+        case PlyType::UInt32:
+            return take<std::uint32_t>();
+        case PlyType::Float32:
+            return take<float>();
+        case PlyType::Float64:
+            break;
+        }
+        return take<double>();
+    }
+
+    std::string_view m_bytes;
+    std::string_view m_rest;
+    PlyEncoding m_encoding;
+    std::uint64_t m_line;
+};
+
+/// Walks over the body and writes its vertices and faces as the plainest PLY: VTK reads list counts as bytes, knows
+/// one name for the face list, and loses its place at elements that it does not know.
+class PlyScan
+{
+  public:
+    PlyScan(std::string_view bytes, const PlyHeader& header, const ScanContext& context)
+        : m_bytes(bytes)
+        , m_header(header)
+        , m_context(context)
+        , m_body(bytes, header)
+    {
+    }
+
+    Status run(PreScan& scan);
+    [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
+
+  private:
+    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    {
+        return fault(code, m_context.file, m_body.place(), found, expected);
+    }
+    Status readElement(const PlyElement& element, std::uint64_t vertices);
+    Status keepVertex(std::uint64_t i, const std::array<double, 3>& p);
+    Status keepFace(std::uint64_t i, std::uint64_t vertices);
+
+    template<class T>
+    void append(T value)
+    {
+        m_plain.append(reinterpret_cast<const char*>(&value), sizeof(T));
+    }
+
+    std::string_view m_bytes;
+    const PlyHeader& m_header;
+    const ScanContext& m_context;
+    PlyBody m_body;
+    std::vector<double> m_list;
+    std::string m_plain;
+};
+
+bool isFaceList(const PlyProperty& p)
+{
+    return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
+}
+
+Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p)
+{
+    for (const double x : p) {
+        if (const std::string bad = coordinateFault(x, m_context.unit_mm); !bad.empty()) {
+            return wrong(StatusCode::NonFinite, "vertex " + std::to_string(i) + ": " + bad,
+                         "finite coordinates within 10 km");
+        }
+        append(static_cast<float>(x));
+    }
+    return {};
+}
+
+Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
+{
+    if (m_list.size() < 3 || m_list.size() > kMostCorners) {
+        return wrong(StatusCode::BadFormat, "face " + std::to_string(i) + " has " + counted(m_list.size(), "corner"),
+                     "3 to 255");
+    }
+    append(static_cast<std::uint8_t>(m_list.size()));
+    for (const double corner : m_list) {
+        if (!(corner >= 0.0 && corner < static_cast<double>(vertices)) || corner != std::floor(corner)) {
+            std::string text;
+            return wrong(StatusCode::OutOfRange,
+                         "face " + std::to_string(i) + " uses vertex " +
+                             (std::abs(corner) < 1e15 ? std::to_string(static_cast<std::int64_t>(corner)) : "NaN"),
+                         "0 to " + std::to_string(vertices - 1));
+        }
+        append(static_cast<std::int32_t>(corner));
+    }
+    return {};
+}
+
+Status PlyScan::readElement(const PlyElement& element, std::uint64_t vertices)
+{
+    const bool isVertex = element.name == "vertex";
+    const bool isFace = element.name == "face";
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+        std::array<double, 3> p = {};
+        for (const PlyProperty& property : element.properties) {
+            const std::optional<double> value = m_body.next(property.isList ? property.countType : property.type);
+            const auto cut = [&] {
+                return wrong(StatusCode::BadFormat,
+                             m_body.found() + " in " + element.name + " " + std::to_string(i) + " of " +
+                                 grouped(element.count),
+                             "its " + inQuotes(property.name));
+            };
+            if (!value) {
+                return cut();
+            }
+            if (!property.isList) {
+                if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z') {
+                    p[static_cast<std::size_t>(property.name[0] - 'x')] = *value;
+                }
+                continue;
+            }
+            if (!(*value >= 0.0) || *value > static_cast<double>(m_bytes.size())) {
+                return wrong(StatusCode::OutOfRange,
+                             "a list of an impossible length in " + element.name + " " + std::to_string(i),
+                             "a length from 0");
+            }
+            const bool isKept = isFace && isFaceList(property);
+            m_list.clear();
+            for (auto left = static_cast<std::uint64_t>(*value); left > 0; --left) {
+                const std::optional<double> entry = m_body.next(property.type);
+                if (!entry) {
+                    return cut();
+                }
+                if (isKept) {
+                    m_list.push_back(*entry);
+                }
+            }
+            if (isKept) {
+                if (Status status = keepFace(i, vertices); !status.isOk()) {
+                    return status;
+                }
+            }
+        }
+        if (isVertex) {
+            if (Status status = keepVertex(i, p); !status.isOk()) {
+                return status;
+            }
+        }
+        if (i % 65536 == 0 && m_context.progress &&
+            !m_context.progress(double(m_body.offset()) / double(m_bytes.size()))) {
+            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+        }
+    }
+    return {};
+}
+
+Status PlyScan::run(PreScan& scan)
+{
+    const PlyElement* vertex = nullptr;
+    const PlyElement* face = nullptr;
+    for (const PlyElement& element : m_header.elements) {
+        if (element.name == "vertex" && vertex == nullptr) {
+            vertex = &element;
+        } else if (element.name == "face" && face == nullptr && vertex != nullptr) {
+            face = &element;
+        } else if (element.name == "vertex" || element.name == "face" || element.name == "tristrips") {
+            return fault(StatusCode::Unsupported, m_context.file, atLine(element.line),
+                         "the element " + inQuotes(element.name) + " here", "\"vertex\", then \"face\", once each");
+        }
+    }
+    const auto has = [](const PlyElement& element, std::string_view name) {
+        return std::count_if(element.properties.begin(), element.properties.end(),
+                             [&](const PlyProperty& p) { return p.name == name && !p.isList; }) == 1;
+    };
+    if (vertex == nullptr || !has(*vertex, "x") || !has(*vertex, "y") || !has(*vertex, "z")) {
+        return fault(StatusCode::BadFormat, m_context.file, "header", "no vertices with x, y and z", "one of each");
+    }
+    if (face == nullptr || std::count_if(face->properties.begin(), face->properties.end(), isFaceList) != 1) {
+        return fault(StatusCode::BadFormat, m_context.file, "header", "no faces with a list of vertex indices",
+                     "a list \"vertex_indices\"");
+    }
+    if (face->count == 0) {
+        return fault(StatusCode::Empty, m_context.file, atLine(face->line), "0 faces", "at least one");
+    }
+    constexpr std::uint64_t kMostVertices = std::numeric_limits<std::int32_t>::max();
+    if (vertex->count > kMostVertices || face->count > kMostVertices) {
+        return fault(StatusCode::Unsupported, m_context.file, atLine(vertex->line), "too many elements",
+                     "at most " + grouped(kMostVertices));
+    }
+    scan.points = vertex->count;
+    scan.cells = face->count;
+    m_plain = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertex->count) +
+              "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(face->count) +
+              "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const PlyElement& element : m_header.elements) {
+        if (Status status = readElement(element, vertex->count); !status.isOk()) {
+            return status;
+        }
+    }
+    if (!m_body.isAtEnd()) {
+        return wrong(StatusCode::BadFormat, "more data after the last element", "the end of the file");
+    }
+    return {};
+}
+
+} // namespace
+
+Result<PreScan> preScanPly(FileImage& image, const ScanContext& context)
+{
+    static_assert(std::endian::native == std::endian::little, "the plain PLY is written in the machine's byte order");
+    PreScan scan;
+    scan.format = "PLY";
+    const Result<PlyHeader> header = readPlyHeader(image.bytes(), context, scan);
+    if (!header.isOk()) {
+        return header.status();
+    }
+    PlyScan body(image.bytes(), header.value(), context);
+    if (Status status = body.run(scan); !status.isOk()) {
+        return status;
+    }
+    Result<FileImage> plain = FileImage::copy(body.plain(), context.file);
+    if (!plain.isOk()) {
+        return plain.status();
+    }
+    image = std::move(plain).value();
+    return scan;
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/geometry/TriangleMesh.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+/// Cuts polygons into triangles by ear clipping, concave ones included. A corner in the middle of a straight side stays
+/// a corner of a triangle, so that neighbours that have it, too, still fit without a gap.
+///
+/// VTK's own cutting gives up on polygons with such corners and on small ones in metres.
+class PolygonCutter
+{
+  public:
+    static constexpr std::size_t kMostCorners = 1024; ///< ear clipping takes cubic time at worst
+
+    /// Appends `corners.size() - 2` triangles to `out`, wound as the polygon is.
+    /// @param corners  3 to kMostCorners indices into `points`
+    void cut(const std::vector<core::Vec3>& points, std::span<const std::uint32_t> corners,
+             std::vector<geometry::Triangle>& out);
+
+    /// How many polygons had no simple outline: they were cut somehow.
+    [[nodiscard]] std::uint64_t crossing() const noexcept { return m_crossing; }
+
+  private:
+    void project(const std::vector<core::Vec3>& points, std::span<const std::uint32_t> corners);
+    [[nodiscard]] bool isEar(std::size_t i) const;
+    [[nodiscard]] double turnAt(std::size_t i) const;
+
+    std::vector<Eigen::Vector2d> m_flat; ///< corners in the polygon's plane, counter-clockwise
+    std::vector<std::uint32_t> m_left;   ///< corners not yet cut off, into m_flat
+    std::uint64_t m_crossing = 0;
+};
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FileImage.h"
+
+#include "palpate/meshio/MeshFile.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+/// What is known of a mesh file before VTK sees it, so that VTK cannot be surprised and cannot silently leave
+/// something out.
+struct PreScan
+{
+    std::string format;
+    FileFrame frame = FileFrame::Untagged;
+    std::uint64_t points = 0; ///< that the reader must give back
+    std::uint64_t cells = 0;  ///< polygons and strips that the reader must give back
+    /// Names of the parts, and one entry a polygon: its part. Both empty when the content has no parts, or when VTK's
+    /// own arrays say them (VTP).
+    std::vector<std::string> partNames;
+    std::vector<std::uint32_t> partOfCell;
+    std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
+};
+
+/// How a pre-scan names the file and reads its numbers.
+struct ScanContext
+{
+    std::string file;     ///< name in messages
+    double unit_mm = 1.0; ///< for the limit on coordinates
+    /// Told the share of the bytes done; false cancels. May be empty.
+    std::function<bool(double)> progress;
+};
+
+inline constexpr double kMostMm = 1e7; ///< largest coordinate [mm]
+
+/// Each checks the bytes of one format from end to end and, where VTK's reader has limits of its own (long names,
+/// marks before the first byte, group names, negative indices), rewrites the image so that it stays within them.
+[[nodiscard]] core::Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context);
+[[nodiscard]] core::Result<PreScan> preScanAsciiStl(FileImage& image, const ScanContext& context);
+[[nodiscard]] core::Result<PreScan> preScanObj(FileImage& image, const ScanContext& context);
+[[nodiscard]] core::Result<PreScan> preScanPly(FileImage& image, const ScanContext& context);
+[[nodiscard]] core::Result<PreScan> preScanVtp(FileImage& image, const ScanContext& context);
+
+/// Looks for 3D Slicer's `SPACE=LPS` or `SPACE=RAS` in a header or comment and keeps it in `scan`.
+void noteSpaceTag(std::string_view text, PreScan& scan);
+/// The same for the tag's value alone.
+void noteSpace(std::string_view value, PreScan& scan);
+
+/// @return an empty text when `value` may be a coordinate, else what is wrong with it
+[[nodiscard]] std::string coordinateFault(double value, double unit_mm);
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/SceneFile.h"
+
+#include "Fault.h"
+#include "FileImage.h"
+#include "JsonFields.h"
+#include "TextScan.h"
+
+#include <QJsonDocument>
+
+namespace palpate::meshio {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using core::Vec3;
+using internal::JsonFields;
+
+constexpr double kMostMm = 1e7;
+
+std::optional<Vec3> point(JsonFields& fields, const char* name)
+{
+    const auto values = fields.numbers(name, 3, -kMostMm, kMostMm);
+    return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
+}
+
+/// Row by row, the last one 0 0 0 1; must be a rotation and a translation.
+void readPose(JsonFields& fields, const char* name, core::Transform& pose)
+{
+    const auto values = fields.numbers(name, 16, -kMostMm, kMostMm);
+    if (!values) {
+        return;
+    }
+    const Eigen::Matrix4d m = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values->data());
+    const Eigen::Matrix3d r = m.topLeftCorner<3, 3>();
+    const bool isRigid = (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
+                         r.determinant() > 0.0 && m.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+    if (!isRigid) {
+        fields.fail(name, "a matrix that is not rigid", "a rotation and a translation, row by row");
+        return;
+    }
+    pose.matrix() = m;
+}
+
+SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& folder)
+{
+    SceneStructure s;
+    std::string mesh;
+    fields.read("mesh", mesh);
+    if (mesh.empty()) {
+        fields.fail("mesh", fields.has("mesh") ? "\"\"" : "nothing", "the path of a mesh file");
+    }
+    s.mesh = (folder / std::filesystem::path(mesh)).lexically_normal();
+    fields.read("part", s.part);
+    fields.read("unit_mm", s.unit_mm, 1e-6, 1e6);
+    s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
+    fields.read("name", s.name);
+    if (const auto colour = fields.numbers("colour", 3, 0.0, 1.0)) {
+        s.colour = {(*colour)[0], (*colour)[1], (*colour)[2]};
+    }
+    fields.read("opacity", s.opacity, 0.0, 1.0);
+    fields.read("visible", s.visible);
+    fields.read("palpable", s.palpable);
+    fields.read("flipped", s.flipped);
+    fields.read("stiffness_N_per_mm", s.stiffness_N_per_mm, 0.0, 1000.0);
+    fields.read("damping_Ns_per_mm", s.damping_Ns_per_mm, 0.0, 1000.0);
+    double layer = 0.0;
+    fields.read("layer", layer, 0.0, 63.0);
+    if (layer != std::floor(layer)) {
+        fields.fail("layer", "a fraction", "a whole number");
+    }
+    s.layer = static_cast<std::uint32_t>(layer);
+    readPose(fields, "pose", s.X_WM);
+    s.extra = fields.unknown();
+    return s;
+}
+
+SceneCamera readCamera(JsonFields& fields)
+{
+    SceneCamera camera;
+    camera.position_W = point(fields, "position").value_or(camera.position_W);
+    camera.focus_W = point(fields, "focus").value_or(camera.focus_W);
+    camera.up_W = point(fields, "up").value_or(camera.up_W);
+    fields.read("viewAngle_deg", camera.viewAngle_deg, 0.1, 179.0);
+    return camera;
+}
+
+} // namespace
+
+bool isSceneFile(const std::filesystem::path& path)
+{
+    return internal::sameWord(path.extension().string(), ".json");
+}
+
+core::Result<SceneFile> readScene(const std::filesystem::path& path)
+{
+    const std::string file = path.filename().string();
+    const Result<internal::FileImage> image = internal::FileImage::load(path);
+    if (!image.isOk()) {
+        return image.status();
+    }
+    const std::string_view bytes = image.value().bytes();
+    QJsonParseError error;
+    const QJsonDocument document =
+        QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())), &error);
+    if (!document.isObject()) {
+        return internal::fault(StatusCode::BadFormat, file, internal::atByte(static_cast<std::uint64_t>(error.offset)),
+                               bytes.empty()                             ? "the file is empty"
+                               : error.error == QJsonParseError::NoError ? "no JSON object"
+                                                                         : error.errorString().toStdString(),
+                               "a scene as a JSON object");
+    }
+    Status status;
+    SceneFile scene;
+    JsonFields fields(document.object(), file, "", status);
+    if (!fields.has("version")) {
+        fields.fail("version", "nothing", "1: is this a scene file?");
+    }
+    double version = SceneFile::kVersion;
+    fields.read("version", version, 1.0, 1e9);
+    if (status.isOk() && version > SceneFile::kVersion) {
+        return Status(StatusCode::Mismatch, file + ": version: found " + std::to_string(static_cast<int>(version)) +
+                                                ", expected at most " + std::to_string(SceneFile::kVersion) +
+                                                ": it was made by a newer Palpate");
+    }
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    std::size_t i = 0;
+    for (const QJsonObject& object : fields.objects("structures")) {
+        JsonFields entry(object, file, "structures[" + std::to_string(i++) + "]", status);
+        scene.structures.push_back(readStructure(entry, folder));
+    }
+    if (const auto object = fields.object("camera")) {
+        JsonFields camera(*object, file, "camera", status);
+        scene.camera = readCamera(camera);
+    }
+    i = 0;
+    for (const QJsonObject& object : fields.objects("findings")) {
+        JsonFields entry(object, file, "findings[" + std::to_string(i++) + "]", status);
+        SceneFinding finding;
+        entry.read("name", finding.name);
+        entry.read("note", finding.note);
+        finding.p_W = point(entry, "position").value_or(finding.p_W);
+        scene.findings.push_back(std::move(finding));
+    }
+    scene.extra = fields.unknown();
+    return status.isOk() ? Result<SceneFile>(std::move(scene)) : Result<SceneFile>(status);
+}
+
+} // namespace palpate::meshio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace palpate::meshio::internal {
+
+/// Walks over a text line by line. Lines end in LF or CR LF; the end is not part of the line.
+class LineReader
+{
+  public:
+    explicit LineReader(std::string_view text)
+        : m_text(text)
+    {
+    }
+    /// @return false at the end of the text.
+    bool next();
+    [[nodiscard]] std::string_view line() const noexcept { return m_line; }
+    [[nodiscard]] std::uint64_t number() const noexcept { return m_number; } ///< from 1
+    [[nodiscard]] std::size_t begin() const noexcept { return m_begin; }     ///< byte at which the line starts
+    [[nodiscard]] std::size_t end() const noexcept { return m_next; }        ///< byte at which the next one starts
+
+  private:
+    std::string_view m_text;
+    std::string_view m_line;
+    std::uint64_t m_number = 0;
+    std::size_t m_begin = 0;
+    std::size_t m_next = 0;
+};
+
+/// Takes the next word, a run of anything but blanks, off the front of `rest`. @return empty at its end
+[[nodiscard]] std::string_view takeWord(std::string_view& rest);
+
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// @return true when both are equal but for the case of ASCII letters.
+[[nodiscard]] bool sameWord(std::string_view a, std::string_view b);
+
+/// Reads a decimal number that fills `word`, as strtod would: a leading '+', and "nan" and "inf", are allowed; too
+/// large gives infinity, too small zero.
+[[nodiscard]] std::optional<double> wordToNumber(std::string_view word);
+[[nodiscard]] std::optional<std::int64_t> wordToInteger(std::string_view word);
+
+} // namespace palpate::meshio::internal

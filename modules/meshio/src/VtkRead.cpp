@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VtkRead.h"
+
+#include "Fault.h"
+#include "NumericLocale.h"
+#include "VtkMessages.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkDataArraySelection.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <exception>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+/// Stops a VTK algorithm when the caller asks for it.
+class ProgressObserver : public vtkCommand
+{
+  public:
+    static ProgressObserver* New() { return new ProgressObserver; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+        auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+        if (algorithm != nullptr && report && !report(algorithm->GetProgress())) {
+            isCancelled = true;
+            algorithm->SetAbortExecute(1);
+        }
+    }
+
+    std::function<bool(double)> report;
+    bool isCancelled = false;
+};
+
+vtkSmartPointer<vtkAlgorithm> makeReader(FileKind kind, const std::string& path)
+{
+    switch (kind) {
+    case FileKind::StlBinary:
+    case FileKind::StlAscii: {
+        auto reader = vtkSmartPointer<vtkSTLReader>::New();
+        reader->SetFileName(path.c_str());
+        reader->MergingOff(); // it would drop triangles silently; `repair` welds and counts
+        return reader;
+    }
+    case FileKind::Obj: {
+        auto reader = vtkSmartPointer<vtkOBJReader>::New();
+        reader->SetFileName(path.c_str());
+        return reader;
+    }
+    case FileKind::Ply: {
+        auto reader = vtkSmartPointer<vtkPLYReader>::New();
+        reader->SetFileName(path.c_str());
+        return reader;
+    }
+    case FileKind::Vtp:
+        break;
+    }
+    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    reader->SetFileName(path.c_str());
+    reader->UpdateInformation();
+    reader->GetPointDataArraySelection()->DisableAllArrays();
+    reader->GetCellDataArraySelection()->DisableAllArrays();
+    reader->GetCellDataArraySelection()->EnableArray("StructureId");
+    return reader;
+}
+
+} // namespace
+
+Result<vtkSmartPointer<vtkPolyData>> readWithVtk(FileKind kind, const FileImage& image, const PreScan& scan,
+                                                 const ScanContext& context)
+{
+    const NumericLocale locale;
+    const VtkMessages messages;
+    vtkNew<ProgressObserver> observer;
+    observer->report = context.progress;
+    vtkSmartPointer<vtkPolyData> mesh;
+    try {
+        const vtkSmartPointer<vtkAlgorithm> reader = makeReader(kind, image.openPath());
+        reader->AddObserver(vtkCommand::ProgressEvent, observer);
+        reader->Update();
+        mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+    } catch (const std::exception& error) {
+        return fault(StatusCode::BadFormat, context.file, "", std::string("VTK could not read it: ") + error.what(),
+                     "a readable " + scan.format + " file");
+    }
+    if (observer->isCancelled) {
+        return Status(StatusCode::Cancelled, context.file + ": reading was cancelled");
+    }
+    if (!messages.firstError().empty() || mesh == nullptr) {
+        return fault(StatusCode::BadFormat, context.file, "", "VTK could not read it: " + messages.firstError(),
+                     "a readable " + scan.format + " file");
+    }
+    const auto points = static_cast<std::uint64_t>(mesh->GetNumberOfPoints());
+    const auto cells = static_cast<std::uint64_t>(mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips());
+    if (points != scan.points || cells != scan.cells) {
+        return fault(StatusCode::BadFormat, context.file, "",
+                     "VTK read " + counted(points, "point") + " and " + counted(cells, "polygon"),
+                     grouped(scan.points) + " and " + grouped(scan.cells));
+    }
+    return mesh;
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VtpHeader.h"
+
+#include "Fault.h"
+#include "TextScan.h"
+
+#include <QXmlStreamReader>
+
+#include <limits>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr int kDeepest = 32;
+
+class HeaderReader
+{
+  public:
+    HeaderReader(const QByteArray& xml, const ScanContext& context)
+        : m_xml(xml)
+        , m_context(context)
+    {
+    }
+
+    Status run(VtpHeader& header);
+
+  private:
+    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    {
+        return fault(code, m_context.file, atLine(static_cast<std::uint64_t>(m_xml.lineNumber())), found, expected);
+    }
+    Status fail(StatusCode code, std::string_view found, std::string_view expected)
+    {
+        if (m_status.isOk()) {
+            m_status = wrong(code, found, expected);
+        }
+        return m_status;
+    }
+    [[nodiscard]] std::string attribute(const char* name) const
+    {
+        return m_xml.attributes().value(QLatin1String(name)).toString().toStdString();
+    }
+    /// A count from 0; nothing when absent. Anything else is noted as the error.
+    std::optional<std::uint64_t> count(const char* name);
+    void startElement(VtpHeader& header);
+    void startFile(VtpHeader& header);
+    void startPiece(VtpHeader& header);
+    void startArray(VtpHeader& header);
+    /// Where an array declared under `parent` belongs; nothing when it must not stand there.
+    VtpArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
+
+    QXmlStreamReader m_xml;
+    const ScanContext& m_context;
+    std::vector<std::string> m_path;
+    VtpArray* m_array = nullptr; ///< whose content is being read
+    Status m_status;
+};
+
+std::optional<std::uint64_t> HeaderReader::count(const char* name)
+{
+    const std::string text = attribute(name);
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const std::optional<std::int64_t> value = wordToInteger(trimmed(text));
+    if (!value || *value < 0) {
+        (void)fail(StatusCode::OutOfRange, std::string(name) + "=" + inQuotes(text), "a whole number from 0");
+        return 0;
+    }
+    return static_cast<std::uint64_t>(*value);
+}
+
+void HeaderReader::startFile(VtpHeader& header)
+{
+    if (const std::string type = attribute("type"); type != "PolyData") {
+        (void)fail(StatusCode::Unsupported, "a VTK file of type " + inQuotes(type), "type \"PolyData\"");
+    }
+    const std::string order = attribute("byte_order");
+    header.isBigEndian = order == "BigEndian";
+    const std::string width = attribute("header_type");
+    header.hasWideHeaders = width == "UInt64";
+    if (!width.empty() && width != "UInt32" && width != "UInt64") {
+        (void)fail(StatusCode::BadFormat, "header_type=" + inQuotes(width), "UInt32 or UInt64");
+    }
+    const std::string compressor = attribute("compressor");
+    if (compressor == "vtkZLibDataCompressor") {
+        header.compressor = VtpCompressor::ZLib;
+    } else if (compressor == "vtkLZ4DataCompressor") {
+        header.compressor = VtpCompressor::Lz4;
+    } else if (compressor == "vtkLZMADataCompressor") {
+        header.compressor = VtpCompressor::Lzma;
+    } else if (!compressor.empty()) {
+        (void)fail(StatusCode::Unsupported, "the compressor " + inQuotes(compressor), "zlib, LZ4 or LZMA");
+    }
+}
+
+void HeaderReader::startPiece(VtpHeader& header)
+{
+    VtpPiece& piece = header.pieces.emplace_back();
+    piece.line = static_cast<std::uint64_t>(m_xml.lineNumber());
+    piece.points = count("NumberOfPoints").value_or(0);
+    piece.verts.count = count("NumberOfVerts").value_or(0);
+    piece.lines.count = count("NumberOfLines").value_or(0);
+    piece.strips.count = count("NumberOfStrips").value_or(0);
+    piece.polys.count = count("NumberOfPolys").value_or(0);
+}
+
+VtpArray* HeaderReader::place(VtpHeader& header, const std::string& parent, const std::string& name)
+{
+    if (parent == "FieldData") {
+        return &header.fieldData.emplace_back();
+    }
+    if (header.pieces.empty()) {
+        return nullptr;
+    }
+    VtpPiece& piece = header.pieces.back();
+    if (parent == "PointData") {
+        return &piece.pointData.emplace_back();
+    }
+    if (parent == "CellData") {
+        return &piece.cellData.emplace_back();
+    }
+    if (parent == "Points") {
+        return piece.coordinates ? nullptr : &piece.coordinates.emplace();
+    }
+    VtpCells* cells = parent == "Verts"    ? &piece.verts
+                      : parent == "Lines"  ? &piece.lines
+                      : parent == "Strips" ? &piece.strips
+                      : parent == "Polys"  ? &piece.polys
+                                           : nullptr;
+    if (cells == nullptr) {
+        return nullptr;
+    }
+    std::optional<VtpArray>& slot = name == "connectivity" ? cells->connectivity : cells->offsets;
+    return (name == "connectivity" || name == "offsets") && !slot ? &slot.emplace() : nullptr;
+}
+
+void HeaderReader::startArray(VtpHeader& header)
+{
+    const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
+    const std::string name = attribute("Name");
+    VtpArray* array = place(header, parent, name);
+    if (array == nullptr) {
+        (void)fail(StatusCode::BadFormat, "an array " + inQuotes(name) + " under " + inQuotes(parent),
+                   "one array of points, one connectivity and one offsets");
+        return;
+    }
+    array->name = name.empty() ? parent : name;
+    array->type = attribute("type");
+    array->components = count("NumberOfComponents").value_or(1);
+    array->tuples = count("NumberOfTuples");
+    array->offset = count("offset").value_or(0);
+    array->line = static_cast<std::uint64_t>(m_xml.lineNumber());
+    const std::string format = attribute("format");
+    if (format == "appended") {
+        array->format = VtpFormat::Appended;
+    } else if (format == "binary") {
+        array->format = VtpFormat::Binary;
+    } else if (!format.empty() && format != "ascii") {
+        (void)fail(StatusCode::BadFormat, "format=" + inQuotes(format), "ascii, binary or appended");
+    }
+    m_array = array;
+}
+
+void HeaderReader::startElement(VtpHeader& header)
+{
+    const std::string& name = m_path.back();
+    if (m_path.size() == 1 && name != "VTKFile") {
+        (void)fail(StatusCode::BadFormat, "an XML document " + inQuotes(name), "\"VTKFile\"");
+    } else if (name == "VTKFile") {
+        startFile(header);
+    } else if (name == "Piece") {
+        startPiece(header);
+    } else if (name == "DataArray" || name == "Array") {
+        startArray(header);
+    } else if (name == "AppendedData") {
+        header.isAppendedBase64 = attribute("encoding") == "base64";
+    }
+}
+
+Status HeaderReader::run(VtpHeader& header)
+{
+    while (m_status.isOk()) {
+        switch (m_xml.readNext()) {
+        case QXmlStreamReader::DTD:
+        case QXmlStreamReader::EntityReference:
+            return wrong(StatusCode::BadFormat, "a document type or an entity", "none in a VTP file");
+        case QXmlStreamReader::StartElement:
+            m_path.push_back(m_xml.name().toString().toStdString());
+            if (m_path.size() > kDeepest) {
+                return wrong(StatusCode::BadFormat, "elements nested more than 32 deep", "at most 6");
+            }
+            startElement(header);
+            if (m_path.back() == "AppendedData") {
+                return m_status; // what follows need not be XML
+            }
+            break;
+        case QXmlStreamReader::Characters:
+            if (m_array != nullptr) {
+                m_array->text.append(m_xml.text().toLatin1());
+            }
+            break;
+        case QXmlStreamReader::EndElement:
+            m_path.pop_back();
+            m_array = nullptr;
+            break;
+        case QXmlStreamReader::Invalid:
+            return wrong(StatusCode::BadFormat, "the XML is broken: " + m_xml.errorString().toStdString(),
+                         "well-formed XML to the end");
+        case QXmlStreamReader::EndDocument:
+            return m_status;
+        default:
+            break;
+        }
+    }
+    return m_status;
+}
+
+} // namespace
+
+Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context)
+{
+    VtpHeader header;
+    constexpr std::string_view kAppended = "<AppendedData";
+    std::string_view xml = bytes;
+    if (const std::size_t tag = bytes.find(kAppended); tag != std::string_view::npos) {
+        const std::size_t close = bytes.find('>', tag);
+        std::size_t mark = close == std::string_view::npos ? close : close + 1;
+        while (mark < bytes.size() && std::string_view(" \t\r\n").find(bytes[mark]) != std::string_view::npos) {
+            ++mark;
+        }
+        if (mark >= bytes.size() || bytes[mark] != '_') {
+            return fault(StatusCode::BadFormat, context.file, atByte(tag),
+                         "appended data that does not begin with \"_\"", "\"_\" and the data");
+        }
+        xml = bytes.substr(0, close + 1);
+        header.appendedBegin = mark + 1;
+        header.appended = bytes.substr(mark + 1);
+    }
+    if (xml.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+        return fault(StatusCode::Unsupported, context.file, "", "more than 2 GiB of XML", "appended data");
+    }
+    HeaderReader reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())), context);
+    if (Status status = reader.run(header); !status.isOk()) {
+        return status;
+    }
+    if (header.pieces.empty()) {
+        return fault(StatusCode::Empty, context.file, "", "no \"Piece\" of PolyData", "at least one");
+    }
+    return header;
+}
+
+} // namespace palpate::meshio::internal

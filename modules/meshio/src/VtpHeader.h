@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PreScan.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+enum class VtpFormat : std::uint8_t
+{
+    Ascii,
+    Binary,
+    Appended
+};
+enum class VtpCompressor : std::uint8_t
+{
+    None,
+    ZLib,
+    Lz4,
+    Lzma
+};
+
+/// A DataArray as it is declared.
+struct VtpArray
+{
+    std::string name;
+    std::string type; ///< "Float32", "Int64", … "String"
+    std::uint64_t components = 1;
+    std::optional<std::uint64_t> tuples; ///< NumberOfTuples, in field data
+    VtpFormat format = VtpFormat::Ascii;
+    std::uint64_t offset = 0; ///< into the appended data
+    QByteArray text;          ///< inline content
+    std::uint64_t line = 0;
+};
+
+/// A pair of arrays that holds cells.
+struct VtpCells
+{
+    std::uint64_t count = 0;
+    std::optional<VtpArray> connectivity;
+    std::optional<VtpArray> offsets;
+};
+
+struct VtpPiece
+{
+    std::uint64_t points = 0;
+    VtpCells verts, lines, strips, polys;
+    std::optional<VtpArray> coordinates;
+    std::vector<VtpArray> pointData;
+    std::vector<VtpArray> cellData;
+    std::uint64_t line = 0;
+};
+
+/// All that the XML of a VTP file says, without the appended data.
+struct VtpHeader
+{
+    bool isBigEndian = false;
+    bool hasWideHeaders = false; ///< block headers are 64-bit
+    VtpCompressor compressor = VtpCompressor::None;
+    std::vector<VtpArray> fieldData;
+    std::vector<VtpPiece> pieces;
+    bool isAppendedBase64 = false;
+    std::string_view appended;       ///< what follows the underscore, up to the end of the file
+    std::uint64_t appendedBegin = 0; ///< [bytes]
+};
+
+/// Reads the XML; a document type, another kind of VTK file, deep nesting and counts that are not whole numbers are
+/// errors.
+[[nodiscard]] core::Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context);
+
+} // namespace palpate::meshio::internal

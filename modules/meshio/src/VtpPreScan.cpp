@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PreScan.h"
+#include "VtpBlocks.h"
+#include "VtpHeader.h"
+
+#include "Fault.h"
+#include "TextScan.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max(); ///< indices are 32-bit inside
+
+/// Checks each array that VTK will read against the counts that size VTK's memory.
+class VtpScan
+{
+  public:
+    VtpScan(const VtpHeader& header, const ScanContext& context, PreScan& scan)
+        : m_header(header)
+        , m_context(context)
+        , m_scan(scan)
+    {
+    }
+    Status run();
+
+  private:
+    Status wrong(const VtpArray& array, StatusCode code, std::string_view found, std::string_view expected) const
+    {
+        return fault(code, m_context.file, atLine(array.line),
+                     "array " + inQuotes(array.name) + ": " + std::string(found), expected);
+    }
+    [[nodiscard]] std::string_view textOf(const VtpArray& array) const
+    {
+        return {array.text.constData(), static_cast<std::size_t>(array.text.size())};
+    }
+    /// How many numbers the array holds, each of its declared type.
+    Result<std::uint64_t> countValues(const VtpArray& array) const;
+    Status checkCount(const VtpArray& array, std::uint64_t expected) const;
+    Status checkPiece(const VtpPiece& piece);
+    Status checkPoints(const VtpPiece& piece) const;
+    Status checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const;
+    Result<std::vector<std::int64_t>> integers(const VtpArray& array) const;
+    Status checkFieldData() const;
+    void noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples);
+
+    const VtpHeader& m_header;
+    const ScanContext& m_context;
+    PreScan& m_scan;
+};
+
+Result<std::uint64_t> VtpScan::countValues(const VtpArray& array) const
+{
+    const std::size_t size = vtpTypeSize(array.type);
+    if (size == 0) {
+        return wrong(array, StatusCode::BadFormat, "its type is " + inQuotes(array.type), "a type of numbers");
+    }
+    if (array.format != VtpFormat::Ascii) {
+        const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
+        if (!blocks.isOk()) {
+            return blocks.status();
+        }
+        if (blocks.value().size() % size != 0) {
+            return wrong(array, StatusCode::BadFormat, counted(blocks.value().size(), "byte"),
+                         "a multiple of " + std::to_string(size));
+        }
+        return blocks.value().size() / size;
+    }
+    std::uint64_t count = 0;
+    std::string_view rest = textOf(array);
+    const bool isInteger = isVtpIntegerType(array.type);
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+        if (isInteger ? !wordToInteger(word) : !wordToNumber(word)) {
+            return wrong(array, StatusCode::BadFormat, "value " + std::to_string(count) + " is " + inQuotes(word),
+                         "a number of type " + array.type);
+        }
+        ++count;
+    }
+    return count;
+}
+
+Status VtpScan::checkCount(const VtpArray& array, std::uint64_t expected) const
+{
+    const Result<std::uint64_t> count = countValues(array);
+    if (!count.isOk()) {
+        return count.status();
+    }
+    if (count.value() != expected) {
+        return wrong(array, StatusCode::OutOfRange, counted(count.value(), "value"), grouped(expected));
+    }
+    return {};
+}
+
+Status VtpScan::checkPoints(const VtpPiece& piece) const
+{
+    if (!piece.coordinates) {
+        return fault(StatusCode::BadFormat, m_context.file, atLine(piece.line),
+                     grouped(piece.points) + " points declared but none given", "an array of points");
+    }
+    const VtpArray& array = *piece.coordinates;
+    if (array.components != 3) {
+        return wrong(array, StatusCode::BadFormat, counted(array.components, "component") + " for each point", "3");
+    }
+    if (Status status = checkCount(array, piece.points * 3); !status.isOk()) {
+        return status;
+    }
+    if (array.format == VtpFormat::Ascii) {
+        std::string_view rest = textOf(array);
+        for (std::uint64_t i = 0; i < piece.points * 3; ++i) {
+            const std::string_view word = takeWord(rest);
+            if (const std::string bad = coordinateFault(*wordToNumber(word), m_context.unit_mm); !bad.empty()) {
+                return wrong(array, StatusCode::NonFinite,
+                             "point " + std::to_string(i / 3) + ": " + bad + " (" + inQuotes(word) + ")",
+                             "finite coordinates within 10 km");
+            }
+        }
+    }
+    return {};
+}
+
+Result<std::vector<std::int64_t>> VtpScan::integers(const VtpArray& array) const
+{
+    if (array.format == VtpFormat::Ascii) {
+        std::vector<std::int64_t> out;
+        std::string_view rest = textOf(array);
+        for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+            out.push_back(wordToInteger(word).value_or(-1));
+        }
+        return out;
+    }
+    const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
+    if (!blocks.isOk()) {
+        return blocks.status();
+    }
+    const auto bytes = blocks.value().unpack();
+    if (!bytes) {
+        return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
+    }
+    return vtpIntegers(*bytes, array.type, m_header.isBigEndian);
+}
+
+Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const
+{
+    if (!cells.connectivity || !cells.offsets) {
+        if (cells.count == 0 && !cells.connectivity && !cells.offsets) {
+            return {};
+        }
+        return fault(StatusCode::BadFormat, m_context.file, atLine(piece.line),
+                     grouped(cells.count) + " " + name + " declared, but not both their arrays given",
+                     "arrays \"connectivity\" and \"offsets\"");
+    }
+    for (const VtpArray* array : {&*cells.connectivity, &*cells.offsets}) {
+        if (!isVtpIntegerType(array->type) || array->components != 1) {
+            return wrong(*array, StatusCode::BadFormat,
+                         "its type is " + inQuotes(array->type) + " with " + counted(array->components, "component"),
+                         "whole numbers, one component");
+        }
+    }
+    const Result<std::uint64_t> corners = countValues(*cells.connectivity);
+    if (!corners.isOk()) {
+        return corners.status();
+    }
+    if (corners.value() > kMostElements) {
+        return wrong(*cells.connectivity, StatusCode::Unsupported, counted(corners.value(), "index"),
+                     "at most " + grouped(kMostElements));
+    }
+    if (Status status = checkCount(*cells.offsets, cells.count); !status.isOk()) {
+        return status;
+    }
+    const Result<std::vector<std::int64_t>> offsets = integers(*cells.offsets);
+    if (!offsets.isOk()) {
+        return offsets.status();
+    }
+    std::int64_t before = 0;
+    for (std::size_t i = 0; i < offsets.value().size(); ++i) {
+        const std::int64_t offset = offsets.value()[i];
+        if (offset < before || offset > static_cast<std::int64_t>(corners.value())) {
+            return wrong(*cells.offsets, StatusCode::OutOfRange,
+                         "value " + std::to_string(i) + " is " + std::to_string(offset),
+                         std::to_string(before) + " to " + std::to_string(corners.value()));
+        }
+        before = offset;
+    }
+    if (before != static_cast<std::int64_t>(corners.value())) {
+        return wrong(*cells.connectivity, StatusCode::OutOfRange, counted(corners.value(), "value"),
+                     std::to_string(before) + ", the last offset");
+    }
+    if (cells.connectivity->format == VtpFormat::Ascii) {
+        const Result<std::vector<std::int64_t>> indices = integers(*cells.connectivity);
+        for (std::size_t i = 0; i < indices.value().size(); ++i) {
+            const std::int64_t index = indices.value()[i];
+            if (index < 0 || index >= static_cast<std::int64_t>(piece.points)) {
+                return wrong(*cells.connectivity, StatusCode::OutOfRange,
+                             "value " + std::to_string(i) + " is point " + std::to_string(index),
+                             piece.points == 0 ? "no index: there are no points"
+                                               : "0 to " + std::to_string(piece.points - 1));
+            }
+        }
+    }
+    return {};
+}
+
+Status VtpScan::checkFieldData() const
+{
+    for (const VtpArray& array : m_header.fieldData) {
+        const bool isText = array.type == "String";
+        std::uint64_t held = 0;
+        if (isText && array.format == VtpFormat::Ascii) {
+            held = static_cast<std::uint64_t>(array.text.size());
+        } else if (isText) {
+            const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
+            if (!blocks.isOk()) {
+                return blocks.status();
+            }
+            held = blocks.value().size();
+        } else {
+            const Result<std::uint64_t> count = countValues(array);
+            if (!count.isOk()) {
+                return count.status();
+            }
+            held = count.value();
+        }
+        const std::uint64_t tuples = array.tuples.value_or(0);
+        if (array.components == 0 || tuples > held || array.components > held + 1 || tuples * array.components > held) {
+            return wrong(array, StatusCode::OutOfRange,
+                         grouped(tuples) + " tuples of " + counted(array.components, "component") + " declared",
+                         "at most " + grouped(held) + ", which is what is there");
+        }
+    }
+    return {};
+}
+
+void VtpScan::noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples)
+{
+    for (const VtpArray& array : arrays) {
+        if (array.name != "StructureId" && array.components <= kMostElements &&
+            !checkCount(array, tuples * array.components).isOk()) {
+            m_scan.notes.push_back("the array " + inQuotes(array.name) + " is damaged; it is not used");
+        }
+    }
+}
+
+Status VtpScan::checkPiece(const VtpPiece& piece)
+{
+    for (const std::uint64_t count :
+         {piece.points, piece.verts.count, piece.lines.count, piece.strips.count, piece.polys.count}) {
+        if (count > kMostElements) {
+            return fault(StatusCode::OutOfRange, m_context.file, atLine(piece.line),
+                         grouped(count) + " elements declared", "at most " + grouped(kMostElements));
+        }
+    }
+    if (Status status = checkPoints(piece); !status.isOk()) {
+        return status;
+    }
+    const std::array<std::pair<const VtpCells*, const char*>, 4> kinds{
+        {{&piece.verts, "verts"}, {&piece.lines, "lines"}, {&piece.strips, "strips"}, {&piece.polys, "polygons"}}};
+    std::uint64_t cells = 0;
+    for (const auto& [kind, name] : kinds) {
+        if (Status status = checkCells(*kind, name, piece); !status.isOk()) {
+            return status;
+        }
+        cells += kind->count;
+    }
+    for (const VtpArray& array : piece.cellData) {
+        if (array.name == "StructureId") {
+            if (!isVtpIntegerType(array.type) || array.components != 1) {
+                return wrong(array, StatusCode::BadFormat, "its type is " + inQuotes(array.type),
+                             "whole numbers, one a cell");
+            }
+            if (Status status = checkCount(array, cells); !status.isOk()) {
+                return status;
+            }
+        }
+    }
+    noteShortData(piece.pointData, piece.points);
+    noteShortData(piece.cellData, cells);
+    m_scan.points += piece.points;
+    m_scan.cells += piece.strips.count + piece.polys.count;
+    return {};
+}
+
+Status VtpScan::run()
+{
+    if (Status status = checkFieldData(); !status.isOk()) {
+        return status;
+    }
+    double done = 0.0;
+    for (const VtpPiece& piece : m_header.pieces) {
+        if (Status status = checkPiece(piece); !status.isOk()) {
+            return status;
+        }
+        done += 1.0 / static_cast<double>(m_header.pieces.size());
+        if (m_context.progress && !m_context.progress(done)) {
+            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+        }
+    }
+    if (m_scan.cells == 0) {
+        return fault(StatusCode::Empty, m_context.file, "", "0 polygons and strips", "at least one");
+    }
+    if (m_scan.points > kMostElements || m_scan.cells > kMostElements) {
+        return fault(StatusCode::Unsupported, m_context.file, "", counted(m_scan.points, "point"),
+                     "at most " + grouped(kMostElements));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<PreScan> preScanVtp(FileImage& image, const ScanContext& context)
+{
+    PreScan scan;
+    scan.format = "VTP";
+    const Result<VtpHeader> header = readVtpHeader(image.bytes(), context);
+    if (!header.isOk()) {
+        return header.status();
+    }
+    if (Status status = VtpScan(header.value(), context, scan).run(); !status.isOk()) {
+        return status;
+    }
+    return scan;
+}
+
+} // namespace palpate::meshio::internal

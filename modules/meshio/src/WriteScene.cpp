@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/SceneFile.h"
+
+#include "AtomicFile.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace palpate::meshio {
+
+namespace {
+
+using core::Vec3;
+
+QString text(const std::string& value)
+{
+    return QString::fromStdString(value);
+}
+
+/// The fields that a newer version or another program put there.
+QJsonObject unknownFields(const std::string& extra)
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(extra)).object();
+}
+
+QJsonArray triple(const Vec3& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+QJsonArray pose(const core::Transform& X_WM)
+{
+    QJsonArray out;
+    for (Eigen::Index row = 0; row < 4; ++row) {
+        for (Eigen::Index column = 0; column < 4; ++column) {
+            out.append(X_WM.matrix()(row, column));
+        }
+    }
+    return out;
+}
+
+QJsonObject structure(const SceneStructure& s, const std::filesystem::path& folder)
+{
+    QJsonObject out = unknownFields(s.extra);
+    const std::filesystem::path relative = std::filesystem::absolute(s.mesh).lexically_relative(folder);
+    out["mesh"] = text((relative.empty() ? s.mesh : relative).generic_string());
+    if (!s.part.empty()) {
+        out["part"] = text(s.part);
+    }
+    out["unit_mm"] = s.unit_mm;
+    out["name"] = text(s.name);
+    out["colour"] = QJsonArray{s.colour[0], s.colour[1], s.colour[2]};
+    out["opacity"] = s.opacity;
+    out["visible"] = s.visible;
+    out["palpable"] = s.palpable;
+    out["flipped"] = s.flipped;
+    out["stiffness_N_per_mm"] = s.stiffness_N_per_mm;
+    out["damping_Ns_per_mm"] = s.damping_Ns_per_mm;
+    out["layer"] = static_cast<double>(s.layer);
+    out["pose"] = pose(s.X_WM);
+    return out;
+}
+
+} // namespace
+
+core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene)
+{
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path().lexically_normal();
+    QJsonObject out = unknownFields(scene.extra);
+    out["version"] = SceneFile::kVersion;
+    QJsonArray structures;
+    for (const SceneStructure& s : scene.structures) {
+        structures.append(structure(s, folder));
+    }
+    out["structures"] = structures;
+    if (scene.camera) {
+        out["camera"] = QJsonObject{{"position", triple(scene.camera->position_W)},
+                                    {"focus", triple(scene.camera->focus_W)},
+                                    {"up", triple(scene.camera->up_W)},
+                                    {"viewAngle_deg", scene.camera->viewAngle_deg}};
+    }
+    QJsonArray findings;
+    for (const SceneFinding& finding : scene.findings) {
+        findings.append(
+            QJsonObject{{"name", text(finding.name)}, {"position", triple(finding.p_W)}, {"note", text(finding.note)}});
+    }
+    out["findings"] = findings;
+    return internal::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString());
+}
+
+} // namespace palpate::meshio

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/meshio/LoadScene.h>
+
+#include <QTemporaryDir>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace palpate::test {
+
+/// A folder that goes away with the test, and files in it.
+class Folder
+{
+  public:
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    std::filesystem::path write(const std::string& name, std::string_view bytes) const
+    {
+        const std::filesystem::path file = path(name);
+        std::filesystem::remove(file); // cutting a file short makes some file systems wait for the disk
+        std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return file;
+    }
+
+  private:
+    QTemporaryDir m_folder;
+};
+
+inline std::string fileBytes(const std::filesystem::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+template<class T>
+void appendRaw(std::string& out, T value)
+{
+    out.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+/// A tetrahedron of 24 mm with a corner at the origin, normals outwards.
+inline meshio::MeshStructure tetrahedron(const std::string& name, const core::Vec3& shift = core::Vec3::Zero())
+{
+    meshio::MeshStructure s;
+    s.name = name;
+    s.mesh.vertices = {{0, 0, 0}, {24, 0, 0}, {0, 24, 0}, {0, 0, 24}};
+    for (core::Vec3& p : s.mesh.vertices) {
+        p += shift;
+    }
+    s.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    return s;
+}
+
+/// One facet a triple of corners.
+inline std::string binaryStl(std::uint32_t declared, const std::vector<std::array<float, 9>>& facets,
+                             std::string header = "test")
+{
+    header.resize(80, ' ');
+    appendRaw(header, declared);
+    for (const auto& facet : facets) {
+        appendRaw(header, std::array<float, 3>{});
+        appendRaw(header, facet);
+        appendRaw(header, std::uint16_t{0});
+    }
+    return header;
+}
+
+inline std::string asciiStl(const std::string& name = "liver", const std::string& lastVertex = "0 1.5 0")
+{
+    return "solid " + name + "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex " + lastVertex +
+           "\nendloop\nendfacet\nendsolid " + name + "\n";
+}
+
+inline std::string asciiPly(const std::string& vertices = "0 0 0\n2.5 0 0\n0 1.5 0\n",
+                            const std::string& faces = "3 0 1 2\n", int vertexCount = 3, int faceCount = 1)
+{
+    return "ply\nformat ascii 1.0\ncomment SPACE=LPS\nelement vertex " + std::to_string(vertexCount) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(faceCount) +
+           "\nproperty list uchar int vertex_index\nend_header\n" + vertices + faces;
+}
+
+inline std::string asciiVtp(const std::string& points = "0 0 0 2.5 0 0 0 1.5 0", const std::string& corners = "0 1 2",
+                            const std::string& counts = "NumberOfPoints=\"3\" NumberOfPolys=\"1\"",
+                            const std::string& offsets = "3", const std::string& kind = "Polys",
+                            const std::string& field = "")
+{
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n<PolyData>" +
+           field + "<Piece " + counts +
+           ">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">" + points +
+           "</DataArray></Points>\n<" + kind + "><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">" +
+           corners + "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">" + offsets +
+           "</DataArray></" + kind + ">\n</Piece></PolyData></VTKFile>\n";
+}
+
+inline const std::string kObj = "v 0 0 0\nv 2.5 0 0\nv 0 1.5 0\nf 1 2 3\n";
+
+/// Area of all triangles of a structure [mm²].
+inline double area(const geometry::TriangleMesh& mesh)
+{
+    double sum = 0.0;
+    for (const geometry::Triangle& t : mesh.triangles) {
+        const core::Vec3 a = mesh.vertices[t[1]] - mesh.vertices[t[0]];
+        sum += 0.5 * a.cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+    }
+    return sum;
+}
+
+inline std::size_t triangles(const meshio::MeshFile& file)
+{
+    std::size_t count = 0;
+    for (const meshio::MeshStructure& s : file.structures) {
+        count += s.mesh.triangles.size();
+    }
+    return count;
+}
+
+} // namespace palpate::test

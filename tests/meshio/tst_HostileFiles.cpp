@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+#include "TestRunner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+using namespace palpate;
+using core::StatusCode;
+
+namespace {
+
+/// Keeps what the process writes to its error stream while it lives.
+class ErrorStream
+{
+  public:
+    explicit ErrorStream(const std::filesystem::path& file)
+        : m_file(file)
+        , m_before(::dup(2))
+    {
+        const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ::dup2(to, 2);
+        ::close(to);
+    }
+    std::string stop()
+    {
+        ::dup2(m_before, 2);
+        ::close(m_before);
+        return test::fileBytes(m_file);
+    }
+
+  private:
+    std::filesystem::path m_file;
+    int m_before;
+};
+
+/// The file is refused in one line that names it and says what was expected.
+void verifyRefused(const core::Result<meshio::MeshFile>& file, const std::string& name)
+{
+    QVERIFY(!file.isOk());
+    const std::string& message = file.status().message();
+    QVERIFY2(message.starts_with(name + ": "), message.c_str());
+    QVERIFY2(message.find("; expected ") != std::string::npos, message.c_str());
+    QVERIFY2(message.find('\n') == std::string::npos, message.c_str());
+}
+
+std::string withPlyHeader(const std::string& header, const std::string& body)
+{
+    return "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n" + body;
+}
+
+const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+
+/// A valid binary PLY of one triangle.
+std::string binaryPly()
+{
+    std::string body;
+    test::appendRaw(body, std::array<float, 9>{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0});
+    test::appendRaw(body, std::uint8_t{3});
+    test::appendRaw(body, std::array<std::int32_t, 3>{0, 1, 2});
+    return withPlyHeader("element vertex 3\n" + kXyz + "element face 1\nproperty list uchar int vertex_indices\n",
+                         body);
+}
+
+} // namespace
+
+class HostileFiles : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void sharedFilesAreDecided();
+    void ownFilesAreRefused_data();
+    void ownFilesAreRefused();
+    void namesWhatElseItIs_data();
+    void namesWhatElseItIs();
+    void missingFileFolderAndPipeAreErrors();
+    void cutAnywhereNeverCrashes_data();
+    void cutAnywhereNeverCrashes();
+    void flippedBytesNeverCrash_data() { cutAnywhereNeverCrashes_data(); }
+    void flippedBytesNeverCrash();
+};
+
+void HostileFiles::sharedFilesAreDecided()
+{
+    PALPATE_SHARED_OR_SKIP(folder, "hostile");
+    static const std::set<std::string> valid{"s08_binary_starts_solid.stl",
+                                             "s09_ascii_ok.stl",
+                                             "s11_ascii_longname.stl",
+                                             "s15_degenerate.stl",
+                                             "t1_two_solids.stl",
+                                             "t2_slicer_space.stl",
+                                             "t3_upper.stl",
+                                             "t4_crlf.stl",
+                                             "t5_name1000.stl",
+                                             "t6_leadingblank.stl",
+                                             "t8_bom.stl",
+                                             "u1_shortscalars.vtp",
+                                             "u2_normals_nan.vtp",
+                                             "v01_ok.vtp",
+                                             "v18_app_ok.vtp"};
+    const test::Folder own;
+    ErrorStream errors(own.path("errors"));
+    std::vector<std::pair<std::string, core::Result<meshio::MeshFile>>> results;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        results.emplace_back(entry.path().filename().string(), meshio::readMesh(entry.path()));
+    }
+    QCOMPARE(errors.stop(), std::string()); // neither VTK nor Qt said anything there
+    QVERIFY(results.size() >= 50);
+    for (const auto& [name, file] : results) {
+        if (valid.contains(name)) {
+            QVERIFY2(file.isOk(), file.status().message().c_str());
+        } else {
+            QVERIFY2(!file.isOk(), name.c_str());
+            verifyRefused(file, name);
+        }
+    }
+}
+
+void HostileFiles::ownFilesAreRefused_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    QTest::addColumn<std::string>("place"); // after the file's name
+    const auto row = [](const char* title, const char* name, const std::string& bytes, const char* place) {
+        QTest::newRow(title) << std::string(name) << bytes << std::string(place);
+    };
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+
+    row("stl cut in a facet", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}).append(20, '\0'), "byte 80: ");
+    row("stl of no triangle", "a.stl", test::binaryStl(0, {}), "byte 80: 0 triangles");
+    row("stl NaN", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 1, nan, 0, 0, 1, 0}}),
+        "byte 134: 1 of 2 triangles have coordinates that are not numbers (first: triangle 1)");
+    row("stl far", "a.stl", test::binaryStl(1, {{0, 0, 0, 2e7F, 0, 0, 0, 1, 0}}), "byte 84: 1 of 1 triangle");
+    row("stl without area", "a.stl", test::binaryStl(1, {{0, 0, 0, 1, 1, 1, 2, 2, 2}}),
+        "none of 1 triangle has an area");
+    row("ascii stl without endsolid", "a.stl", test::asciiStl().substr(0, test::asciiStl().rfind("endsolid")),
+        "line 8: the file ends after 1 whole triangle");
+    row("ascii stl, two loops", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n",
+        "line 5: ");
+    row("ascii stl, empty solid", "a.stl", "solid a\nendsolid a\n", "line 2: 0 triangles");
+
+    row("obj index beyond", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+        "line 4: vertex index 4; expected at most 3");
+    row("obj index huge", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999\n", "line 4: ");
+    row("obj index zero", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: vertex index 0");
+    row("obj index before the first", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4: vertex index -4");
+    row("obj index words", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n", "line 4: \"x\" is not a vertex index");
+    row("obj two corners", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: a face with 2 corners; expected at least 3");
+    row("obj NaN", "a.obj", "v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: ");
+    row("obj overflow", "a.obj", "v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: ");
+    row("obj decimal comma", "a.obj", "v 0,5 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
+    row("obj cut in a vertex", "a.obj", "v 0 0 0\nv 1 0", "line 2: the vertex has fewer than three coordinates");
+    row("obj no face", "a.obj", "v 0 0 0\nv 1 0 0\n", "line 2: 0 faces");
+    row("obj zero byte", "a.obj", test::kObj + std::string("g a\0b\n", 6), "line 5: a zero byte");
+    std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+    for (int i = 0; i < 2000; ++i) {
+        many += " 1";
+    }
+    row("obj 2000 corners", "a.obj", many + "\n", "line 4: a face with 2,000 corners");
+
+    row("ply count beyond bytes", "a.ply", test::asciiPly("0 0 0\n", "", 1000000000, 1),
+        "line 4: 1,000,000,000 \"vertex\"");
+    row("ply negative count", "a.ply", test::asciiPly("0 0 0\n", "", -3, 1), "line 4: ");
+    row("ply index beyond", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 3\n"),
+        "line 14: face 0 uses vertex 3");
+    row("ply index negative", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 -1\n"),
+        "line 14: face 0 uses vertex -1");
+    row("ply NaN", "a.ply", test::asciiPly("0 0 0\n1 nan 0\n0 1 0\n"), "line 12: vertex 1");
+    row("ply words", "a.ply", test::asciiPly("0 0 0\n1 x 0\n0 1 0\n"),
+        "line 12: \"x\" is not a number in vertex 1 of 3");
+    row("ply cut", "a.ply", test::asciiPly("0.00 0.00 0.00\n1 0 0\n", ""), "line 13: the file ends in vertex 2 of 3");
+    row("ply two corners", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "2 0 1\n"),
+        "line 14: face 0 has 2 corners");
+    row("ply more data", "a.ply", test::asciiPly() + "3 0 1 2\n", "line ");
+    row("ply without faces", "a.ply", withPlyHeader("element vertex 1\n" + kXyz, std::string(12, '\0')),
+        "header: no faces");
+    row("ply without x", "a.ply", withPlyHeader("element vertex 1\nproperty float y\nelement face 0\n", "1234"),
+        "header: ");
+    row("ply cut header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", "line 3: the file ends in the header");
+    row("ply format", "a.ply", "ply\nformat binary_middle_endian 1.0\nend_header\n", "line 2: ");
+    row("ply list of 4 billion", "a.ply",
+        withPlyHeader("element vertex 1\n" + kXyz + "element face 1\nproperty list uint int vertex_indices\n",
+                      std::string(12, '\0') + std::string(4, '\xff') + std::string(40, '\0')),
+        "byte ");
+    row("ply binary cut", "a.ply", binaryPly().substr(0, binaryPly().size() - 1), "byte ");
+
+    row("vtp empty pieces", "a.vtp", test::asciiVtp("", "", "NumberOfPoints=\"0\" NumberOfPolys=\"0\"", ""),
+        "0 polygons");
+    row("vtp two-cornered polygon", "a.vtp",
+        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "2"),
+        "polygon 0: 2 corners");
+    row("vtp offsets fall", "a.vtp",
+        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"3\"", "3 1 3"),
+        "line 5: array \"offsets\": value 1 is 1; expected 3 to 3");
+    row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "none of 1 triangle");
+    row("vtp field data without end", "a.vtp",
+        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
+                       "<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"4000000000\" "
+                       "format=\"ascii\">76 0</Array></FieldData>"),
+        "line 3: array \"SPACE\"");
+    row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
+        "line 1: ");
+    row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");
+}
+
+void HostileFiles::ownFilesAreRefused()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    QFETCH(std::string, place);
+    const test::Folder folder;
+    const auto path = folder.write(name, bytes);
+    ErrorStream errors(folder.path("errors"));
+    const auto file = meshio::readMesh(path);
+    QCOMPARE(errors.stop(), std::string());
+    verifyRefused(file, name);
+    QVERIFY2(file.status().message().starts_with(name + ": " + place), file.status().message().c_str());
+}
+
+void HostileFiles::namesWhatElseItIs_data()
+{
+    QTest::addColumn<std::string>("bytes");
+    QTest::addColumn<std::string>("words");
+    const auto row = [](const std::string& bytes, const char* words) {
+        QTest::newRow(words) << bytes << std::string(words);
+    };
+    row("", "empty");
+    row("<!DOCTYPE html>\n<html><body>404</body></html>", "web page");
+    row("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 5\n", "Git LFS pointer");
+    row("PK\x03\x04 and more", "ZIP");
+    row("\x1f\x8b\x08 and more", "gzip");
+    row("hello, this is not a mesh", "no known mesh format");
+}
+
+void HostileFiles::namesWhatElseItIs()
+{
+    QFETCH(std::string, bytes);
+    QFETCH(std::string, words);
+    const test::Folder folder;
+    for (const std::string name : {"liver.ply", "liver.vtp"}) {
+        const auto file = meshio::readMesh(folder.write(name, bytes));
+        verifyRefused(file, name);
+        QVERIFY2(file.status().message().find(words) != std::string::npos, file.status().message().c_str());
+    }
+}
+
+void HostileFiles::missingFileFolderAndPipeAreErrors()
+{
+    const test::Folder folder;
+    QCOMPARE(meshio::readMesh(folder.path("none.stl")).status().code(), StatusCode::NotFound);
+    QCOMPARE(meshio::readMesh(folder.path("")).status().code(), StatusCode::Unreadable);
+    QCOMPARE(meshio::readMesh("/dev/zero").status().code(), StatusCode::Unreadable);
+}
+
+void HostileFiles::cutAnywhereNeverCrashes_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    const test::Folder folder;
+    const std::vector<meshio::MeshStructure> structures{test::tetrahedron("a"), test::tetrahedron("b")};
+    QVERIFY(meshio::writeMesh(folder.path("a.vtp"), structures).isOk());
+    const std::string packed = test::fileBytes(folder.path("a.vtp"));
+    QTest::newRow("vtp, packed") << std::string("a.vtp") << packed;
+    QTest::newRow("vtp, text") << std::string("a.vtp") << test::asciiVtp();
+    QTest::newRow("stl") << std::string("a.stl") << test::binaryStl(1, {{0, 0, 0, 1, 0, 0, 0, 1, 0}});
+    QTest::newRow("stl, text") << std::string("a.stl") << test::asciiStl();
+    QTest::newRow("obj") << std::string("a.obj") << "# x\ng a\n" + test::kObj;
+    QTest::newRow("ply") << std::string("a.ply") << binaryPly();
+    QTest::newRow("ply, text") << std::string("a.ply") << test::asciiPly();
+}
+
+void HostileFiles::cutAnywhereNeverCrashes()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    const test::Folder folder;
+    const auto whole = meshio::readMesh(folder.write(name, bytes));
+    QVERIFY2(whole.isOk(), whole.status().message().c_str());
+    ErrorStream errors(folder.path("errors"));
+    std::size_t wrong = bytes.size();
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        const auto file = meshio::readMesh(folder.write(name, bytes.substr(0, size)));
+        // What is still whole without its end (a last line feed, XML after the data) must be all of it.
+        if (file.isOk() && test::triangles(file.value()) != test::triangles(whole.value())) {
+            wrong = size;
+        }
+    }
+    QCOMPARE(errors.stop(), std::string());
+    QCOMPARE(wrong, bytes.size());
+}
+
+void HostileFiles::flippedBytesNeverCrash()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    const test::Folder folder;
+    std::mt19937 random(20261121);
+    ErrorStream errors(folder.path("errors"));
+    std::size_t read = 0;
+    for (int round = 0; round < 1500; ++round) {
+        std::string damaged = bytes;
+        for (unsigned k = 0; k <= random() % 3; ++k) {
+            damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+        }
+        const auto file = meshio::readMesh(folder.write(name, damaged));
+        if (file.isOk()) { // then every promise holds
+            ++read;
+            for (const meshio::MeshStructure& s : file.value().structures) {
+                for (const core::Vec3& p : s.mesh.vertices) {
+                    QVERIFY(p.cwiseAbs().maxCoeff() <= 1e7);
+                }
+                for (const geometry::Triangle& t : s.mesh.triangles) {
+                    QVERIFY(std::max({t[0], t[1], t[2]}) < s.mesh.vertices.size());
+                }
+            }
+        } else {
+            QVERIFY(file.status().message().starts_with(name));
+        }
+    }
+    const std::string said = errors.stop();
+    QVERIFY2(said.empty(), said.substr(0, 500).c_str());
+    QVERIFY(read < 1500);
+}
+
+PALPATE_TEST(HostileFiles)
+#include "tst_HostileFiles.moc"

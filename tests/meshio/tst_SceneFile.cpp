@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+#include "TestRunner.h"
+
+#include <numbers>
+
+using namespace palpate;
+
+class SceneFile : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void givesBackWhatWasWritten();
+    void meshPathsAreRelative();
+    void keepsFieldsThatItDoesNotKnow();
+    void absentFieldsHaveDefaults();
+    void wrongFieldIsNamedByItsPath_data();
+    void wrongFieldIsNamedByItsPath();
+    void newerVersionIsRefused();
+    void onlyJsonIsAScene();
+};
+
+void SceneFile::givesBackWhatWasWritten()
+{
+    const test::Folder folder;
+    meshio::SceneFile scene;
+    meshio::SceneStructure s;
+    s.mesh = folder.path("liver ä.vtp");
+    s.part = "lobe";
+    s.unit_mm = 1000.0;
+    s.name = "left lobe";
+    s.colour = {0.1, 1.0 / 3.0, 1.0};
+    s.opacity = 0.3;
+    s.visible = false;
+    s.palpable = false;
+    s.flipped = true;
+    s.stiffness_N_per_mm = 0.7;
+    s.damping_Ns_per_mm = 1e-3;
+    s.layer = 2;
+    s.X_WM = Eigen::Translation3d(1.0 / 3.0, -2.0, 1e6) *
+             Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
+    scene.structures = {s};
+    scene.camera = meshio::SceneCamera{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0};
+    scene.findings = {{"lump", {7, 8, 9.25}, "hard"}};
+    const auto path = folder.path("a.palpate.json");
+    QVERIFY(meshio::writeScene(path, scene).isOk());
+    const auto back = meshio::readScene(path);
+    QVERIFY2(back.isOk(), back.status().message().c_str());
+    QCOMPARE(back.value().structures.size(), std::size_t{1});
+    const meshio::SceneStructure& b = back.value().structures[0];
+    QCOMPARE(b.mesh, s.mesh);
+    QCOMPARE(b.part, s.part);
+    QVERIFY(b.unit_mm == s.unit_mm && b.name == s.name && b.colour == s.colour && b.opacity == s.opacity);
+    QVERIFY(!b.visible && !b.palpable && b.flipped && b.layer == 2U);
+    QVERIFY(b.stiffness_N_per_mm == 0.7 && b.damping_Ns_per_mm == 1e-3);
+    QVERIFY(b.X_WM.matrix() == s.X_WM.matrix());
+    QVERIFY(back.value().camera.has_value());
+    QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
+    QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
+    QCOMPARE(back.value().findings.size(), std::size_t{1});
+    QVERIFY(back.value().findings[0].p_W == core::Vec3(7, 8, 9.25) && back.value().findings[0].note == "hard");
+}
+
+void SceneFile::meshPathsAreRelative()
+{
+    const test::Folder folder;
+    std::filesystem::create_directories(folder.path("scenes/deep"));
+    meshio::SceneFile scene;
+    scene.structures.resize(1);
+    scene.structures[0].mesh = folder.path("meshes/a.stl");
+    const auto path = folder.path("scenes/deep/a.palpate.json");
+    QVERIFY(meshio::writeScene(path, scene).isOk());
+    QVERIFY(test::fileBytes(path).find("\"../../meshes/a.stl\"") != std::string::npos);
+    QCOMPARE(meshio::readScene(path).value().structures[0].mesh, folder.path("meshes/a.stl"));
+}
+
+void SceneFile::keepsFieldsThatItDoesNotKnow()
+{
+    const test::Folder folder;
+    const auto path = folder.write("a.json", R"({"version": 1, "author": {"name": "ä"}, "structures":
+        [{"mesh": "a.stl", "friction": [0.5, 1]}]})");
+    const auto scene = meshio::readScene(path);
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    QVERIFY(meshio::writeScene(path, scene.value()).isOk());
+    const std::string text = test::fileBytes(path);
+    QVERIFY2(text.find("\"friction\"") != std::string::npos && text.find("\"name\": \"ä\"") != std::string::npos,
+             text.c_str());
+    const auto again = meshio::readScene(path);
+    QCOMPARE(again.value().extra, scene.value().extra);
+    QCOMPARE(again.value().structures[0].extra, scene.value().structures[0].extra);
+}
+
+void SceneFile::absentFieldsHaveDefaults()
+{
+    const test::Folder folder;
+    const auto scene =
+        meshio::readScene(folder.write("a.json", R"({"version": 1, "structures": [{"mesh": "sub/liver.stl"}]})"));
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    const meshio::SceneStructure& s = scene.value().structures[0];
+    QCOMPARE(s.name, std::string("liver"));
+    QCOMPARE(s.mesh, folder.path("sub/liver.stl"));
+    QVERIFY(s.unit_mm == 1.0 && s.opacity == 1.0 && s.visible && s.palpable && !s.flipped && s.layer == 0U);
+    QVERIFY(s.stiffness_N_per_mm == 0.5 && s.damping_Ns_per_mm == 0.0 && s.extra.empty());
+    QVERIFY(!scene.value().camera.has_value());
+}
+
+void SceneFile::wrongFieldIsNamedByItsPath_data()
+{
+    QTest::addColumn<std::string>("json");
+    QTest::addColumn<std::string>("message");
+    const auto field = [](const char* text, const char* message) {
+        QTest::newRow(text) << R"({"version": 1, "structures": [{"mesh": "a.stl"}, {"mesh": "b.stl", )" +
+                                   std::string(text) + "}]}"
+                            << "a.json: structures[1]." + std::string(message);
+    };
+    field(R"("opacity": 3)", "opacity: found 3, expected 0 to 1");
+    field(R"("opacity": "much")", "opacity: found \"much\", expected 0 to 1");
+    field(R"("colour": [1, 0])", "colour: found an array of 2, expected 3 numbers");
+    field(R"("colour": [1, 0, 2])", "colour[2]: found 2, expected 0 to 1");
+    field(R"("visible": 1)", "visible: found 1, expected true or false");
+    field(R"("layer": 1.5)", "layer: found a fraction, expected a whole number");
+    field(R"("unit_mm": 0)", "unit_mm: found 0, expected 1e-06 to 1000000");
+    field(R"("stiffness_N_per_mm": -1)", "stiffness_N_per_mm: found -1, expected 0 to 1000");
+    field(R"("pose": [1,0,0,0, 0,2,0,0, 0,0,1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
+    field(R"("pose": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
+    field(R"("name": null)", "name: found null, expected a text");
+    const auto whole = [](const char* json, const char* message) {
+        QTest::newRow(message) << std::string(json) << std::string(message);
+    };
+    whole(R"({"version": 1, "structures": [{"name": "x"}]})",
+          "a.json: structures[0].mesh: found nothing, expected the path of a mesh file");
+    whole(R"({"version": 1, "structures": {}})", "a.json: structures: found an object, expected an array");
+    whole(R"({"version": 1, "camera": {"position": [0, 0]}})", "a.json: camera.position: found an array of 2");
+    whole(R"({"version": 1, "findings": [{"position": [0, 0, "x"]}]})", "a.json: findings[0].position[2]: found \"x\"");
+    whole(R"({"structures": []})", "a.json: version: found nothing");
+    whole(R"({"version": 1, )", "a.json: byte ");
+    whole("", "a.json: byte 0: the file is empty");
+    whole("[1]", "a.json: byte 0: no JSON object");
+}
+
+void SceneFile::wrongFieldIsNamedByItsPath()
+{
+    QFETCH(std::string, json);
+    QFETCH(std::string, message);
+    const test::Folder folder;
+    const auto scene = meshio::readScene(folder.write("a.json", json));
+    QVERIFY(!scene.isOk());
+    QVERIFY2(scene.status().message().starts_with(message), scene.status().message().c_str());
+    QVERIFY(scene.status().message().find('\n') == std::string::npos);
+}
+
+void SceneFile::newerVersionIsRefused()
+{
+    const test::Folder folder;
+    const auto scene = meshio::readScene(folder.write("a.json", R"({"version": 2, "structures": []})"));
+    QCOMPARE(scene.status().code(), core::StatusCode::Mismatch);
+}
+
+void SceneFile::onlyJsonIsAScene()
+{
+    QVERIFY(meshio::isSceneFile("a.palpate.json"));
+    QVERIFY(meshio::isSceneFile("A.JSON"));
+    QVERIFY(!meshio::isSceneFile("a.vtp"));
+    QVERIFY(!meshio::isSceneFile("json"));
+}
+
+PALPATE_TEST(SceneFile)
+#include "tst_SceneFile.moc"
