@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Run at build time: writes OUT from IN when the commit changed, so that a recording can say what made it.
+set(commit "unknown")
+find_package(Git QUIET)
+if(GIT_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE_DIR} describe --always --dirty --abbrev=12
+    OUTPUT_VARIABLE described RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT failed)
+    set(commit ${described})
+  endif()
+endif()
+set(PALPATE_BUILD_ID "${commit} ${COMPILER}")
+configure_file(${IN} ${OUT} @ONLY)

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Types.h>
+#include <palpate/device/HapticDevice.h>
+#include <palpate/haptics/HapticScene.h>
+#include <palpate/haptics/Palpator.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpate::session {
+
+/// Version of the schema in resources/docs/recording.md, kept as the database's `user_version`.
+inline constexpr int kRecordingVersion = 1;
+/// "Palp", the database's `application_id`.
+inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
+
+/// @return version of Palpate, as "0.1.0".
+[[nodiscard]] std::string palpateVersion();
+/// @return what this build was made from: a commit and compiler, "unknown" without version control.
+[[nodiscard]] std::string buildId();
+
+/// Where the surface of a structure came from; what a HapticScene does not know about itself.
+struct StructureSource
+{
+    std::string mesh;     ///< path of the file
+    std::string part;     ///< structure inside the file, empty: all of it
+    double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
+    bool flipped = false;
+    std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
+    core::Transform X_WM = core::Transform::Identity(); ///< pose
+};
+
+/// One structure of a recorded scene.
+struct StructureRecord
+{
+    std::string name;
+    StructureSource source;
+    haptics::Tissue tissue;
+    std::uint32_t layer = 0;
+    bool palpable = true; ///< false: it had no haptic surface then
+};
+
+/// What was felt: the structures by the numbers that ticks refer to.
+struct SceneRecord
+{
+    std::uint32_t generation = 0; ///< see servo::ServoLoop::setScene
+    std::vector<StructureRecord> structures;
+};
+
+/// Describes a haptic scene for a recording.
+/// @param sources  one entry a structure of `scene`, in its order; missing ones are left empty
+[[nodiscard]] SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
+                                        std::span<const StructureSource> sources);
+
+/// Something that happened at a tick: "scene", "note", "finding", "clutch", "device-lost", "dropped", "disk".
+struct RecordingEvent
+{
+    std::int64_t tick = 0;
+    std::string kind;
+    std::string json = "{}"; ///< an object with what belongs to the kind
+};
+
+/// What is said once about a recording.
+struct RecordingInfo
+{
+    int version = kRecordingVersion;
+    std::string palpate = palpateVersion();
+    std::string build = buildId();
+    std::string startedUtc; ///< ISO 8601; filled by the writer
+    std::string scene;      ///< path of the scene or mesh that was opened, empty when there is none
+    double rate_Hz = 1000.0;
+    double dt_s = 1e-3; ///< period that the solver was given [s]
+    device::DeviceInfo device;
+    std::int64_t firstTick = 0;        ///< tick that `start` precedes
+    std::uint32_t firstGeneration = 0; ///< scene at `start`
+    haptics::PalpatorState start;
+};
+
+} // namespace palpate::session

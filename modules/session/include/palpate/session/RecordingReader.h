@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/session/MotionFile.h"
+#include "palpate/session/Recording.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::session {
+
+/// How much a recording holds.
+struct RecordingExtent
+{
+    std::int64_t firstTick = 0;
+    std::int64_t lastTick = -1; ///< < firstTick: no tick
+    std::int64_t ticks = 0;     ///< rows
+    std::int64_t dropped = 0;   ///< ticks missing between first and last
+    double duration_s = 0.0;
+    bool isComplete = false; ///< closed by its writer, not cut off by a crash
+};
+
+/// Reads a recording. Opens fast and never holds the whole file: rows are streamed.
+/// @par Thread One at a time; several readers may be open on one file.
+class RecordingReader
+{
+  public:
+    /// @return one line for a file that is missing, not a recording, damaged, or of a newer version. A recording that
+    ///         was cut off by a crash is rolled back to its last transaction.
+    [[nodiscard]] static core::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& path);
+    ~RecordingReader();
+    RecordingReader(const RecordingReader&) = delete;
+    RecordingReader& operator=(const RecordingReader&) = delete;
+
+    [[nodiscard]] const RecordingInfo& info() const noexcept;
+    [[nodiscard]] const RecordingExtent& extent() const noexcept;
+    [[nodiscard]] const std::vector<SceneRecord>& scenes() const noexcept;    ///< by generation, ascending
+    [[nodiscard]] const std::vector<RecordingEvent>& events() const noexcept; ///< by tick
+    /// @return the scene of a generation, null when it was not described.
+    [[nodiscard]] const SceneRecord* scene(std::uint32_t generation) const noexcept;
+    /// @return name of the structure that a tick touches, empty in free space.
+    [[nodiscard]] std::string structureName(const servo::TickRecord& tick) const;
+
+    /// Gives the ticks first … last in order, until `sink` returns false. `n_W` comes as the direction of the spring,
+    /// `time_ns` counts from the first tick.
+    core::Status forEach(std::int64_t first, std::int64_t last,
+                         const std::function<bool(const servo::TickRecord&)>& sink) const;
+    /// @return the newest tick at or before `tick`, nothing before the first one or when the file cannot be read.
+    [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
+    /// Reads the path of the HIP, one sample a tick at which there was a hand: 24 bytes a tick in memory.
+    [[nodiscard]] core::Result<Motion> motion() const;
+    /// Checks the database and every checksum. @return Mismatch naming the first tick range that is not as written
+    [[nodiscard]] core::Status verify() const;
+
+  private:
+    struct Private;
+    explicit RecordingReader(std::unique_ptr<Private> d);
+    std::unique_ptr<Private> m_d;
+};
+
+/// @return true when the file starts as a SQLite database: a recording rather than a CSV.
+[[nodiscard]] bool isRecordingFile(const std::filesystem::path& path);
+
+} // namespace palpate::session

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/session/Recording.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace palpate::session {
+
+/// Writes a recording (`*.palpate`), as resources/docs/recording.md says. At every moment the file is a clean prefix:
+/// only whole transactions, each of a quarter of a second of ticks with its checksum.
+/// @par Thread One at a time, never the servo thread: it waits for the disk.
+class RecordingWriter
+{
+  public:
+    /// What a commit waits for.
+    enum class Sync
+    {
+        EachCommit, ///< the disk: what was committed survives a power loss; for recording in real time
+        AtEnd,      ///< nothing until `finish`: survives a killed program only; for writing as fast as possible
+    };
+
+    /// Makes the file, replacing what is there, with its schema and `info`.
+    /// @return one line that names the file when it cannot be written
+    [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
+    create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit);
+    ~RecordingWriter(); ///< commits what is left
+    RecordingWriter(const RecordingWriter&) = delete;
+    RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+    /// Adds a tick; ticks ascend. Commits each quarter of a second of ticks.
+    /// @return the disk's error. The tick is kept and written by the next commit that succeeds, up to a minute of
+    ///         ticks; after that it is lost and counted, and the next one carries `kDroppedBefore`.
+    core::Status append(const servo::TickRecord& tick);
+    /// Describes a scene generation; before or after its first tick.
+    core::Status addScene(const SceneRecord& scene);
+    core::Status addEvent(const RecordingEvent& event);
+    /// Ends the transaction: what was added until now survives a crash. @return the disk's error; nothing is lost by it
+    core::Status commit();
+    /// Commits, marks the recording as complete. Once; nothing may be added after it.
+    core::Status finish();
+
+    [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or about to be
+    [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk took nothing for too long
+    [[nodiscard]] std::size_t ticksPending() const noexcept;   ///< not yet committed
+
+  private:
+    struct Private;
+    explicit RecordingWriter(std::unique_ptr<Private> d);
+    std::unique_ptr<Private> m_d;
+};
+
+} // namespace palpate::session

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace palpate::session::internal {
+
+/// A prepared statement. Columns and parameters count from 0.
+class Statement
+{
+  public:
+    Statement() = default;
+    explicit Statement(sqlite3_stmt* statement);
+
+    void bind(int index, std::int64_t value);
+    void bind(int index, double value);
+    void bind(int index, std::string_view text);
+    void bindBlob(int index, std::string_view bytes);
+    void bindNull(int index);
+
+    enum class Step
+    {
+        Row,
+        Done,
+        Failed
+    };
+    /// Runs to the next row. After Done or Failed the statement is ready for new values.
+    Step step();
+    void reset();
+
+    [[nodiscard]] bool isNull(int column) const;
+    [[nodiscard]] std::int64_t integer(int column) const;
+    [[nodiscard]] double real(int column) const;       ///< NaN for NULL
+    [[nodiscard]] std::string bytes(int column) const; ///< of a text or blob
+    [[nodiscard]] bool isPrepared() const noexcept { return m_statement != nullptr; }
+
+  private:
+    struct Finalize
+    {
+        void operator()(sqlite3_stmt* statement) const;
+    };
+    std::unique_ptr<sqlite3_stmt, Finalize> m_statement;
+};
+
+/// A SQLite connection whose errors become one line that names the file.
+class Database
+{
+  public:
+    enum class Mode
+    {
+        Read,
+        ReadWrite,
+        Create
+    };
+
+    [[nodiscard]] static core::Result<Database> open(const std::filesystem::path& path, Mode mode);
+
+    core::Status execute(const std::string& sql);
+    /// @return a statement that is not prepared after an error; see `error`.
+    [[nodiscard]] Statement prepare(const char* sql) const;
+    /// @return the first column of the first row, 0 without one
+    [[nodiscard]] std::int64_t integer(const char* sql) const;
+    /// The newest error as one line. @param doing  "cannot be written"
+    [[nodiscard]] core::Status error(std::string_view doing) const;
+    [[nodiscard]] int errorCode() const; ///< SQLite's extended code
+    /// True after SQLite rolled back on its own or outside of a transaction.
+    [[nodiscard]] bool isIdle() const;
+
+  private:
+    struct Close
+    {
+        void operator()(sqlite3* database) const;
+    };
+    std::filesystem::path m_path;
+    std::unique_ptr<sqlite3, Close> m_database;
+};
+
+} // namespace palpate::session::internal

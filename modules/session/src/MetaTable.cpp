@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MetaTable.h"
+
+#include "Packing.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace palpate::session::internal {
+
+namespace {
+
+std::string text(double value)
+{
+    std::string out;
+    core::appendNumber(out, value);
+    return out;
+}
+
+/// Takes values out of the table and keeps the first complaint.
+class MetaReader
+{
+  public:
+    explicit MetaReader(const MetaTable& meta)
+        : m_meta(meta)
+    {
+    }
+
+    const std::string& string(const char* key)
+    {
+        static const std::string kEmpty;
+        const auto found = m_meta.find(key);
+        if (found == m_meta.end()) {
+            complain(std::string("meta has no value \"") + key + "\"");
+            return kEmpty;
+        }
+        return found->second;
+    }
+
+    double number(const char* key, double least)
+    {
+        const auto value = core::parseNumber(string(key));
+        if (!value || !std::isfinite(*value) || *value < least) {
+            complain(std::string("meta value \"") + key + "\" is not a valid number");
+            return least;
+        }
+        return *value;
+    }
+
+    std::int64_t integer(const char* key)
+    {
+        const std::string& digits = string(key);
+        std::int64_t value = 0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error != std::errc{} || end != digits.data() + digits.size()) {
+            complain(std::string("meta value \"") + key + "\" is not a whole number");
+        }
+        return value;
+    }
+
+    void complain(const std::string& what)
+    {
+        if (m_complaint.empty()) {
+            m_complaint = what;
+        }
+    }
+
+    const std::string& complaint() const { return m_complaint; }
+
+  private:
+    const MetaTable& m_meta;
+    std::string m_complaint;
+};
+
+} // namespace
+
+MetaTable toMeta(const RecordingInfo& info)
+{
+    return {
+        {"palpate", info.palpate},
+        {"build", info.build},
+        {"started_utc", info.startedUtc},
+        {"scene", info.scene},
+        {"frame", "LPS"},
+        {"unit", "mm"},
+        {"rate_Hz", text(info.rate_Hz)},
+        {"dt_s", text(info.dt_s)},
+        {"device_id", info.device.id},
+        {"device_name", info.device.name},
+        {"device_buttons", std::to_string(info.device.buttons)},
+        {"device_actuated_axes", std::to_string(info.device.actuatedAxes)},
+        {"device_senses_orientation", info.device.sensesOrientation ? "1" : "0"},
+        {"device_max_force_N", text(info.device.maxForce_N)},
+        {"device_max_stiffness_N_per_mm", text(info.device.maxStiffness_N_per_mm)},
+        {"device_max_damping_Ns_per_mm", text(info.device.maxDamping_Ns_per_mm)},
+        {"device_workspace_radius_mm", text(info.device.workspaceRadius_mm)},
+        {"device_rate_Hz", text(info.device.rate_Hz)},
+        {"first_tick", std::to_string(info.firstTick)},
+        {"first_generation", std::to_string(info.firstGeneration)},
+        {"start", packState(info.start)},
+    };
+}
+
+core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
+{
+    constexpr double kAboveZero = std::numeric_limits<double>::min();
+    MetaReader in(meta);
+    RecordingInfo info;
+    info.palpate = in.string("palpate");
+    info.build = in.string("build");
+    info.startedUtc = in.string("started_utc");
+    info.scene = in.string("scene");
+    info.rate_Hz = in.number("rate_Hz", kAboveZero);
+    info.dt_s = in.number("dt_s", kAboveZero);
+    info.device.id = in.string("device_id");
+    info.device.name = in.string("device_name");
+    info.device.buttons = static_cast<int>(in.integer("device_buttons"));
+    info.device.actuatedAxes = static_cast<int>(in.integer("device_actuated_axes"));
+    info.device.sensesOrientation = in.string("device_senses_orientation") == "1";
+    info.device.maxForce_N = in.number("device_max_force_N", 0.0);
+    info.device.maxStiffness_N_per_mm = in.number("device_max_stiffness_N_per_mm", 0.0);
+    info.device.maxDamping_Ns_per_mm = in.number("device_max_damping_Ns_per_mm", 0.0);
+    info.device.workspaceRadius_mm = in.number("device_workspace_radius_mm", 0.0);
+    info.device.rate_Hz = in.number("device_rate_Hz", 0.0);
+    info.firstTick = in.integer("first_tick");
+    info.firstGeneration = static_cast<std::uint32_t>(in.integer("first_generation"));
+    if (const auto state = unpackState(in.string("start"))) {
+        info.start = *state;
+    } else {
+        in.complain("meta value \"start\" is not a state of this version");
+    }
+    if (!in.complaint().empty()) {
+        return core::Status(core::StatusCode::BadFormat, in.complaint());
+    }
+    return info;
+}
+
+std::vector<std::pair<std::string, std::string>> hashedPairs(const MetaTable& meta)
+{
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& pair : meta) {
+        if (pair.first != kComplete) {
+            pairs.emplace_back(pair);
+        }
+    }
+    return pairs;
+}
+
+std::string poseText(const core::Transform& X_WM)
+{
+    std::string out;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            out += out.empty() ? "" : " ";
+            core::appendNumber(out, X_WM(row, column));
+        }
+    }
+    return out;
+}
+
+core::Transform parsePose(const std::string& pose)
+{
+    core::Transform X_WM = core::Transform::Identity();
+    std::string_view rest = pose;
+    for (int i = 0; i < 12; ++i) {
+        const auto end = rest.find(' ');
+        const auto value = core::parseNumber(rest.substr(0, end));
+        if (!value || (end == std::string_view::npos) != (i == 11)) {
+            return core::Transform::Identity();
+        }
+        X_WM(i / 4, i % 4) = *value;
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    }
+    return X_WM;
+}
+
+} // namespace palpate::session::internal

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/session/Recording.h"
+
+#include <palpate/core/Status.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpate::session::internal {
+
+/// Keys and values of the table `meta`.
+using MetaTable = std::map<std::string, std::string>;
+
+/// Key that only the writer's orderly end adds.
+inline constexpr const char* kComplete = "complete";
+
+[[nodiscard]] MetaTable toMeta(const RecordingInfo& info);
+/// @return BadFormat with one line (without the file's name) for a value that is missing or wrong
+[[nodiscard]] core::Result<RecordingInfo> fromMeta(const MetaTable& meta);
+/// The pairs that the first check covers.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> hashedPairs(const MetaTable& meta);
+
+/// A pose as the text of its upper three rows.
+[[nodiscard]] std::string poseText(const core::Transform& X_WM);
+/// @return the identity when the text is not twelve numbers.
+[[nodiscard]] core::Transform parsePose(const std::string& text);
+
+} // namespace palpate::session::internal

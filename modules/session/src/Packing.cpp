@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Packing.h"
+
+#include <QCryptographicHash>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace palpate::session::internal {
+
+static_assert(std::endian::native == std::endian::little, "the format is little-endian");
+
+namespace {
+
+template<class T>
+void put(std::string& out, T value)
+{
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    out.append(bytes, sizeof value);
+}
+
+void put(std::string& out, const core::Vec3& v)
+{
+    for (const double value : v) {
+        // NULL stands for every NaN in the table, so that its bits cannot count.
+        put(out, std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
+    }
+}
+
+template<class T>
+void take(std::string_view& in, T& value)
+{
+    std::memcpy(&value, in.data(), sizeof value);
+    in.remove_prefix(sizeof value);
+}
+
+void take(std::string_view& in, core::Vec3& v)
+{
+    for (double& value : v) {
+        take(in, value);
+    }
+}
+
+} // namespace
+
+bool sameBits(double a, double b) noexcept
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept
+{
+    return sameBits(a.x(), b.x()) && sameBits(a.y(), b.y()) && sameBits(a.z(), b.z());
+}
+
+void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firstTime_ns)
+{
+    put(out, tick.tick);
+    put(out, tick.time_ns - firstTime_ns);
+    put(out, tick.p_WH);
+    put(out, tick.p_WG);
+    put(out, tick.f_W);
+    put(out, tick.fSent_W);
+    const bool touches = tick.structure >= 0;
+    put(out, touches ? tick.structure : std::int32_t{-1});
+    put(out, touches ? tick.triangle : std::uint32_t{0});
+    put(out, tick.scene);
+    put(out, tick.buttons);
+    put(out, tick.solve_ns);
+    put(out, tick.iterations);
+    put(out, tick.flags);
+    put(out, tick.constraints);
+}
+
+std::string packState(const haptics::PalpatorState& state)
+{
+    std::string out;
+    for (const auto& layer : state.layers) {
+        put(out, layer.p_WG);
+        for (const auto value : layer.structure) {
+            put(out, value);
+        }
+        for (const auto value : layer.triangle) {
+            put(out, value);
+        }
+        for (const auto value : layer.side) {
+            put(out, value);
+        }
+        put(out, layer.constraints);
+        put(out, layer.placed);
+    }
+    put(out, state.p_WH);
+    put(out, state.started);
+    return out;
+}
+
+std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
+{
+    haptics::PalpatorState state;
+    if (bytes.size() != packState(state).size()) {
+        return std::nullopt;
+    }
+    for (auto& layer : state.layers) {
+        take(bytes, layer.p_WG);
+        for (auto& value : layer.structure) {
+            take(bytes, value);
+        }
+        for (auto& value : layer.triangle) {
+            take(bytes, value);
+        }
+        for (auto& value : layer.side) {
+            take(bytes, value);
+        }
+        take(bytes, layer.constraints);
+        take(bytes, layer.placed);
+        if (layer.constraints > layer.triangle.size() || layer.placed > 1 || !layer.p_WG.allFinite()) {
+            return std::nullopt;
+        }
+    }
+    take(bytes, state.p_WH);
+    take(bytes, state.started);
+    return state;
+}
+
+std::string sha256(std::string_view bytes)
+{
+    const QByteArrayView view(bytes.data(), static_cast<qsizetype>(bytes.size()));
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(view);
+    return hash.result().toStdString();
+}
+
+std::string metaHash(const std::vector<std::pair<std::string, std::string>>& meta)
+{
+    std::string bytes;
+    for (const auto& [key, value] : meta) {
+        for (const std::string* text : {&key, &value}) {
+            put(bytes, static_cast<std::uint64_t>(text->size()));
+            bytes += *text;
+        }
+    }
+    return sha256(bytes);
+}
+
+} // namespace palpate::session::internal

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Types.h>
+#include <palpate/haptics/Palpator.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace palpate::session::internal {
+
+/// @return true when all bits are equal; tells the zeros apart, and takes every NaN as the same.
+[[nodiscard]] bool sameBits(double a, double b) noexcept;
+[[nodiscard]] bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept;
+
+/// Appends what a checksum covers of a tick, as resources/docs/recording.md lists it.
+void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firstTime_ns);
+
+[[nodiscard]] std::string packState(const haptics::PalpatorState& state);
+/// @return nothing when `bytes` has another length or a number out of range.
+[[nodiscard]] std::optional<haptics::PalpatorState> unpackState(std::string_view bytes);
+
+/// SHA-256, raw.
+[[nodiscard]] std::string sha256(std::string_view bytes);
+/// Hash that the chain of checks starts with. @param meta  keys and values, ascending by key, without "complete"
+[[nodiscard]] std::string metaHash(const std::vector<std::pair<std::string, std::string>>& meta);
+
+} // namespace palpate::session::internal

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/session/Recorder.h"
+
+#include "palpate/session/RecordingWriter.h"
+
+#include <palpate/servo/ServoLoop.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace palpate::session {
+
+using core::Status;
+using core::StatusCode;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr auto kDrainInterval = 20ms;
+constexpr auto kCommitInterval = 250ms;
+constexpr auto kStartTimeout = 1s; // the first tick comes within two periods
+constexpr auto kLastTick = 5ms;    // after it the servo has seen that recording stopped, at any rate it can run at
+} // namespace
+
+struct Recorder::Private
+{
+    explicit Private(servo::ServoLoop& servoLoop)
+        : loop(servoLoop)
+    {
+    }
+
+    void run();
+    void drain();
+    void store(bool isLast);
+    void publish(bool isRecording);
+    std::optional<servo::RecordingStart> awaitStart();
+
+    servo::ServoLoop& loop;
+    std::thread thread;
+
+    std::mutex mutex; // guards what follows up to `published`; never taken by the servo thread
+    std::condition_variable wake;
+    bool isStopRequested = false;
+    std::vector<SceneRecord> scenes;
+    std::vector<RecordingEvent> events; // `tick` is filled by the thread
+    RecorderStatus published;
+
+    // Of the thread while it runs:
+    std::unique_ptr<RecordingWriter> writer;
+    std::filesystem::path path;
+    std::uint64_t droppedAtStart = 0;
+    std::optional<servo::TickRecord> first;
+    std::int64_t lastTick = 0;
+    std::int64_t lastTime_ns = 0;
+    std::string problem;
+};
+
+std::optional<servo::RecordingStart> Recorder::Private::awaitStart()
+{
+    servo::RecordingStart start;
+    servo::TickRecord stale;
+    while (loop.popTick(stale) || loop.fetchRecordingStart(start)) {
+    }
+    loop.startRecording();
+    const auto deadline = std::chrono::steady_clock::now() + kStartTimeout;
+    while (!loop.fetchRecordingStart(start)) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            loop.stopRecording();
+            return std::nullopt;
+        }
+        std::this_thread::sleep_for(1ms);
+    }
+    return start;
+}
+
+void Recorder::Private::drain()
+{
+    servo::TickRecord tick;
+    while (loop.popTick(tick)) {
+        if (!first) {
+            first = tick;
+        }
+        lastTick = tick.tick;
+        lastTime_ns = tick.time_ns;
+        if (const Status status = writer->append(tick); !status.isOk()) {
+            problem = status.message();
+        }
+    }
+    std::vector<SceneRecord> newScenes;
+    std::vector<RecordingEvent> newEvents;
+    {
+        const std::lock_guard lock(mutex);
+        newScenes.swap(scenes);
+        newEvents.swap(events);
+    }
+    for (const SceneRecord& scene : newScenes) {
+        (void)writer->addScene(scene); // kept until a commit
+    }
+    for (RecordingEvent& event : newEvents) {
+        event.tick = lastTick;
+        (void)writer->addEvent(event);
+    }
+}
+
+void Recorder::Private::store(bool isLast)
+{
+    const std::uint64_t ringDrops = loop.droppedTicks() - droppedAtStart;
+    const std::uint64_t lost = ringDrops + writer->ticksDropped();
+    if (isLast && lost > 0) {
+        (void)writer->addEvent({lastTick, "dropped", "{\"ticks\": " + std::to_string(lost) + "}"});
+    }
+    const bool hadProblem = !problem.empty();
+    const Status status = isLast ? writer->finish() : writer->commit();
+    if (!status.isOk()) {
+        problem = status.message();
+    } else if (hadProblem && !isLast) {
+        // It is over; the recording tells of it and the status no longer does.
+        problem.clear();
+        (void)writer->addEvent({lastTick, "disk", "{\"what\": \"writing failed for a while\"}"});
+    }
+}
+
+void Recorder::Private::publish(bool isRecording)
+{
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(path, ignored);
+    const std::lock_guard lock(mutex);
+    published.isRecording = isRecording;
+    published.ticks = writer->ticksWritten();
+    published.dropped = loop.droppedTicks() - droppedAtStart + writer->ticksDropped();
+    published.duration_s = first ? static_cast<double>(lastTime_ns - first->time_ns) * 1e-9 : 0.0;
+    published.fileBytes = ignored ? 0 : bytes;
+    published.problem = problem;
+}
+
+void Recorder::Private::run()
+{
+    auto lastCommit = std::chrono::steady_clock::now();
+    for (bool isLast = false; !isLast;) {
+        {
+            std::unique_lock lock(mutex);
+            wake.wait_for(lock, kDrainInterval, [this] { return isStopRequested; });
+            isLast = isStopRequested;
+        }
+        if (!loop.isRunning()) {
+            isLast = true; // no further tick will come
+        }
+        if (isLast) {
+            loop.stopRecording();
+            std::this_thread::sleep_for(kLastTick);
+        }
+        try {
+            drain();
+            const auto now = std::chrono::steady_clock::now();
+            if (isLast || now - lastCommit >= kCommitInterval) {
+                lastCommit = now;
+                store(isLast);
+            }
+        } catch (const std::exception& error) { // out of memory: the touch goes on without the recording
+            problem = path.string() + ": recording ended: " + error.what();
+            loop.stopRecording();
+            isLast = true;
+        }
+        publish(!isLast);
+    }
+}
+
+Recorder::Recorder(servo::ServoLoop& loop)
+    : m_d(std::make_unique<Private>(loop))
+{
+}
+
+Recorder::~Recorder()
+{
+    (void)stop();
+}
+
+Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& info, const SceneRecord& scene)
+{
+    Private& d = *m_d;
+    if (d.thread.joinable()) {
+        if (status().isRecording) {
+            return {StatusCode::Internal, d.path.string() + ": is still being recorded"};
+        }
+        d.thread.join();
+    }
+    if (!d.loop.isRunning()) {
+        return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop is not running"};
+    }
+    d.droppedAtStart = d.loop.droppedTicks();
+    const auto start = d.awaitStart();
+    if (!start) {
+        return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop does not answer"};
+    }
+    RecordingInfo filled = info;
+    filled.rate_Hz = d.loop.rate_Hz();
+    filled.dt_s = 1.0 / filled.rate_Hz;
+    filled.firstTick = start->tick;
+    filled.firstGeneration = start->scene;
+    filled.start = start->state;
+    auto created = RecordingWriter::create(path, filled);
+    if (!created.isOk()) {
+        d.loop.stopRecording();
+        return created.status();
+    }
+    d.writer = std::move(created).value();
+    d.path = path;
+    d.first.reset();
+    d.lastTick = start->tick;
+    d.problem.clear();
+    d.isStopRequested = false;
+    d.scenes.clear();
+    d.events.clear();
+    d.published = {};
+    d.published.isRecording = true;
+    (void)d.writer->addScene(scene);
+    d.thread = std::thread([this] { m_d->run(); });
+    return {};
+}
+
+void Recorder::addScene(const SceneRecord& scene)
+{
+    const std::lock_guard lock(m_d->mutex);
+    if (m_d->published.isRecording) {
+        m_d->scenes.push_back(scene);
+    }
+}
+
+void Recorder::addEvent(const std::string& kind, const std::string& json)
+{
+    const std::lock_guard lock(m_d->mutex);
+    if (m_d->published.isRecording) {
+        m_d->events.push_back({0, kind, json});
+    }
+}
+
+void Recorder::requestStop()
+{
+    const std::lock_guard lock(m_d->mutex);
+    m_d->isStopRequested = true;
+    m_d->wake.notify_all();
+}
+
+Status Recorder::stop()
+{
+    Private& d = *m_d;
+    if (!d.thread.joinable()) {
+        return {};
+    }
+    requestStop();
+    d.thread.join();
+    d.writer.reset();
+    const RecorderStatus last = status();
+    if (!last.problem.empty()) {
+        return {StatusCode::Unreadable, last.problem};
+    }
+    if (last.dropped > 0) {
+        return {StatusCode::OutOfRange, d.path.string() + ": " + std::to_string(last.dropped) + " ticks were lost"};
+    }
+    return {};
+}
+
+RecorderStatus Recorder::status() const
+{
+    const std::lock_guard lock(m_d->mutex);
+    return m_d->published;
+}
+
+} // namespace palpate::session

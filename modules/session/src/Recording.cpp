@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/session/Recording.h"
+
+#include "BuildId.h"
+
+namespace palpate::session {
+
+std::string palpateVersion()
+{
+    return internal::kVersion;
+}
+
+std::string buildId()
+{
+    return internal::kBuildId;
+}
+
+SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
+                          std::span<const StructureSource> sources)
+{
+    SceneRecord record;
+    record.generation = generation;
+    for (std::size_t i = 0; i < scene.structures().size(); ++i) {
+        const auto& structure = scene.structures()[i];
+        StructureRecord& out = record.structures.emplace_back();
+        out.name = structure.name;
+        out.source = i < sources.size() ? sources[i] : StructureSource{};
+        out.tissue = structure.tissue;
+        out.layer = structure.layer;
+        out.palpable = structure.surface != nullptr;
+    }
+    return record;
+}
+
+} // namespace palpate::session

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Packing.h"
+#include "palpate/session/Replay.h"
+
+#include <palpate/core/Clock.h>
+#include <palpate/core/Numbers.h>
+#include <palpate/servo/ServoCore.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate::session {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+std::string text(const Vec3& v)
+{
+    std::string out = "(";
+    for (const double value : v) {
+        core::appendNumber(out, value);
+        out += out.size() > 1 ? " " : "";
+    }
+    out.back() = ')';
+    return out;
+}
+
+/// Runs the recorded rows through a Palpator, row by row.
+class Resimulator
+{
+  public:
+    Resimulator(const RecordingReader& recording, const SurfacesByHash& surfaces, const TickSink& sink)
+        : m_recording(recording)
+        , m_surfaces(surfaces)
+        , m_sink(sink)
+    {
+    }
+
+    core::Result<Resimulation> run()
+    {
+        if (Status status = useScene(m_recording.info().firstGeneration); !status.isOk()) {
+            return status;
+        }
+        m_palpator.restore(m_recording.info().start);
+        m_nextTick = m_recording.info().firstTick;
+        const Status read =
+            m_recording.forEach(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+                                [this](const servo::TickRecord& row) { return take(row); });
+        if (!read.isOk()) {
+            return read;
+        }
+        if (!m_status.isOk()) {
+            return m_status;
+        }
+        return m_result;
+    }
+
+  private:
+    Status useScene(std::uint32_t generation)
+    {
+        std::shared_ptr<const haptics::HapticScene>& scene = m_scenes[generation];
+        if (scene == nullptr && generation != 0) {
+            const SceneRecord* record = m_recording.scene(generation);
+            if (record == nullptr) {
+                return {StatusCode::BadFormat,
+                        "scene generation " + std::to_string(generation) + " is not described in the recording"};
+            }
+            auto built = rebuildScene(*record, m_surfaces);
+            if (!built.isOk()) {
+                return built.status();
+            }
+            scene = std::move(built).value();
+        }
+        m_palpator.setScene(scene.get());
+        m_generation = generation;
+        return {};
+    }
+
+    bool take(const servo::TickRecord& row)
+    {
+        if (row.scene != m_generation) {
+            m_status = useScene(row.scene);
+            if (!m_status.isOk()) {
+                return false;
+            }
+        }
+        const bool isGap = row.tick != std::exchange(m_nextTick, row.tick + 1);
+        if ((isGap || (row.flags & servo::kDroppedBefore) != 0) && (row.flags & servo::kReset) == 0) {
+            m_isLost = true;
+        }
+        std::uint16_t flags = row.flags;
+        if (m_isLost) {
+            const bool isFree = row.structure < 0 && internal::sameBits(row.p_WG, row.p_WH);
+            if ((flags & servo::kReset) == 0 && (!isFree || (flags & servo::kNoHand) != 0)) {
+                ++m_result.unverified;
+                return true;
+            }
+            // In free space every god-object is at the HIP: the state is known again, but for the damper's velocity,
+            // which gives no force there.
+            flags |= servo::kReset;
+            m_isLost = false;
+        }
+        servo::TickRecord now = row;
+        const std::int64_t start_ns = core::monotonicNow_ns();
+        const haptics::TickResult felt = servo::feelTick(m_palpator, row.p_WH, flags, m_recording.info().dt_s);
+        now.solve_ns = static_cast<std::uint32_t>(
+            std::clamp<std::int64_t>(core::monotonicNow_ns() - start_ns, 0, std::numeric_limits<std::uint32_t>::max()));
+        ++m_result.compared;
+        if ((flags & servo::kNoHand) == 0) {
+            now.p_WG = felt.p_WG;
+            now.n_W = felt.n_W;
+            now.f_W = felt.f_W;
+            now.structure = felt.structure;
+            now.triangle = felt.triangle;
+            now.constraints = felt.constraints;
+            now.iterations = felt.iterations;
+            compare(row, now);
+        }
+        return !m_sink || m_sink(now);
+    }
+
+    void compare(const servo::TickRecord& row, const servo::TickRecord& now)
+    {
+        if (m_result.firstDifference) {
+            return;
+        }
+        const auto report = [&](const std::string& what) {
+            m_result.firstDifference = row.tick;
+            m_result.difference = "tick " + std::to_string(row.tick) + ": " + what;
+        };
+        if (!internal::sameBits(row.p_WG, now.p_WG)) {
+            report("god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG));
+        } else if (!internal::sameBits(row.f_W, now.f_W)) {
+            report("force recorded as " + text(row.f_W) + ", now " + text(now.f_W));
+        } else if (row.structure != now.structure || row.constraints != now.constraints) {
+            report("touched structure or number of constraints");
+        }
+    }
+
+    const RecordingReader& m_recording;
+    const SurfacesByHash& m_surfaces;
+    const TickSink& m_sink;
+    haptics::Palpator m_palpator;
+    std::map<std::uint32_t, std::shared_ptr<const haptics::HapticScene>> m_scenes;
+    std::uint32_t m_generation = 0;
+    std::int64_t m_nextTick = 0;
+    bool m_isLost = false; ///< ticks are missing and the state is not known again yet
+    Status m_status;
+    Resimulation m_result;
+};
+
+} // namespace
+
+core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const SceneRecord& record,
+                                                                       const SurfacesByHash& surfaces)
+{
+    std::vector<haptics::HapticStructure> structures;
+    for (const StructureRecord& structure : record.structures) {
+        haptics::HapticStructure& out = structures.emplace_back();
+        out.name = structure.name;
+        out.tissue = structure.tissue;
+        out.layer = structure.layer;
+        if (!structure.palpable) {
+            continue;
+        }
+        const auto found = surfaces.find(structure.source.sha256);
+        if (found == surfaces.end() || found->second == nullptr) {
+            return Status(StatusCode::Mismatch, "structure \"" + structure.name +
+                                                    "\" of the recording: its geometry (SHA-256 " +
+                                                    structure.source.sha256.substr(0, 12) + "...) is not in the scene");
+        }
+        out.surface = found->second;
+    }
+    return std::shared_ptr<const haptics::HapticScene>(std::make_shared<haptics::HapticScene>(std::move(structures)));
+}
+
+core::Result<Resimulation> resimulate(const RecordingReader& recording, const SurfacesByHash& surfaces,
+                                      const TickSink& sink)
+{
+    return Resimulator(recording, surfaces, sink).run();
+}
+
+} // namespace palpate::session

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/haptics/HapticScene.h>
+#include <palpate/servo/TickRecord.h>
+#include <palpate/session/Recording.h>
+#include <palpate/session/Replay.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::test {
+
+/// A box of 40 mm about the origin, called "box".
+std::shared_ptr<const haptics::HapticScene> boxScene(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0);
+/// Its surface under the name that recordings made here give it.
+session::SurfacesByHash boxSurfaces();
+
+/// What ServoCore makes of a hand that presses, slides, lets go (tick 400 to 420) and comes back, while the scene gets
+/// stiffer at tick 250; deterministic.
+std::vector<servo::TickRecord> palpationTicks(int ticks);
+/// The two scenes of it, generations 1 and 2.
+std::vector<session::SceneRecord> palpationScenes();
+/// @return false, with the reason as a warning, when the recording could not be written
+bool writeRecording(const std::filesystem::path& path, const std::vector<servo::TickRecord>& ticks,
+                    bool isFinished = true);
+
+/// The same bits in everything that a recording keeps.
+bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b);
+
+/// Runs SQL on a file as any other tool would.
+bool runSql(const std::filesystem::path& path, const std::string& sql);
+
+} // namespace palpate::test

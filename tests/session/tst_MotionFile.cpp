@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/session/MotionFile.h>
+
+#include <clocale>
+#include <fstream>
+
+using namespace palpate;
+
+namespace {
+std::string wrong(const char* text)
+{
+    const auto motion = session::parseMotion(text, "m.csv");
+    return motion.isOk() ? "(read)" : motion.status().message();
+}
+} // namespace
+
+class MotionFile : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void readsColumnsInAnyOrder()
+    {
+        const auto motion = session::parseMotion("note,z,x,time_s,y\na,3,1,0,2\nb,-3.5,1e1,0.00025,+2\n", "m.csv");
+        QVERIFY2(motion.isOk(), motion.status().message().c_str());
+        QCOMPARE(motion.value().p_WH.size(), std::size_t{2});
+        QCOMPARE(motion.value().p_WH[0], core::Vec3(1, 2, 3));
+        QCOMPARE(motion.value().p_WH[1], core::Vec3(10, 2, -3.5));
+        QCOMPARE(motion.value().dt_s, 0.00025);
+    }
+
+    void takesMarksBlanksAndLineEndings()
+    {
+        const auto motion = session::parseMotion("\xef\xbb\xbfx, y ,z\r\n 1 ,2,3\r\n4,5,6\r\n\r\n\n", "m.csv");
+        QVERIFY2(motion.isOk(), motion.status().message().c_str());
+        QCOMPARE(motion.value().p_WH.size(), std::size_t{2});
+        QCOMPARE(motion.value().dt_s, session::kNominalPeriod_s);
+    }
+
+    void readsTheSameUnderADecimalComma()
+    {
+        if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {
+            QSKIP("no locale de_DE.UTF-8 on this machine");
+        }
+        const auto motion = session::parseMotion("x,y,z\n1.5,2.5,3.5\n", "m.csv");
+        std::setlocale(LC_NUMERIC, "C");
+        QVERIFY(motion.isOk());
+        QCOMPARE(motion.value().p_WH[0], core::Vec3(1.5, 2.5, 3.5));
+    }
+
+    void namesThePlaceOfAnError_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char* name, const char* text, const char* message) {
+            QTest::newRow(name) << QByteArray(text) << QByteArray(message);
+        };
+        row("empty", "", "m.csv: line 1: found an empty line, expected a header with x, y and z");
+        row("no rows", "x,y,z\n", "m.csv: line 1: found no rows after the header, expected one a servo tick");
+        row("no z", "x,y\n1,2\n", "m.csv: line 1: found no column z in \"x,y\", expected a header with x, y and z");
+        row("x twice", "x,y,z,x\n1,2,3,4\n", "m.csv: line 1, column x: found the column twice, expected it once");
+        row("a word", "x,y,z\n1,2,3\n1,abc,3\n", "m.csv: line 3, column y: found \"abc\", expected a number");
+        row("empty field", "x,y,z\n1,,3\n", "m.csv: line 2, column y: found \"\", expected a number");
+        row("nan", "x,y,z\n1,2,nan\n", "m.csv: line 2, column z: found \"nan\", expected a finite number");
+        row("inf", "x,y,z\n-inf,2,3\n", "m.csv: line 2, column x: found \"-inf\", expected a finite number");
+        row("too large", "x,y,z\n1e300,2,3\n",
+            "m.csv: line 2, column x: found \"1e300\", expected a coordinate within 1e9 mm");
+        row("field missing", "x,y,z\n1,2\n", "m.csv: line 2: found 2 fields, expected 3 as in the header");
+        row("decimal commas", "x,y,z\n1,0,2,0,3,0\n", "m.csv: line 2: found 6 fields, expected 3 as in the header");
+        row("empty line", "x,y,z\n1,2,3\n\n1,2,3\n", "m.csv: line 3: found 1 field, expected 3 as in the header");
+        row("time back", "time_s,x,y,z\n1,1,2,3\n0,1,2,3\n",
+            "m.csv: line 3, column time_s: found a time before the previous row's, expected ascending times");
+        row("no time passes", "time_s,x,y,z\n1,1,2,3\n1,1,2,3\n",
+            "m.csv: line 3, column time_s: found that no time passes, expected ascending times");
+        row("control characters", "x,y,z\n1,\x01\x02,3\n",
+            "m.csv: line 2, column y: found \"\?\?\", expected a number");
+    }
+
+    void namesThePlaceOfAnError()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, message);
+        QCOMPARE(QByteArray::fromStdString(wrong(text.constData())), message);
+    }
+
+    void namesAFileThatIsNotThere()
+    {
+        const auto motion = session::readMotion("no-such-folder/m.csv");
+        QCOMPARE(motion.status().code(), core::StatusCode::NotFound);
+        QVERIFY(motion.status().message().starts_with("no-such-folder/m.csv: "));
+    }
+
+    void survivesAnyBytes()
+    {
+        std::uint32_t seed = 1; // a generator of our own: the same bytes everywhere
+        const std::string valid = "x,y,z\n1,2,3\n4,5,6\n";
+        for (int round = 0; round < 20000; ++round) {
+            std::string text = valid;
+            for (int change = 0; change < 3; ++change) {
+                seed = seed * 1664525u + 1013904223u;
+                text[(seed >> 8) % text.size()] = static_cast<char>(seed >> 24);
+            }
+            const auto motion = session::parseMotion(text, "m.csv");
+            QVERIFY(motion.isOk() != (motion.status().message().find(": line ") != std::string::npos));
+        }
+    }
+};
+
+PALPATE_TEST(MotionFile)
+#include "tst_MotionFile.moc"

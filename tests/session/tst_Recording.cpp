@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sessions.h"
+#include "TestRunner.h"
+
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+using namespace palpate;
+using session::RecordingReader;
+
+class Recording : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+
+    static std::vector<servo::TickRecord> all(const RecordingReader& reader)
+    {
+        std::vector<servo::TickRecord> ticks;
+        const auto status = reader.forEach(0, std::numeric_limits<std::int64_t>::max(), [&](const auto& tick) {
+            ticks.push_back(tick);
+            return true;
+        });
+        return status.isOk() ? ticks : std::vector<servo::TickRecord>();
+    }
+
+  private slots:
+    void givesBackEveryBit()
+    {
+        auto ticks = test::palpationTicks(2000);
+        // What a table easily loses: the sign of a zero, the smallest and largest numbers, whole numbers.
+        ticks[10].p_WH = core::Vec3(-0.0, 0.0, 5e-324);
+        ticks[10].p_WG = core::Vec3(0.0, 0.0, 5e-324);
+        ticks[10].f_W = core::Vec3(-0.0, 0.0, 0.0);
+        ticks[11].fSent_W = core::Vec3(3.0, -7.0, 1.7976931348623157e308);
+        ticks[12].buttons = 0xffffffffu;
+        ticks[12].solve_ns = 0xffffffffu;
+        QVERIFY(test::writeRecording(path("a.palpate"), ticks));
+        const auto reader = RecordingReader::open(path("a.palpate"));
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        const auto read = all(*reader.value());
+        QCOMPARE(read.size(), ticks.size());
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            QVERIFY2(test::isSameTick(read[i], ticks[i]), std::to_string(i).c_str());
+        }
+        QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
+        QCOMPARE(reader.value()->extent().ticks, std::int64_t{2000});
+        QVERIFY(reader.value()->extent().isComplete);
+        QCOMPARE(QDir(m_folder.path()).entryList({"a.palpate*"}, QDir::Files).size(), 1);
+    }
+
+    void keepsScenesEventsAndStart()
+    {
+        session::RecordingInfo info;
+        info.device.name = "a device";
+        info.device.maxForce_N = 3.3;
+        info.scene = "liver.palpate.json";
+        info.firstTick = 41;
+        info.firstGeneration = 1;
+        info.start.layers[1].p_WG = core::Vec3(0.1, -0.0, 1e300);
+        info.start.layers[1].side[2] = -1;
+        info.start.layers[1].constraints = 3;
+        info.start.started = 1;
+        {
+            auto writer = session::RecordingWriter::create(path("b.palpate"), info);
+            QVERIFY(writer.isOk());
+            for (const auto& scene : test::palpationScenes()) {
+                QVERIFY(writer.value()->addScene(scene).isOk());
+            }
+            QVERIFY(writer.value()->addEvent({50, "note", "{\"text\": \"h\\u00e4rter\"}"}).isOk());
+            QVERIFY(writer.value()->finish().isOk());
+        }
+        const auto opened = RecordingReader::open(path("b.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        const RecordingReader& reader = *opened.value();
+        QCOMPARE(reader.info().device.name, std::string("a device"));
+        QCOMPARE(reader.info().device.maxForce_N, 3.3);
+        QCOMPARE(reader.info().scene, info.scene);
+        QCOMPARE(reader.info().firstTick, std::int64_t{41});
+        QVERIFY(std::signbit(reader.info().start.layers[1].p_WG.y()));
+        QCOMPARE(reader.info().start.layers[1].p_WG, info.start.layers[1].p_WG);
+        QCOMPARE(reader.info().start.layers[1].side[2], std::int8_t{-1});
+        QCOMPARE(reader.info().start.started, 1u);
+        QCOMPARE(reader.scenes().size(), std::size_t{2});
+        QCOMPARE(reader.scene(2)->structures.at(0).name, std::string("box"));
+        QCOMPARE(reader.scene(2)->structures.at(0).tissue.stiffness_N_per_mm, 0.9);
+        QCOMPARE(reader.scene(2)->structures.at(0).source.mesh, std::string("box.stl"));
+        QVERIFY(reader.scene(3) == nullptr);
+        QCOMPARE(reader.events().size(), std::size_t{1});
+        QCOMPARE(reader.events()[0].kind, std::string("note"));
+        QCOMPARE(reader.extent().ticks, std::int64_t{0});
+    }
+
+    void seeksByTick()
+    {
+        auto ticks = test::palpationTicks(1000);
+        ticks.erase(ticks.begin() + 500, ticks.begin() + 600);
+        QVERIFY(test::writeRecording(path("c.palpate"), ticks));
+        const auto reader = RecordingReader::open(path("c.palpate"));
+        QVERIFY(reader.isOk());
+        QCOMPARE(reader.value()->at(499)->tick, std::int64_t{499});
+        QCOMPARE(reader.value()->at(550)->tick, std::int64_t{499});
+        QCOMPARE(reader.value()->at(600)->tick, std::int64_t{600});
+        QVERIFY(!reader.value()->at(-1));
+        QCOMPARE(reader.value()->extent().dropped, std::int64_t{100});
+        QVERIFY(reader.value()->verify().isOk());
+        QCOMPARE(reader.value()->motion().value().p_WH.size(), std::size_t{1000 - 100 - 20}); // 20 without a hand
+    }
+
+    void tenMinutesFitInAHundredMegabytes()
+    {
+        auto ticks = test::palpationTicks(350);
+        while (!ticks.empty() && ticks.back().structure < 0) {
+            ticks.pop_back();
+        }
+        QVERIFY(!ticks.empty());
+        const servo::TickRecord pattern = ticks.back(); // presses
+        ticks.clear();
+        constexpr int kTicks = 60000;
+        for (int i = 0; i < kTicks; ++i) {
+            servo::TickRecord tick = pattern;
+            tick.tick = 600000 + i;
+            tick.time_ns = tick.tick * 1000003;
+            tick.triangle = 1'000'000;
+            tick.solve_ns = 70000;
+            tick.fSent_W = tick.f_W + core::Vec3(0.1, 0.1, 0.1); // the gate acts all the time
+            ticks.push_back(tick);
+        }
+        QVERIFY(test::writeRecording(path("d.palpate"), ticks));
+        const auto bytes = std::filesystem::file_size(path("d.palpate"));
+        qInfo("%.1f bytes a tick", double(bytes) / kTicks);
+        QVERIFY(bytes * (600'000 / kTicks) < 100'000'000);
+    }
+
+    void findsAChangedTickAndNamesItsRange_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("range");
+        QTest::newRow("a bit of the HIP") << "UPDATE ticks SET hip_z = hip_z + 1e-9 WHERE tick = 1234"
+                                          << "ticks 1000 to 1249";
+        QTest::newRow("a button") << "UPDATE ticks SET buttons = 1 WHERE tick = 3"
+                                  << "ticks 0 to 249";
+        QTest::newRow("lost row") << "DELETE FROM ticks WHERE tick = 700"
+                                  << "ticks 500 to 749";
+        QTest::newRow("lost block") << "DELETE FROM ticks WHERE tick BETWEEN 500 AND 749;"
+                                       "DELETE FROM checks WHERE first_tick = 500"
+                                    << "ticks 750 to 999";
+        QTest::newRow("added row")
+            << "INSERT INTO ticks SELECT 5000, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
+               "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
+               "constraints, scene, buttons, solve_ns, iterations, flags FROM ticks WHERE tick = 9"
+            << "ticks 2000 to 5000";
+        QTest::newRow("start state") << "UPDATE meta SET value = zeroblob(length(value)) WHERE key = 'start';"
+                                        "UPDATE meta SET value = 'x' WHERE key = 'device_name'"
+                                     << "metadata or ticks 0 to 249";
+    }
+
+    void findsAChangedTickAndNamesItsRange()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, range);
+        QVERIFY(test::writeRecording(path("e.palpate"), test::palpationTicks(2000)));
+        QVERIFY(test::runSql(path("e.palpate"), sql.toStdString()));
+        const auto reader = RecordingReader::open(path("e.palpate"));
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        const core::Status status = reader.value()->verify();
+        QVERIFY2(status.message().find(range.toStdString()) != std::string::npos, status.message().c_str());
+    }
+
+    /// A bit flipped anywhere in the file is found or changes nothing, and nothing crashes.
+    void survivesFlippedBits()
+    {
+        const auto ticks = test::palpationTicks(600);
+        QVERIFY(test::writeRecording(path("f.palpate"), ticks));
+        QFile original(m_folder.filePath("f.palpate"));
+        QVERIFY(original.open(QIODevice::ReadOnly));
+        const QByteArray good = original.readAll();
+        std::uint32_t seed = 7;
+        int found = 0;
+        int harmless = 0;
+        for (int round = 0; round < 400; ++round) {
+            QByteArray bad = good;
+            seed = seed * 1664525u + 1013904223u;
+            const auto place = static_cast<qsizetype>((seed >> 4) % static_cast<std::uint32_t>(good.size()));
+            bad[place] = static_cast<char>(bad[place] ^ (1 << (seed % 8)));
+            QFile file(m_folder.filePath("g.palpate"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(bad);
+            file.close();
+            const auto reader = RecordingReader::open(path("g.palpate"));
+            if (!reader.isOk() || !reader.value()->verify().isOk()) {
+                ++found;
+                continue;
+            }
+            ++harmless;
+            const auto read = all(*reader.value());
+            QCOMPARE(read.size(), ticks.size());
+            for (std::size_t i = 0; i < ticks.size(); ++i) {
+                QVERIFY2(test::isSameTick(read[i], ticks[i]), std::to_string(place).c_str());
+            }
+        }
+        qInfo("of 400 flipped bits %d were found and %d changed no tick", found, harmless);
+        QVERIFY(found > harmless);
+    }
+
+    void refusesWhatIsNotItsOwn_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("newer") << "PRAGMA user_version = 2"
+                               << "found a recording of version 2, expected at most 1";
+        QTest::newRow("another program's") << "PRAGMA application_id = 7"
+                                           << "found another program's SQLite database";
+        QTest::newRow("no meta") << "DROP TABLE meta"
+                                 << "no such table: meta";
+        QTest::newRow("value missing") << "DELETE FROM meta WHERE key = 'dt_s'"
+                                       << "meta has no value \"dt_s\"";
+        QTest::newRow("bad period") << "UPDATE meta SET value = '-1' WHERE key = 'dt_s'"
+                                    << "\"dt_s\" is not a valid number";
+        QTest::newRow("bad start") << "UPDATE meta SET value = x'00' WHERE key = 'start'"
+                                   << "\"start\" is not a state";
+        QTest::newRow("no ticks") << "DROP VIEW tick_values; DROP TABLE ticks"
+                                  << "no such table: ticks";
+    }
+
+    void refusesWhatIsNotItsOwn()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, message);
+        QVERIFY(test::writeRecording(path("h.palpate"), test::palpationTicks(300)));
+        QVERIFY(test::runSql(path("h.palpate"), sql.toStdString()));
+        const auto reader = RecordingReader::open(path("h.palpate"));
+        QVERIFY(!reader.isOk());
+        const std::string& said = reader.status().message();
+        QVERIFY2(said.starts_with(path("h.palpate").string() + ": "), said.c_str());
+        QVERIFY2(said.find(message.toStdString()) != std::string::npos, said.c_str());
+        QVERIFY2(said.find('\n') == std::string::npos, said.c_str());
+    }
+
+    /// Cut at every page and at odd places: an error or a prefix, never a crash.
+    void survivesTruncation()
+    {
+        QVERIFY(test::writeRecording(path("i.palpate"), test::palpationTicks(600)));
+        QFile original(m_folder.filePath("i.palpate"));
+        QVERIFY(original.open(QIODevice::ReadOnly));
+        const QByteArray good = original.readAll();
+        for (qsizetype size = 0; size < good.size(); size += 1021) {
+            QFile file(m_folder.filePath("j.palpate"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(good.left(size));
+            file.close();
+            const auto reader = RecordingReader::open(path("j.palpate"));
+            QVERIFY(!reader.isOk() || !reader.value()->verify().isOk());
+        }
+        QCOMPARE(RecordingReader::open(path("nowhere.palpate")).status().code(), core::StatusCode::NotFound);
+    }
+
+    void replacesAnOldFileAndItsJournal()
+    {
+        QVERIFY(test::writeRecording(path("k.palpate"), test::palpationTicks(300)));
+        QFile journal(m_folder.filePath("k.palpate-journal"));
+        QVERIFY(journal.open(QIODevice::WriteOnly));
+        journal.write("left by a crash");
+        journal.close();
+        QVERIFY(test::writeRecording(path("k.palpate"), test::palpationTicks(20)));
+        const auto reader = RecordingReader::open(path("k.palpate"));
+        QCOMPARE(reader.value()->extent().ticks, std::int64_t{20});
+        QVERIFY(!session::RecordingWriter::create(path("no-such-folder/k.palpate"), {}).isOk());
+        QVERIFY(!session::RecordingWriter::create(m_folder.path().toStdString(), {}).isOk());
+    }
+
+    void refusesTicksThatDoNotAscend()
+    {
+        auto writer = session::RecordingWriter::create(path("l.palpate"), {});
+        servo::TickRecord tick;
+        tick.tick = 5;
+        QVERIFY(writer.value()->append(tick).isOk());
+        QVERIFY(!writer.value()->append(tick).isOk());
+    }
+};
+
+PALPATE_TEST(Recording)
+#include "tst_Recording.moc"

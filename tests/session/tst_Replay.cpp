@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sessions.h"
+#include "TestRunner.h"
+
+#include <palpate/session/GeometryHash.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/session/Replay.h>
+
+#include <QTemporaryDir>
+
+#include <bit>
+#include <cmath>
+
+using namespace palpate;
+using core::Vec3;
+
+class Replay : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+
+    static session::Motion pressing(int ticks)
+    {
+        session::Motion motion;
+        for (int i = 0; i < ticks; ++i) {
+            const double t = i * 1e-3;
+            motion.p_WH.emplace_back(5.0 * std::sin(7.0 * t), 3.0 * t, 20.5 - 2.0 * std::sin(5.0 * t));
+        }
+        return motion;
+    }
+
+    static std::vector<servo::TickRecord> felt(const haptics::HapticScene& scene, const session::Motion& motion)
+    {
+        std::vector<servo::TickRecord> ticks;
+        session::replay(scene, motion, [&ticks](const servo::TickRecord& tick) {
+            ticks.push_back(tick);
+            return true;
+        });
+        return ticks;
+    }
+
+    core::Result<session::Resimulation> again(const char* name) const
+    {
+        const auto reader = session::RecordingReader::open(path(name));
+        return reader.isOk() ? session::resimulate(*reader.value(), test::boxSurfaces()) : reader.status();
+    }
+
+  private slots:
+    void givesOneTickARow()
+    {
+        const auto motion = pressing(10000); // more than a batch
+        const auto ticks = felt(*test::boxScene(0.5), motion);
+        QCOMPARE(ticks.size(), motion.p_WH.size());
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            QCOMPARE(ticks[i].tick, static_cast<std::int64_t>(i));
+            QCOMPARE(ticks[i].p_WH, motion.p_WH[i]);
+        }
+        QCOMPARE(ticks.front().p_WG, motion.p_WH.front());
+    }
+
+    void forceIsSpringAndDamper()
+    {
+        constexpr double k = 0.7;
+        constexpr double b = 0.002;
+        const auto motion = pressing(3000);
+        const auto ticks = felt(*test::boxScene(k, b), motion);
+        int contacts = 0;
+        for (std::size_t i = 1; i < ticks.size(); ++i) {
+            const auto& tick = ticks[i];
+            if (tick.p_WH.z() < 20.0) {
+                ++contacts;
+                QCOMPARE(tick.structure, 0);
+                QVERIFY(std::abs(tick.p_WG.z() - 20.0) < 1e-6);
+                const Vec3 v = (tick.p_WH - motion.p_WH[i - 1]) / motion.dt_s;
+                QVERIFY((tick.f_W - (k * (tick.p_WG - tick.p_WH) - b * v)).norm() < 1e-12);
+            } else if (tick.p_WH.z() > 20.001) {
+                QCOMPARE(tick.structure, -1);
+                QCOMPARE(tick.f_W, Vec3(0, 0, 0));
+            }
+        }
+        QVERIFY(contacts > 100);
+    }
+
+    void isTheSameEachTime()
+    {
+        const auto motion = pressing(5000);
+        const auto once = felt(*test::boxScene(0.5), motion);
+        auto twice = felt(*test::boxScene(0.5), motion);
+        for (std::size_t i = 0; i < once.size(); ++i) {
+            twice[i].solve_ns = once[i].solve_ns;
+            QVERIFY(test::isSameTick(once[i], twice[i]));
+        }
+    }
+
+    void stopsWhenToldTo()
+    {
+        int count = 0;
+        session::replay(*test::boxScene(0.5), pressing(100), [&count](const auto&) { return ++count < 10; });
+        QCOMPARE(count, 10);
+    }
+
+    void aRecordingWithSceneChangeAndResetIsComputedAgainBitForBit()
+    {
+        const auto ticks = test::palpationTicks(3000);
+        int contacts = 0;
+        unsigned seen = 0;
+        for (const auto& tick : ticks) {
+            contacts += tick.structure >= 0 ? 1 : 0;
+            seen |= tick.flags;
+        }
+        QVERIFY(contacts > 500);
+        QVERIFY((seen & servo::kReset) != 0 && (seen & servo::kNoHand) != 0 && (seen & servo::kSceneChanged) != 0);
+        QVERIFY(test::writeRecording(path("a.palpate"), ticks));
+        const auto result = again("a.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QCOMPARE(result.value().compared, std::int64_t{3000});
+        QCOMPARE(result.value().unverified, std::int64_t{0});
+    }
+
+    void findsTheFirstTickThatDiffers_data()
+    {
+        QTest::addColumn<int>("tick");
+        QTest::addColumn<bool>("isForce");
+        for (const int tick : {0, 1, 249, 250, 420, 421, 1999}) {
+            QTest::newRow(qPrintable(QString("god-object in tick %1").arg(tick))) << tick << false;
+            QTest::newRow(qPrintable(QString("force in tick %1").arg(tick))) << tick << true;
+        }
+    }
+
+    void findsTheFirstTickThatDiffers()
+    {
+        QFETCH(int, tick);
+        QFETCH(bool, isForce);
+        auto ticks = test::palpationTicks(2000);
+        double& value =
+            isForce ? ticks[static_cast<std::size_t>(tick)].f_W.y() : ticks[static_cast<std::size_t>(tick)].p_WG.y();
+        value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ 1u); // the last bit
+        QVERIFY(test::writeRecording(path("b.palpate"), ticks));
+        const auto result = again("b.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY(!result.value().isSame());
+        QCOMPARE(*result.value().firstDifference, std::int64_t{tick});
+    }
+
+    void startsInTheMiddleOfATouch()
+    {
+        // A recording that begins while the box is pressed: its start state is what the ticks before left.
+        const auto motion = pressing(1000);
+        const auto scene = test::boxScene(0.5, 0.001);
+        haptics::Palpator palpator;
+        palpator.setScene(scene.get());
+        std::vector<servo::TickRecord> ticks;
+        session::RecordingInfo info;
+        for (std::size_t i = 0; i < motion.p_WH.size(); ++i) {
+            if (i == 400) {
+                info.start = palpator.state();
+                info.firstTick = 400;
+                info.firstGeneration = 1;
+            }
+            const auto result = palpator.step(motion.p_WH[i], 1e-3);
+            servo::TickRecord tick;
+            tick.tick = static_cast<std::int64_t>(i);
+            tick.scene = 1;
+            tick.p_WH = motion.p_WH[i];
+            tick.p_WG = result.p_WG;
+            tick.f_W = result.f_W;
+            tick.structure = result.structure;
+            tick.constraints = result.constraints;
+            if (i >= 400) {
+                ticks.push_back(tick);
+            }
+        }
+        QVERIFY(ticks.front().structure >= 0);
+        {
+            auto writer = session::RecordingWriter::create(path("c.palpate"), info);
+            auto scenes = test::palpationScenes();
+            QVERIFY(writer.value()->addScene(scenes[0]).isOk());
+            for (const auto& tick : ticks) {
+                QVERIFY(writer.value()->append(tick).isOk());
+            }
+            QVERIFY(writer.value()->finish().isOk());
+        }
+        const auto result = again("c.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+    }
+
+    void goesOnAfterLostTicksWhenTheStateIsKnownAgain()
+    {
+        auto ticks = test::palpationTicks(2000);
+        std::size_t firstLost = 1000;
+        while (ticks[firstLost + 10].structure < 0) {
+            ++firstLost;
+        }
+        ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(firstLost),
+                    ticks.begin() + static_cast<std::ptrdiff_t>(firstLost) + 10);
+        ticks[firstLost].flags |= servo::kDroppedBefore;
+        QVERIFY(test::writeRecording(path("d.palpate"), ticks));
+        const auto result = again("d.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QVERIFY(result.value().unverified > 0);
+        QVERIFY(result.value().unverified < 500);
+        QCOMPARE(result.value().compared + result.value().unverified, std::int64_t{1990});
+    }
+
+    void namesAStructureThatIsMissing()
+    {
+        QVERIFY(test::writeRecording(path("e.palpate"), test::palpationTicks(300)));
+        const auto reader = session::RecordingReader::open(path("e.palpate"));
+        const auto result = session::resimulate(*reader.value(), {});
+        QCOMPARE(result.status().code(), core::StatusCode::Mismatch);
+        QVERIFY(result.status().message().find("\"box\"") != std::string::npos);
+    }
+
+    void hashTellsGeometriesApart()
+    {
+        geometry::TriangleMesh mesh{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}};
+        const std::string hash = session::geometryHash(mesh);
+        QCOMPARE(hash.size(), std::size_t{64});
+        QCOMPARE(session::geometryHash(mesh), hash);
+        geometry::TriangleMesh turned = mesh;
+        turned.triangles[0] = {0, 2, 1};
+        QVERIFY(session::geometryHash(turned) != hash);
+        mesh.vertices[2].y() = std::nextafter(1.0, 2.0);
+        QVERIFY(session::geometryHash(mesh) != hash);
+    }
+};
+
+PALPATE_TEST(Replay)
+#include "tst_Replay.moc"
