@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/geometry/TriangleMesh.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace palpate::evaluation {
+
+using core::Vec3;
+
+/// A case in which god-object solvers fail: one row of a table. To add one, add a row in HardCaseRows*.cpp.
+struct HardCase
+{
+    std::string name;
+    std::function<geometry::TriangleMesh()> mesh;
+    /// Makes the source of the hand's path, one HIP a call. [mm]
+    std::function<std::function<Vec3()>()> motion;
+    std::int64_t ticks = 0;
+    /// Compares with the exact solver at every so many ticks; what the product gives is checked at each.
+    std::int64_t checkEvery = 1;
+    /// How large the scene is compared with one of some 10 mm, where bounds in mm must grow with it.
+    double scale = 1.0;
+    /// For surfaces without an inside: how deep a point lies where the god-object must never be; <= 0 elsewhere. [mm]
+    std::function<double(const Vec3&)> intrusion_mm;
+    /// The case again with mesh and motion mapped by this; the answers must map into each other. May be empty.
+    std::function<Vec3(const Vec3&)> twin;
+    double twinBound_mm = 0.0;
+    bool isLong = false; ///< left to the nightly run
+};
+
+/// One thing that is required of a case.
+struct HardCaseFigure
+{
+    std::string what;
+    double measured = 0.0;
+    double bound = 0.0;
+    std::int64_t worstTick = -1; ///< where it was measured, -1 when nowhere in particular
+    [[nodiscard]] bool passed() const { return measured <= bound; }
+};
+
+struct HardCaseResult
+{
+    std::string name;
+    std::int64_t ticks = 0;
+    std::size_t triangles = 0;
+    std::vector<HardCaseFigure> figures;
+    std::vector<std::int64_t> iterations; ///< how many ticks took i iterations; the last entry holds all above
+
+    [[nodiscard]] bool passed() const;
+    /// The first figure that fails, else the one nearest to its bound; null without figures.
+    [[nodiscard]] const HardCaseFigure* tightest() const;
+};
+
+/// All rows.
+[[nodiscard]] const std::vector<HardCase>& hardCases();
+
+/// Runs the product on a case. Required: no pop-through, nothing non-finite, converged in every tick, the spring never
+/// more than 1e-3 mm longer than the exact solver's from the same place, residual <= 1e-6 mm, no jump larger than the
+/// exact solver's by more than 1e-3 mm, and the twin's answer the same. Where it rests (residual) in another local
+/// minimum than the exact solver, that tick is counted instead: at most 1 %. A HIP within 1e-6 mm is as good as the
+/// HIP.
+/// @param keepGoing  asked now and then; false cancels
+[[nodiscard]] HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGoing = {});
+
+} // namespace palpate::evaluation

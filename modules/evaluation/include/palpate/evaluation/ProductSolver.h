@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/evaluation/ReferenceSolver.h"
+
+#include <palpate/haptics/GodObject.h>
+
+#include <memory>
+
+namespace palpate::evaluation {
+
+/// The product's own god-object behind the interface of the references.
+class ProductSolver : public ReferenceSolver
+{
+  public:
+    /// @param scene  its first layer is felt
+    /// @param iterations  bound on the moves of a tick; 1 is one pass a tick, as in the paper; 0 is the product's own
+    ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, std::string name, std::uint32_t iterations = 0);
+
+    [[nodiscard]] std::string name() const override { return m_name; }
+    void start(const Vec3& p_WH) override;
+    [[nodiscard]] SolverStep step(const Vec3& p_WH) override;
+
+  private:
+    std::shared_ptr<const haptics::HapticScene> m_scene;
+    std::string m_name;
+    haptics::GodObjectLimits m_limits;
+    haptics::GodObject m_god;
+};
+
+/// A scene of one structure, made as the program makes it.
+[[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh);
+
+} // namespace palpate::evaluation

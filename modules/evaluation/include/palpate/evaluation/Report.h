@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/evaluation/Evaluation.h"
+
+#include <palpate/core/Status.h>
+
+#include <filesystem>
+#include <string>
+
+namespace palpate::evaluation {
+
+/// Writes `report.html` (self-contained, no scripts), `results.csv` and `results.json` into a folder, which is made
+/// when it is missing; each file appears only when it is whole.
+[[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Evaluation& evaluation);
+
+/// The same as text.
+[[nodiscard]] std::string reportHtml(const Evaluation& evaluation);
+[[nodiscard]] std::string resultsCsv(const Evaluation& evaluation);
+[[nodiscard]] std::string resultsJson(const Evaluation& evaluation);
+
+} // namespace palpate::evaluation

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Orientation.h"
+#include "palpate/evaluation/Surface.h"
+
+#include <utility>
+#include <vector>
+
+namespace palpate::evaluation {
+
+/// Brings a point to a local minimum of its distance to the HIP by moves that no triangle blocks; see ExactSolver.
+class ExactDescent
+{
+  public:
+    explicit ExactDescent(const Surface& surface);
+
+    /// @param g    where it starts, then where it ended [mm]
+    /// @return moves made; `kMostMoves` when that was not enough
+    std::uint32_t converge(Long3& g, const Long3& hip);
+    /// Planes that hold the point after `converge`, at most 3.
+    [[nodiscard]] int constraints() const noexcept { return m_constraints; }
+
+    static constexpr std::uint32_t kMostMoves = 5000;
+
+  private:
+    struct Candidate
+    {
+        Long3 a, b, c, n;        ///< corners and unit normal [mm]
+        long double normalError; ///< bound on the error of `n` times a length, per length
+        std::uint32_t triangle;
+        bool isTwoSided;
+    };
+    struct Touched
+    {
+        const Candidate* triangle;
+        Long3 n; ///< on the side of the point
+    };
+    struct Way
+    {
+        Long3 target;
+        long double promise; ///< how much the squared distance to the HIP would fall [mm^2]
+        int planes;
+    };
+
+    void gather(const Long3& g, const Long3& hip);
+    /// @return where the move from → to ends: at `to`, or a skin before the first triangle in the way
+    [[nodiscard]] Long3 sweep(const Long3& from, const Long3& to, bool& isBlocked) const;
+    [[nodiscard]] static int side(const Candidate& t, const Long3& p);
+    [[nodiscard]] static bool blocks(const Candidate& t, const Long3& from, const Long3& to);
+    void findTouched(const Long3& g);
+    void findPairs();
+    void collectWays(const Long3& from, const Long3& hip);
+    [[nodiscard]] bool isShutAtOnce(const Long3& from, const Long3& to, long double leastMove_mm);
+    [[nodiscard]] bool advance(Long3& g, const Long3& from, const Long3& hip, long double leastMove_mm);
+
+    const Surface& m_surface;
+    long double m_skin_mm;
+    Box m_gathered;
+    std::vector<std::uint32_t> m_near;
+    std::vector<Candidate> m_candidates;
+    std::vector<Box> m_boxes; ///< of the candidates
+    std::vector<Touched> m_touched;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_pairs; ///< of touched triangles
+    std::size_t m_lastShut = 0;                                   ///< touched triangle that shut the last way
+    std::vector<Way> m_ways;
+    int m_constraints = 0;
+};
+
+} // namespace palpate::evaluation

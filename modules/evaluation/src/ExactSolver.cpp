@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/ExactSolver.h"
+
+#include "ExactDescent.h"
+
+#include <algorithm>
+
+namespace palpate::evaluation {
+
+struct ExactSolver::Private
+{
+    ExactDescent descent;
+    int subSteps;
+    Long3 god = Long3::Zero();
+    Long3 hip = Long3::Zero();
+};
+
+ExactSolver::ExactSolver(const Surface& surface, int subSteps)
+    : m_d(std::make_unique<Private>(Private{ExactDescent(surface), std::max(1, subSteps)}))
+{
+}
+
+ExactSolver::~ExactSolver() = default;
+
+void ExactSolver::start(const Vec3& p_WH)
+{
+    resume(p_WH, p_WH);
+}
+
+void ExactSolver::resume(const Vec3& p_WG, const Vec3& p_WH)
+{
+    m_d->god = p_WG.cast<long double>();
+    m_d->hip = p_WH.cast<long double>();
+}
+
+SolverStep ExactSolver::step(const Vec3& p_WH)
+{
+    SolverStep result;
+    result.p_WG = m_d->god.cast<double>();
+    if (!p_WH.allFinite()) {
+        result.isConverged = false;
+        return result;
+    }
+    const Long3 from = m_d->hip;
+    m_d->hip = p_WH.cast<long double>();
+    const Long3 way = m_d->hip - from;
+    for (int i = 1; i <= m_d->subSteps; ++i) {
+        const Long3 hip =
+            i == m_d->subSteps ? m_d->hip : Long3(from + way * (static_cast<long double>(i) / m_d->subSteps));
+        const std::uint32_t moves = m_d->descent.converge(m_d->god, hip);
+        result.iterations += moves;
+        result.isConverged = result.isConverged && moves < ExactDescent::kMostMoves;
+    }
+    result.constraints = m_d->descent.constraints();
+    result.p_WG = m_d->god.cast<double>();
+    result.spring_mm = (m_d->god - m_d->hip).cast<double>();
+    return result;
+}
+
+double residual_mm(ExactSolver& exact, const Vec3& p_WG, const Vec3& p_WH)
+{
+    exact.resume(p_WG, p_WH);
+    const double spring = (p_WG - p_WH).norm();
+    return std::max(0.0, spring - exact.step(p_WH).spring_mm.norm());
+}
+
+} // namespace palpate::evaluation

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "HandPath.h"
+#include "palpate/evaluation/HardCases.h"
+
+#include <cstdio>
+
+namespace palpate::evaluation {
+
+// Each appends the rows of one kind.
+void addMeshFaultRows(std::vector<HardCase>& rows); ///< zero-area, duplicate, flipped, slivers, cracks, fins, soup
+void addContactRows(std::vector<HardCase>& rows);   ///< creases, fans, grooves, pockets, plates, edges, vertices
+void addTransformRows(std::vector<HardCase>& rows); ///< moved, scaled and turned scenes
+void addHandRows(std::vector<HardCase>& rows);      ///< noise, teleports, stillness, bad numbers, long random motion
+
+/// @return a row that plays `path` on `mesh`.
+[[nodiscard]] HardCase row(std::string name, std::function<geometry::TriangleMesh()> mesh, const HandPath& path);
+
+/// printf into a string.
+template<class... Args>
+[[nodiscard]] std::string formatted(const char* format, Args... args)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, format, args...);
+    return text;
+}
+
+} // namespace palpate::evaluation

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/ExactSolver.h"
+#include "palpate/evaluation/HardCases.h"
+#include "palpate/evaluation/ProductSolver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::evaluation {
+
+namespace {
+
+constexpr std::size_t kHistogram = 33; // 0 … 31 iterations, and more
+
+/// Keeps the worst of what is measured.
+class Worst
+{
+  public:
+    Worst(std::string what, double bound) { m_figure = {std::move(what), 0.0, bound, -1}; }
+    void see(double value, std::int64_t tick)
+    {
+        if (value > m_figure.measured || !std::isfinite(value)) {
+            m_figure.measured = value;
+            m_figure.worstTick = tick;
+        }
+    }
+    void count(std::int64_t tick)
+    {
+        m_figure.worstTick = m_figure.measured == 0.0 ? tick : m_figure.worstTick;
+        m_figure.measured += 1.0;
+    }
+    [[nodiscard]] const HardCaseFigure& figure() const { return m_figure; }
+
+  private:
+    HardCaseFigure m_figure;
+};
+
+/// One case on one mesh: the product tick by tick, and the exact solver from where the product was.
+class Run
+{
+  public:
+    Run(const HardCase& hardCase, const geometry::TriangleMesh& mesh, std::function<Vec3(const Vec3&)> map)
+        : m_case(hardCase)
+        , m_map(std::move(map))
+        , m_surface(geometry::repair(mesh))
+        , m_product(sceneOf(m_surface.repaired()), "product")
+        , m_straight(m_surface, 1)
+        , m_fine(m_surface, 8)
+        , m_next(hardCase.motion())
+    {
+        const double scale = std::max(1.0, hardCase.scale);
+        m_spring = Worst("spring longer than the exact one [mm]", 1e-3 * scale);
+        m_residual = Worst("residual [mm]", 1e-6 * scale);
+        m_jump = Worst("jump larger than the exact one [mm]", 1e-3 * scale);
+        m_result.name = hardCase.name;
+        m_result.triangles = m_surface.triangleCount();
+        m_result.iterations.assign(kHistogram, 0);
+    }
+
+    [[nodiscard]] Vec3 god() const { return m_god; }
+    [[nodiscard]] const HardCaseResult& result() const { return m_result; }
+
+    void tick(std::int64_t number)
+    {
+        const Vec3 raw = m_next();
+        const Vec3 hip = m_map ? m_map(raw) : raw;
+        if (number == 0) {
+            m_product.start(hip);
+            m_god = m_hip = hip;
+            m_windingAtStart = m_surface.winding(hip);
+        }
+        const SolverStep step = m_product.step(hip);
+        ++m_result.ticks;
+        if (!step.p_WG.allFinite() || !step.spring_mm.allFinite()) {
+            m_nonFinite.count(number);
+            return;
+        }
+        if (!hip.allFinite()) {
+            if (step.p_WG != m_god || step.spring_mm != Vec3::Zero()) {
+                m_nonFinite.count(number); // bad input must move nothing and push nothing
+            }
+            return;
+        }
+        ++m_result.iterations[std::min<std::size_t>(step.iterations, kHistogram - 1)];
+        m_iterations.see(step.iterations, number);
+        if (!step.isConverged) {
+            m_stopped.count(number);
+        }
+        if (number % m_case.checkEvery == 0) {
+            check(step.p_WG, hip, number);
+        }
+        m_god = step.p_WG;
+        m_hip = hip;
+    }
+
+    void finish()
+    {
+        const HardCaseFigure elsewhere{"at rest elsewhere than the exact one [% of ticks]",
+                                       m_checked > 0 ? 100.0 * m_elsewhere / m_checked : 0.0, 1.0, -1};
+        m_result.figures = {m_popThrough.figure(), m_nonFinite.figure(), m_stopped.figure(), m_iterations.figure(),
+                            m_spring.figure(),     m_residual.figure(),  m_jump.figure(),    elsewhere};
+    }
+
+  private:
+    void check(const Vec3& god, const Vec3& hip, std::int64_t number)
+    {
+        ++m_checked;
+        if (m_case.intrusion_mm ? m_case.intrusion_mm(god) > 0.0 : isBehind(god)) {
+            m_popThrough.count(number);
+        }
+        double residual = residual_mm(m_straight, god, hip);
+        double excess = 0.0, jumpExcess = 0.0;
+        compare(god, hip, hip, excess, jumpExcess);
+        if (residual <= m_residual.figure().bound && !isGood(residual, excess, jumpExcess)) {
+            // At rest, but elsewhere: two ways parted, at a ridge or a saddle, and either is legal.
+            m_elsewhere += 1.0;
+            excess = jumpExcess = 0.0;
+        }
+        // A tie, such as a HIP exactly in a triangle's plane, is decided by less than a hand or a device can tell: the
+        // answer for a HIP that near is as good.
+        for (int i = 0; i < 27 && !isGood(residual, excess, jumpExcess); ++i) {
+            const Vec3 shift = m_residual.figure().bound * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            residual = std::min(residual, residual_mm(m_straight, god, hip + shift));
+            double e = 0.0, j = 0.0;
+            compare(god, hip + shift, hip, e, j);
+            excess = std::min(excess, e);
+            jumpExcess = std::min(jumpExcess, j);
+            // The god-object may have come to lie on such a plane itself.
+            m_straight.resume(m_god + shift, m_hip + shift);
+            excess = std::min(excess, (god - hip).norm() - m_straight.step(hip + shift).spring_mm.norm());
+        }
+        m_residual.see(residual, number);
+        m_spring.see(excess, number);
+        m_jump.see(jumpExcess, number);
+    }
+
+    /// Behind a closed surface that it started in front of, by more than what is a tie.
+    [[nodiscard]] bool isBehind(const Vec3& god) const
+    {
+        if (!m_surface.isClosed() || m_surface.winding(god) <= m_windingAtStart) {
+            return false;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double side : {-1.0, 1.0}) {
+                if (m_surface.winding(god + side * m_residual.figure().bound * Vec3::Unit(axis)) <= m_windingAtStart) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool isGood(double residual, double excess, double jumpExcess) const
+    {
+        return residual <= m_residual.figure().bound && excess <= m_spring.figure().bound &&
+               jumpExcess <= m_jump.figure().bound;
+    }
+
+    /// How much longer the spring, and how much larger the move in this tick, than the exact solver's.
+    void compare(const Vec3& god, const Vec3& hip, const Vec3& felt, double& excess, double& jumpExcess)
+    {
+        const double spring = (god - felt).norm(), jump = (god - m_god).norm();
+        // In one go as the product, or in small steps as a slow hand: either is legal, and they may part at a ridge.
+        for (ExactSolver* exact : {&m_straight, &m_fine}) {
+            exact->resume(m_god, m_hip);
+            const SolverStep truth = exact->step(hip);
+            const double e = spring - truth.spring_mm.norm(), j = jump - (truth.p_WG - m_god).norm();
+            excess = exact == &m_straight ? e : std::min(excess, e);
+            jumpExcess = exact == &m_straight ? j : std::min(jumpExcess, j);
+            if (excess <= 0.1 * m_spring.figure().bound && jumpExcess <= 0.1 * m_jump.figure().bound) {
+                return;
+            }
+        }
+    }
+
+    const HardCase& m_case;
+    std::function<Vec3(const Vec3&)> m_map;
+    Surface m_surface;
+    ProductSolver m_product;
+    ExactSolver m_straight, m_fine;
+    std::function<Vec3()> m_next;
+    Vec3 m_god = Vec3::Zero(), m_hip = Vec3::Zero();
+    int m_windingAtStart = 0;
+    double m_checked = 0.0, m_elsewhere = 0.0;
+    HardCaseResult m_result;
+    Worst m_popThrough{"pop-throughs [ticks]", 0.0};
+    Worst m_nonFinite{"non-finite or moved by bad input [ticks]", 0.0};
+    Worst m_stopped{"stopped before rest [ticks]", 0.0};
+    Worst m_iterations{"most iterations in a tick", haptics::GodObjectLimits{}.iterations - 1.0};
+    Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0};
+};
+
+geometry::TriangleMesh mapped(geometry::TriangleMesh mesh, const std::function<Vec3(const Vec3&)>& map)
+{
+    for (Vec3& v : mesh.vertices) {
+        v = map(v);
+    }
+    return mesh;
+}
+
+} // namespace
+
+bool HardCaseResult::passed() const
+{
+    return std::all_of(figures.begin(), figures.end(), [](const HardCaseFigure& f) { return f.passed(); });
+}
+
+const HardCaseFigure* HardCaseResult::tightest() const
+{
+    const HardCaseFigure* worst = nullptr;
+    const auto share = [](const HardCaseFigure& f) {
+        return !f.passed() ? 1e300 : f.bound > 0.0 ? f.measured / f.bound : 0.0;
+    };
+    for (const HardCaseFigure& f : figures) {
+        if (worst == nullptr || share(f) > share(*worst)) {
+            worst = &f;
+        }
+    }
+    return worst;
+}
+
+HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGoing)
+{
+    const geometry::TriangleMesh mesh = hardCase.mesh();
+    if (!hardCase.twin) {
+        Run one(hardCase, mesh, {});
+        for (std::int64_t i = 0; i < hardCase.ticks; ++i) {
+            if (i % 256 == 0 && keepGoing && !keepGoing()) {
+                break;
+            }
+            one.tick(i);
+        }
+        one.finish();
+        return one.result();
+    }
+    // The bounds are checked where the scene is hard; the plain one is only what it must agree with.
+    HardCase plain = hardCase;
+    plain.checkEvery = hardCase.ticks + 1;
+    Run here(plain, mesh, {}), there(hardCase, mapped(mesh, hardCase.twin), hardCase.twin);
+    Worst difference("difference from the plain scene [mm]", hardCase.twinBound_mm);
+    for (std::int64_t i = 0; i < hardCase.ticks; ++i) {
+        if (i % 256 == 0 && keepGoing && !keepGoing()) {
+            break;
+        }
+        here.tick(i);
+        there.tick(i);
+        difference.see((hardCase.twin(here.god()) - there.god()).norm(), i);
+    }
+    there.finish();
+    HardCaseResult result = there.result();
+    result.figures.push_back(difference.figure());
+    return result;
+}
+
+} // namespace palpate::evaluation

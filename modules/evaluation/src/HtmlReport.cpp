@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Machine.h"
+#include "ReportCharts.h"
+#include "SvgChart.h"
+#include "palpate/evaluation/LagrangeElimination.h"
+#include "palpate/evaluation/Report.h"
+
+#include <algorithm>
+
+namespace palpate::evaluation {
+
+namespace {
+
+constexpr const char* kStyle = R"(
+:root{--ink:#1d252c;--soft:#5b6670;--line:#dfe4e8;--ground:#f6f8f9;--card:#fff;--good:#0b7a75;--bad:#b3261e}
+*{box-sizing:border-box}
+body{margin:0;background:var(--ground);color:var(--ink);font:15px/1.5 "Inter","Segoe UI","Noto Sans","DejaVu Sans",sans-serif}
+main{max-width:1180px;margin:0 auto;padding:22px 28px 60px}
+h1{font-size:25px;margin:0 0 2px;letter-spacing:-.01em}h2{font-size:19px;margin:34px 0 8px}h3{font-size:15px;margin:0 0 4px}
+p{margin:4px 0 10px}.soft{color:var(--soft)}.small{font-size:13px}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(340px,1fr));gap:14px;margin:14px 0}
+.card{background:var(--card);border:1px solid var(--line);border-radius:10px;padding:14px 18px}
+.advice{border-left:5px solid var(--good)}.advice b{font-size:17px}
+.pair{display:grid;grid-template-columns:1fr 1fr;gap:14px}@media(max-width:900px){.pair{grid-template-columns:1fr}}
+svg{width:100%;height:auto;display:block}
+svg text{font-family:inherit;font-size:12px}.grid{stroke:#e9edf0}.tick{fill:#5b6670}.axis{fill:#1d252c;font-size:12.5px!important}
+.rule{stroke:#8c98a3;stroke-dasharray:2 4;stroke-width:1.2}.ruleText{fill:#5b6670;font-size:11.5px!important}
+.label{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}.strong{font-size:14px!important;font-weight:700}
+table{border-collapse:collapse;width:100%;font-size:12px;background:var(--card)}
+th,td{padding:5px 5px;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
+th{color:var(--soft);font-weight:600;border-bottom:2px solid var(--line);vertical-align:bottom}
+th:first-child,td:first-child,td.left,th.left{text-align:left}td.left{white-space:normal}td.left:first-child{white-space:nowrap}td.case{white-space:normal!important}
+.case{min-width:330px}tr.strong td{font-weight:700}.pass{color:var(--good);font-weight:600}.fail{color:#fff;background:var(--bad);border-radius:4px;padding:1px 7px;font-weight:600}
+.legend span{margin-right:18px;display:inline-block}
+details>summary{cursor:pointer;margin:8px 0;color:var(--soft)}code{font-size:12px;word-break:break-all}
+@media print{body{background:#fff}.card{break-inside:avoid}}
+)";
+
+std::string tag(const std::string& name, const std::string& content, const std::string& attributes = "")
+{
+    return "<" + name + (attributes.empty() ? "" : " " + attributes) + ">" + content + "</" + name + ">";
+}
+
+std::string cell(const std::string& content, bool isLeft = false)
+{
+    return tag("td", content, isLeft ? "class='left'" : "");
+}
+
+std::string head(const std::vector<std::string>& titles)
+{
+    std::string row;
+    for (const std::string& t : titles) {
+        row += tag("th", t);
+    }
+    return tag("thead", tag("tr", row));
+}
+
+std::string number(double value)
+{
+    return shortNumber(value);
+}
+
+std::string card(const std::string& title, const std::string& content)
+{
+    return "<div class='card'>" + tag("h3", escaped(title)) + content + "</div>";
+}
+
+std::string trialTable(const Evaluation& evaluation, const std::string& subject)
+{
+    std::string rows;
+    for (const Trial& t : evaluation.trials) {
+        if (t.subject != subject) {
+            continue;
+        }
+        const bool isSampled = t.ticks + 200 < t.wanted;
+        std::string row = cell(escaped(t.solver + (t.setting.empty() ? "" : ", " + t.setting)), true) +
+                          cell(std::to_string(t.triangles)) + cell(number(t.time_us.p50)) +
+                          cell(number(t.time_us.p999)) +
+                          cell(t.freeTime_us.count > 0 ? number(t.freeTime_us.p50) : "–");
+        if (t.isReference) {
+            row += "<td colspan='6' class='left soft'>the truth: what the others are compared with</td>";
+        } else if (t.position_mm.count == 0) {
+            row += "<td colspan='6' class='left soft'>did not touch</td>";
+        } else {
+            row += cell(number(t.position_mm.mean)) + cell(number(t.position_mm.p99)) +
+                   cell(number(t.forcePercent.p99)) + cell(number(t.direction_deg.p99)) +
+                   cell(t.residual_mm.count > 0 ? number(t.residual_mm.max) : "–") +
+                   cell(t.popThroughs > 0 ? "<span class='fail'>" + std::to_string(t.popThroughs) + "</span>" : "0");
+        }
+        row += cell(t.isReference ? "" : std::to_string(t.otherMinimum)) +
+               cell(std::to_string(t.ticks) + (isSampled ? " of " + std::to_string(t.wanted) : ""));
+        rows += tag("tr", row, t.knob == Knob::Solver && t.solver == "Palpate" ? "class='strong'" : "");
+    }
+    return tag("table", head({"Solver", "triangles", "time [µs]<br>median", "<br>99.9 %", "<br>in free<br>space",
+                              "error [mm]<br>mean", "<br>99 %", "force error<br>[%], 99 %", "direction<br>[°], 99 %",
+                              "residual<br>[mm], max", "pop-<br>throughs", "other<br>minimum", "ticks"}) +
+                            tag("tbody", rows));
+}
+
+std::string hardCaseSection(const Evaluation& evaluation)
+{
+    if (evaluation.hardCases.empty()) {
+        return "";
+    }
+    std::vector<const HardCaseResult*> order;
+    std::size_t passed = 0;
+    for (const HardCaseResult& r : evaluation.hardCases) {
+        order.push_back(&r);
+        passed += r.passed() ? 1 : 0;
+    }
+    std::stable_sort(order.begin(), order.end(), [](auto a, auto b) { return a->passed() < b->passed(); });
+    std::string rows;
+    for (const HardCaseResult* r : order) {
+        std::string name = escaped(r->name), figures;
+        for (const HardCaseFigure& f : r->figures) {
+            if (!f.passed()) {
+                name += "<br><span class='small soft'>" + escaped(f.what) + ": " + number(f.measured) + ", bound " +
+                        number(f.bound) + ", first or worst at tick " + std::to_string(f.worstTick) + "</span>";
+            }
+        }
+        for (const char* what : {"pop-throughs", "residual", "spring", "jump", "most iterations"}) {
+            const auto f = std::find_if(r->figures.begin(), r->figures.end(),
+                                        [what](const HardCaseFigure& g) { return g.what.starts_with(what); });
+            figures += cell(f == r->figures.end() ? "" : number(f->measured));
+        }
+        rows += tag("tr", "<td class='left case'>" + name + "</td>" +
+                              cell(r->passed() ? "<span class='pass'>pass</span>" : "<span class='fail'>FAIL</span>") +
+                              figures + cell(std::to_string(r->triangles)) + cell(std::to_string(r->ticks)));
+    }
+    return tag("h2", "Hard cases: " + std::to_string(passed) + " of " + std::to_string(order.size()) + " pass") +
+           "<p class='soft'>Each requires as well: nothing non-finite, bad input without effect, every tick converged, "
+           "at "
+           "rest elsewhere than the exact solver in at most 1 % of the ticks. Lengths of scaled scenes have scaled "
+           "bounds.</p><div class='card'>" +
+           tag("table", head({"Case", "", "pop-<br>throughs<br>= 0", "residual<br>[mm]<br>≤ 10⁻⁶",
+                              "spring beyond<br>the exact [mm]<br>≤ 10⁻³", "jump beyond<br>the exact [mm]<br>≤ 10⁻³",
+                              "most moves<br>in a tick<br>&lt; 512", "triangles", "ticks"}) +
+                            tag("tbody", rows)) +
+           "</div>";
+}
+
+std::string methodSection(const Evaluation& evaluation)
+{
+    const VectorFieldFigures& v = evaluation.vectorField;
+    std::string operations;
+    for (std::size_t k = 0; k < 3; ++k) {
+        operations += (k > 0 ? ", " : "") + std::to_string(evaluation.eliminationOperations[k]) +
+                      " (paper: " + std::to_string(kPaperOperations[k]) + ")";
+    }
+    std::string hashes;
+    for (const SubjectInfo& s : evaluation.subjects) {
+        hashes += tag("tr", cell(escaped(s.name), true) + cell(std::to_string(s.triangles)) +
+                                cell(number(s.extent_mm)) + cell(number(static_cast<double>(s.bytes) / 1e6)) +
+                                cell(number(static_cast<double>(s.bytes) / static_cast<double>(s.triangles))) +
+                                cell(number(s.build_ms)) + cell("<code>" + s.hash + "</code>", true));
+    }
+    std::string motions;
+    for (const std::string& m : evaluation.motions) {
+        motions += (motions.empty() ? "" : ", ") + escaped(m);
+    }
+    return tag("h2", "What the vector field costs, and the paper's sums") + "<div class='card'><p>A plate of " +
+           number(v.plate_mm) + " mm pushes the hand out on its far side from a depth of " +
+           number(v.popThroughDepth_mm) + " mm on. In the middle of a cube of 20 mm the force jumps by " +
+           number(v.jumpAtTheMiddle_N) + " N at 1 N/mm. Where two boxes overlap the summed stiffness is " +
+           number(v.stiffnessOverlapped) + " N/mm instead of " + number(v.stiffnessAlone) +
+           ". A god-object has none of these.</p><p>Multiplications and divisions to eliminate the system of 1, 2 and "
+           "3 "
+           "planes: " +
+           operations + ".</p></div>" + tag("h2", "How it was measured") +
+           "<div class='card small'><p>Motions: " + motions +
+           ". Position error: distance to the god-object of the exact solver (long double, every side decided exactly, "
+           "brute force, four steps a tick) at the same tick, while either touches. Force at " +
+           number(evaluation.stiffness_N_per_mm) +
+           " N/mm; percentages and directions where the exact force is at least 2 % of its largest. Residual: how much "
+           "nearer to "
+           "the "
+           "HIP legal moves could still bring the god-object. Other minimum: ticks in which it rests legally elsewhere "
+           "than the exact one, after two ways parted; they are not errors and left out of them. Rates: the force is "
+           "held between ticks, and the error is taken just before the next one. Copies with fewer triangles choose "
+           "their "
+           "own ways at ridges: that is in their last hundredth. Brute-force solvers get through fewer ticks in their "
+           "time: "
+           "the column says how many. Times are of the solver's step alone, by the monotonic clock, in contact unless "
+           "said otherwise.</p>" +
+           tag("table", head({"Mesh", "triangles", "extent [mm]", "haptic copy [MB]", "bytes a triangle", "index [ms]",
+                              "SHA-256"}) +
+                            tag("tbody", hashes)) +
+           "<p class='soft'>" + escaped(evaluation.machine.cpu) + ", " + std::to_string(evaluation.machine.cores) +
+           " cores; " + escaped(evaluation.machine.compiler) + "; build " + escaped(evaluation.machine.build) +
+           "; seed " + std::to_string(evaluation.seed) + "; " + escaped(evaluation.machine.startedUtc) + ", " +
+           number(evaluation.duration_s) + " s" + (evaluation.isQuick ? ", quick run" : "") +
+           ". The same numbers: results.csv, results.json.</p></div>";
+}
+
+std::string legend()
+{
+    return "<p class='legend small soft'><span>● solver</span><span>■ Palpate on fewer triangles</span>"
+           "<span>◆ one pass a tick, as in the paper</span><span>△ error just before the next tick, the force "
+           "held</span><span>‐ ‐ nothing without pop-through is both faster and nearer</span></p>";
+}
+
+} // namespace
+
+std::string reportHtml(const Evaluation& evaluation)
+{
+    std::string advice;
+    for (const Advice& a : evaluation.advice) {
+        advice += "<div class='card advice'><span class='soft small'>" + escaped(a.subject) + ": use</span><br><b>" +
+                  escaped(a.setting) + "</b><p>" + escaped(a.why) + "</p></div>";
+    }
+    std::string body = tag("h1", "Speed against error") +
+                       "<p class='soft'>What a servo tick costs and how far off the "
+                       "god-object is, solver by solver, knob by knob." +
+                       (evaluation.isCancelled ? " <b>Cancelled: not all was measured.</b>" : "") + "</p>";
+    body += "<div class='cards'>" + advice + "</div>";
+    for (const SubjectInfo& s : evaluation.subjects) {
+        body += card(s.name + ", " + std::to_string(s.triangles) + " triangles",
+                     speedAgainstErrorChart(evaluation, s.name) + legend());
+        body += "<details" + std::string(evaluation.subjects.size() == 1 ? " open" : "") + "><summary>All figures of " +
+                escaped(s.name) + "</summary><div class='card' style='overflow-x:auto'>" +
+                trialTable(evaluation, s.name) + "</div></details>";
+    }
+    body += tag("h2", "Size, time and iterations") + "<div class='pair'>";
+    if (!evaluation.sizes.empty()) {
+        body += card("Cost by mesh size (spheres; dashed: 99.9 %)", costBySizeChart(evaluation));
+    }
+    body += card("Palpate's moves in a tick", iterationsChart(evaluation));
+    for (const SubjectInfo& s : evaluation.subjects) {
+        body +=
+            card("Error over time, " + (evaluation.motions.empty() ? "" : evaluation.motions.front()) + ": " + s.name,
+                 errorOverTimeChart(evaluation, s.name));
+    }
+    body += "</div>" + hardCaseSection(evaluation) + methodSection(evaluation);
+    return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
+           "content='width=device-width, initial-scale=1'><title>Palpate: speed against error</title><style>" +
+           std::string(kStyle) + "</style></head><body>" + tag("main", body) + "</body></html>\n";
+}
+
+} // namespace palpate::evaluation

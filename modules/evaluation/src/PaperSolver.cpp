@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/PaperSolver.h"
+
+#include "palpate/evaluation/LagrangeElimination.h"
+
+#include <array>
+
+namespace palpate::evaluation {
+
+PaperSolver::PaperSolver(const Surface& surface)
+    // A float of the paper's time resolves 1e-7; a double far less, so 1e-10 of the scene covers its rounding.
+    : m_roundoff_mm(1e-10 * surface.magnitude_mm())
+{
+    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+        Facet f{surface.corner(i, 0), surface.corner(i, 1), surface.corner(i, 2), Vec3::Zero(), surface.isTwoSided(i)};
+        f.n = (f.b - f.a).cross(f.c - f.a).normalized();
+        m_facets.push_back(f);
+    }
+}
+
+/// The paper's two conditions: positive distance of the old god-object and negative distance of the target, and the
+/// line between them passes inside the facet's edges.
+bool PaperSolver::meets(const Facet& facet, const Vec3& target, double& share, double& side) const
+{
+    double start = facet.n.dot(m_god - facet.a), end = facet.n.dot(target - facet.a);
+    side = 1.0;
+    if (start < -m_roundoff_mm) {
+        if (!facet.isTwoSided) {
+            return false;
+        }
+        side = -1.0;
+        start = -start;
+        end = -end;
+    }
+    if (end >= -m_roundoff_mm) {
+        return false;
+    }
+    share = start > 0.0 ? start / (start - end) : 0.0;
+    const Vec3 p = m_god + share * (target - m_god);
+    const auto isInside = [&](const Vec3& u, const Vec3& v) {
+        const Vec3 edge = v - u;
+        return facet.n.dot(edge.cross(p - u)) >= -m_roundoff_mm * edge.norm();
+    };
+    return isInside(facet.a, facet.b) && isInside(facet.b, facet.c) && isInside(facet.c, facet.a);
+}
+
+SolverStep PaperSolver::step(const Vec3& p_WH)
+{
+    SolverStep result;
+    result.p_WG = m_god;
+    if (!p_WH.allFinite()) {
+        result.isConverged = false;
+        return result;
+    }
+    Vec3 target = p_WH;
+    std::array<Plane, 3> planes;
+    std::array<const Facet*, 3> held{};
+    std::size_t count = 0;
+    while (count < planes.size()) {
+        const Facet* first = nullptr;
+        double least = 2.0, sideMet = 1.0;
+        for (const Facet& facet : m_facets) {
+            double share = 0.0, side = 1.0;
+            if (&facet != held[0] && &facet != held[1] && meets(facet, target, share, side) && share < least) {
+                first = &facet;
+                least = share;
+                sideMet = side;
+            }
+        }
+        ++result.iterations;
+        if (first == nullptr) {
+            break;
+        }
+        held[count] = first;
+        planes[count++] = {sideMet * first->n, sideMet * first->n.dot(first->a)};
+        const Elimination solved = eliminate(p_WH, std::span(planes).first(count));
+        if (!solved.isSolved) {
+            target = m_god;
+            break;
+        }
+        target = solved.p;
+    }
+    m_god = target;
+    result.p_WG = m_god;
+    result.spring_mm = m_god - p_WH;
+    result.constraints = static_cast<int>(count);
+    return result;
+}
+
+} // namespace palpate::evaluation

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReportCharts.h"
+
+#include "Machine.h"
+#include "SvgChart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace palpate::evaluation {
+
+namespace {
+
+constexpr double kBudget_us = 1000.0;
+constexpr double kFloor_mm = 1e-12; // what is drawn for an error of exactly 0
+
+MarkShape shapeOf(const Trial& t)
+{
+    switch (t.knob) {
+    case Knob::Solver:
+        return MarkShape::Circle;
+    case Knob::Decimated:
+        return MarkShape::Square;
+    case Knob::OnePass:
+        return MarkShape::Diamond;
+    case Knob::Rate:
+        return MarkShape::Triangle;
+    }
+    return MarkShape::Circle;
+}
+
+std::string labelOf(const Trial& t)
+{
+    switch (t.knob) {
+    case Knob::Solver:
+        return t.solver;
+    case Knob::Decimated:
+        return shortNumber(100.0 * t.knobValue) + " %";
+    case Knob::OnePass:
+        return "one pass";
+    case Knob::Rate:
+        return t.rate_Hz < 1000.0 ? shortNumber(t.rate_Hz) + " Hz" : shortNumber(t.rate_Hz / 1000.0) + " kHz";
+    }
+    return {};
+}
+
+} // namespace
+
+std::string colourOf(const std::string& solver)
+{
+    static const std::map<std::string, std::string, std::less<>> kColours{{"Palpate", "#0b7a75"},
+                                                                          {"VTK static cell locator", "#c2542d"},
+                                                                          {"Embree", "#7457a6"},
+                                                                          {"paper (brute force)", "#39424e"},
+                                                                          {"vector field, nearest", "#a87b00"},
+                                                                          {"vector field, sum", "#8f5f00"}};
+    const auto found = kColours.find(solver);
+    return found != kColours.end() ? found->second : "#6b7480";
+}
+
+std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::string& subject)
+{
+    std::vector<double> times{0.12, 2.0 * kBudget_us}, errors;
+    std::vector<const Trial*> shown;
+    double spring_mm = 0.0;
+    for (const Trial& t : evaluation.trials) {
+        if (t.subject != subject || t.isReference || t.position_mm.count == 0) {
+            continue;
+        }
+        shown.push_back(&t);
+        times.insert(times.end(), {t.time_us.p50, t.time_us.p999});
+        errors.insert(errors.end(), {std::max(kFloor_mm, t.position_mm.mean), std::max(kFloor_mm, t.position_mm.p99)});
+        if (t.knob == Knob::Solver && t.solver == "Palpate") {
+            spring_mm = t.spring_mm;
+        }
+    }
+    const double jnd_mm = spring_mm * kForceJnd_percent / 100.0;
+    if (jnd_mm > 0.0) {
+        errors.insert(errors.end(), {jnd_mm, 0.1 * jnd_mm});
+    }
+    const ChartAxis x =
+        ChartAxis::decades(times, "time per tick in contact [µs]: median, whisker to the 99.9th percentile");
+    const ChartAxis y = ChartAxis::decades(errors, "position error [mm]: mean, whisker to the 99th percentile");
+    SvgChart chart(1120, 500, x, y);
+    if (jnd_mm > 0.0) {
+        chart.addBand(y.low, 0.1 * jnd_mm, "#eef7f4");
+        chart.addHorizontalRule(jnd_mm, "7 % of the force: what a hand can tell");
+        chart.addHorizontalRule(0.1 * jnd_mm, "a tenth of that: aim below");
+    }
+    chart.addVerticalRule(kBudget_us, "1 ms: the whole tick");
+    std::vector<std::array<double, 2>> front;
+    for (const Trial* t : shown) {
+        if (t->isOnFront) {
+            front.push_back({t->time_us.p50, std::max(kFloor_mm, t->position_mm.mean)});
+        }
+    }
+    std::sort(front.begin(), front.end());
+    chart.addLine(front, "#0b7a75", 1.6, true);
+    for (const Trial* t : shown) {
+        SvgChart::Mark mark;
+        mark.x = t->time_us.p50;
+        mark.xEnd = t->time_us.p999;
+        mark.y = std::max(kFloor_mm, t->position_mm.mean);
+        mark.yEnd = t->position_mm.p99;
+        mark.shape = shapeOf(*t);
+        mark.colour = colourOf(t->solver);
+        mark.isHollow = t->knob == Knob::Rate;
+        mark.isStrong = t->knob == Knob::Solver && t->solver == "Palpate";
+        mark.label = labelOf(*t);
+        mark.tooltip = t->solver + (t->setting.empty() ? "" : ", " + t->setting) + ": " + shortNumber(t->time_us.p50) +
+                       " µs median, " + shortNumber(t->time_us.p999) + " µs 99.9 %, error " +
+                       shortNumber(t->position_mm.mean) + " mm mean, 99 % " + shortNumber(t->position_mm.p99) + " mm";
+        chart.add(mark);
+    }
+    return chart.svg("Time per tick against position error on " + subject);
+}
+
+std::string costBySizeChart(const Evaluation& evaluation)
+{
+    std::vector<double> sizes, times;
+    std::map<std::string, std::vector<const SizePoint*>> bySolver;
+    for (const SizePoint& p : evaluation.sizes) {
+        sizes.push_back(static_cast<double>(p.triangles));
+        times.insert(times.end(), {p.time_us.p50, p.time_us.p999});
+        bySolver[p.solver].push_back(&p);
+    }
+    SvgChart chart(560, 380, ChartAxis::decades(sizes, "triangles"), ChartAxis::decades(times, "time per tick [µs]"));
+    for (const auto& [solver, points] : bySolver) {
+        std::vector<std::array<double, 2>> median, tail;
+        for (const SizePoint* p : points) {
+            median.push_back({static_cast<double>(p->triangles), p->time_us.p50});
+            tail.push_back({static_cast<double>(p->triangles), p->time_us.p999});
+        }
+        chart.addLine(tail, colourOf(solver), 1.0, true);
+        chart.addLine(median, colourOf(solver), 2.2);
+        for (const SizePoint* p : points) {
+            SvgChart::Mark mark;
+            mark.x = static_cast<double>(p->triangles);
+            mark.y = p->time_us.p50;
+            mark.colour = colourOf(solver);
+            mark.label = p == points.back() ? solver : "";
+            mark.tooltip = solver + ", " + std::to_string(p->triangles) + " triangles: " + shortNumber(p->time_us.p50) +
+                           " µs median over " + std::to_string(p->ticks) + " ticks";
+            chart.add(mark);
+        }
+    }
+    return chart.svg("Cost of a tick by mesh size");
+}
+
+std::string errorOverTimeChart(const Evaluation& evaluation, const std::string& subject)
+{
+    constexpr std::size_t kColumns = 240;
+    std::vector<double> times, errors;
+    for (const ErrorSeries& s : evaluation.series) {
+        if (s.subject == subject && !s.time_s.empty()) {
+            times.push_back(s.time_s.back());
+            errors.push_back(std::max(kFloor_mm, *std::max_element(s.error_mm.begin(), s.error_mm.end())));
+            errors.push_back(std::max(kFloor_mm, s.error_mm[s.error_mm.size() / 2]));
+        }
+    }
+    const ChartAxis x = ChartAxis::linear(times, "time [s]");
+    SvgChart chart(560, 380, x, ChartAxis::decades(errors, "position error [mm]"));
+    for (const ErrorSeries& s : evaluation.series) {
+        if (s.subject != subject || s.time_s.empty()) {
+            continue;
+        }
+        // The largest error of each column: thinning must not hide what is worst.
+        std::map<std::size_t, double> worst;
+        for (std::size_t i = 0; i < s.time_s.size(); ++i) {
+            double& w = worst[static_cast<std::size_t>(x.share(s.time_s[i]) * kColumns)];
+            w = std::max({w, s.error_mm[i], kFloor_mm});
+        }
+        std::vector<std::array<double, 2>> points;
+        for (const auto& [column, error] : worst) {
+            points.push_back({x.high * static_cast<double>(column) / kColumns, error});
+        }
+        chart.addLine(points, colourOf(s.solver), s.solver == "Palpate" ? 2.4 : 1.3, false, s.solver);
+    }
+    return chart.svg("Error over time on " + subject);
+}
+
+std::string iterationsChart(const Evaluation& evaluation)
+{
+    std::vector<double> counts;
+    for (const Trial& t : evaluation.trials) {
+        if (t.solver == "Palpate" && t.knob == Knob::Solver) {
+            counts.resize(std::max(counts.size(), t.iterations.size()));
+            for (std::size_t i = 0; i < t.iterations.size(); ++i) {
+                counts[i] += static_cast<double>(t.iterations[i]);
+            }
+        }
+    }
+    while (counts.size() > 9 && counts.back() == 0.0) {
+        counts.pop_back();
+    }
+    counts.push_back(1.0);
+    const ChartAxis y = ChartAxis::decades(counts, "ticks");
+    counts.pop_back();
+    SvgChart chart(560, 380, {-0.5, static_cast<double>(counts.size()) - 0.5, false, "moves tried in a tick"}, y);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0.0) {
+            const auto at = static_cast<double>(i);
+            chart.addBar(at - 0.5, at + 0.5, counts[i], "#0b7a75",
+                         std::to_string(i) + " moves: " + shortNumber(counts[i]) + " ticks");
+        }
+    }
+    return chart.svg("Histogram of the product's iterations");
+}
+
+} // namespace palpate::evaluation

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/Report.h"
+
+#include <palpate/core/Numbers.h>
+#include <palpate/session/AtomicFile.h>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace palpate::evaluation {
+
+namespace {
+
+const char* nameOf(Knob knob)
+{
+    switch (knob) {
+    case Knob::Solver:
+        return "solver";
+    case Knob::Decimated:
+        return "triangles";
+    case Knob::OnePass:
+        return "one pass";
+    case Knob::Rate:
+        return "rate";
+    }
+    return "";
+}
+
+std::string quoted(const std::string& text)
+{
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return out + "\"";
+}
+
+QString text(const std::string& s)
+{
+    return QString::fromStdString(s);
+}
+
+QJsonObject object(const Percentiles& p)
+{
+    return {{"count", qint64(p.count)}, {"mean", p.mean}, {"p50", p.p50}, {"p99", p.p99},
+            {"p99_9", p.p999},          {"max", p.max}};
+}
+
+QJsonArray array(const std::vector<std::int64_t>& values)
+{
+    QJsonArray result;
+    for (const std::int64_t v : values) {
+        result.append(qint64(v));
+    }
+    return result;
+}
+
+QJsonObject object(const Trial& t)
+{
+    return {{"subject", text(t.subject)},
+            {"solver", text(t.solver)},
+            {"setting", text(t.setting)},
+            {"knob", nameOf(t.knob)},
+            {"knob_value", t.knobValue},
+            {"triangles", qint64(t.triangles)},
+            {"rate_hz", t.rate_Hz},
+            {"ticks", qint64(t.ticks)},
+            {"ticks_of_motion", qint64(t.wanted)},
+            {"time_us", object(t.time_us)},
+            {"free_time_us", object(t.freeTime_us)},
+            {"position_error_mm", object(t.position_mm)},
+            {"force_error_n", object(t.force_N)},
+            {"force_error_percent", object(t.forcePercent)},
+            {"direction_error_deg", object(t.direction_deg)},
+            {"residual_mm", object(t.residual_mm)},
+            {"pop_throughs", qint64(t.popThroughs)},
+            {"ticks_in_another_minimum", qint64(t.otherMinimum)},
+            {"ticks_by_iterations", array(t.iterations)},
+            {"mean_spring_mm", t.spring_mm},
+            {"is_reference", t.isReference},
+            {"is_on_pareto_front", t.isOnFront}};
+}
+
+QJsonObject object(const HardCaseResult& r)
+{
+    QJsonArray figures;
+    for (const HardCaseFigure& f : r.figures) {
+        figures.append(QJsonObject{{"what", text(f.what)},
+                                   {"measured", f.measured},
+                                   {"bound", f.bound},
+                                   {"worst_tick", qint64(f.worstTick)},
+                                   {"passed", f.passed()}});
+    }
+    return {{"name", text(r.name)},     {"passed", r.passed()},
+            {"ticks", qint64(r.ticks)}, {"triangles", qint64(r.triangles)},
+            {"figures", figures},       {"ticks_by_iterations", array(r.iterations)}};
+}
+
+void appendPercentiles(std::string& out, const Percentiles& p)
+{
+    for (const double v : {p.mean, p.p50, p.p99, p.p999, p.max}) {
+        out += ',';
+        core::appendNumber(out, v);
+    }
+}
+
+} // namespace
+
+std::string resultsCsv(const Evaluation& evaluation)
+{
+    std::string out = "subject,solver,setting,knob,knob_value,triangles,rate_hz,ticks,ticks_of_motion,pop_throughs,"
+                      "ticks_in_another_minimum,is_on_pareto_front";
+    for (const char* what : {"time_us", "free_time_us", "position_error_mm", "force_error_n", "force_error_percent",
+                             "direction_error_deg", "residual_mm"}) {
+        for (const char* share : {"mean", "p50", "p99", "p99_9", "max"}) {
+            out += std::string(",") + what + "_" + share;
+        }
+    }
+    out += '\n';
+    for (const Trial& t : evaluation.trials) {
+        out += quoted(t.subject) + ',' + quoted(t.solver) + ',' + quoted(t.setting) + ',' + nameOf(t.knob) + ',';
+        core::appendNumber(out, t.knobValue);
+        out += ',' + std::to_string(t.triangles) + ',';
+        core::appendNumber(out, t.rate_Hz);
+        out += ',' + std::to_string(t.ticks) + ',' + std::to_string(t.wanted) + ',' + std::to_string(t.popThroughs) +
+               ',' + std::to_string(t.otherMinimum) + ',' + (t.isOnFront ? "1" : "0");
+        for (const Percentiles* p : {&t.time_us, &t.freeTime_us, &t.position_mm, &t.force_N, &t.forcePercent,
+                                     &t.direction_deg, &t.residual_mm}) {
+            appendPercentiles(out, *p);
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+std::string resultsJson(const Evaluation& evaluation)
+{
+    QJsonArray subjects, trials, sizes, cases, advice, motions, operations;
+    for (const SubjectInfo& s : evaluation.subjects) {
+        subjects.append(QJsonObject{{"name", text(s.name)},
+                                    {"sha256", text(s.hash)},
+                                    {"triangles", qint64(s.triangles)},
+                                    {"extent_mm", s.extent_mm},
+                                    {"haptic_bytes", qint64(s.bytes)},
+                                    {"index_ms", s.build_ms}});
+    }
+    for (const Trial& t : evaluation.trials) {
+        trials.append(object(t));
+    }
+    for (const SizePoint& p : evaluation.sizes) {
+        sizes.append(QJsonObject{{"solver", text(p.solver)},
+                                 {"triangles", qint64(p.triangles)},
+                                 {"ticks", qint64(p.ticks)},
+                                 {"time_us", object(p.time_us)}});
+    }
+    for (const HardCaseResult& r : evaluation.hardCases) {
+        cases.append(object(r));
+    }
+    for (const Advice& a : evaluation.advice) {
+        advice.append(QJsonObject{{"subject", text(a.subject)}, {"setting", text(a.setting)}, {"why", text(a.why)}});
+    }
+    for (const std::string& m : evaluation.motions) {
+        motions.append(text(m));
+    }
+    for (const int n : evaluation.eliminationOperations) {
+        operations.append(n);
+    }
+    const VectorFieldFigures& v = evaluation.vectorField;
+    const QJsonObject all{{"format", "palpate evaluation"},
+                          {"version", 1},
+                          {"machine", QJsonObject{{"cpu", text(evaluation.machine.cpu)},
+                                                  {"cores", evaluation.machine.cores},
+                                                  {"compiler", text(evaluation.machine.compiler)},
+                                                  {"build", text(evaluation.machine.build)},
+                                                  {"started_utc", text(evaluation.machine.startedUtc)}}},
+                          {"seed", qint64(evaluation.seed)},
+                          {"stiffness_n_per_mm", evaluation.stiffness_N_per_mm},
+                          {"is_quick", evaluation.isQuick},
+                          {"is_cancelled", evaluation.isCancelled},
+                          {"duration_s", evaluation.duration_s},
+                          {"motions", motions},
+                          {"subjects", subjects},
+                          {"trials", trials},
+                          {"cost_by_size", sizes},
+                          {"hard_cases", cases},
+                          {"advice", advice},
+                          {"vector_field", QJsonObject{{"plate_mm", v.plate_mm},
+                                                       {"pop_through_depth_mm", v.popThroughDepth_mm},
+                                                       {"jump_at_the_middle_n", v.jumpAtTheMiddle_N},
+                                                       {"stiffness_alone_n_per_mm", v.stiffnessAlone},
+                                                       {"stiffness_overlapped_n_per_mm", v.stiffnessOverlapped}}},
+                          {"elimination_operations", operations}};
+    return QJsonDocument(all).toJson(QJsonDocument::Indented).toStdString();
+}
+
+core::Status writeReport(const std::filesystem::path& folder, const Evaluation& evaluation)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder)) {
+        return {core::StatusCode::Unreadable, folder.string() + ": cannot be made: " + error.message()};
+    }
+    const std::pair<const char*, std::string> files[]{{"results.csv", resultsCsv(evaluation)},
+                                                      {"results.json", resultsJson(evaluation)},
+                                                      {"report.html", reportHtml(evaluation)}};
+    for (const auto& [name, content] : files) {
+        auto file = session::AtomicFile::create(folder / name);
+        if (!file.isOk()) {
+            return file.status();
+        }
+        file.value().write(content);
+        if (core::Status status = file.value().finish(); !status.isOk()) {
+            return status;
+        }
+    }
+    return {};
+}
+
+} // namespace palpate::evaluation

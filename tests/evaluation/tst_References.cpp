@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The reference solvers where the answer is known in closed form, and against the product.
+#include "TestRunner.h"
+
+#include <palpate/evaluation/ExactSolver.h>
+#include <palpate/evaluation/LagrangeElimination.h>
+#include <palpate/evaluation/PaperSolver.h>
+#include <palpate/evaluation/ProductSolver.h>
+#include <palpate/evaluation/RaySolver.h>
+#include <palpate/evaluation/Shapes.h>
+#include <palpate/evaluation/VectorFieldSolver.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace palpate;
+using namespace palpate::evaluation;
+
+namespace {
+
+std::unique_ptr<ReferenceSolver> make(const QString& name, const Surface& surface)
+{
+    if (name == "paper") {
+        return std::make_unique<PaperSolver>(surface);
+    }
+    if (name == "vtk") {
+        return std::make_unique<RaySolver>(surface, makeVtkCaster(surface));
+    }
+    if (name == "product") {
+        return std::make_unique<ProductSolver>(sceneOf(surface.repaired()), "product");
+    }
+    return std::make_unique<ExactSolver>(surface);
+}
+
+/// Straight from the solver's place to `to`, then two more ticks there: the paper's solver needs them at an edge.
+SolverStep move(ReferenceSolver& solver, const Vec3& from, const Vec3& to, int ticks)
+{
+    solver.start(from);
+    for (int i = 1; i <= ticks; ++i) {
+        (void)solver.step(from + (to - from) * (double(i) / ticks));
+    }
+    (void)solver.step(to);
+    return solver.step(to);
+}
+
+} // namespace
+
+class References : public QObject
+{
+    Q_OBJECT
+
+    static void solvers()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("bound"); // the ray solver keeps a gap of 1e-6 of the scene
+        QTest::newRow("paper") << "paper" << 1e-7;
+        QTest::newRow("vtk") << "vtk" << 1e-3;
+        QTest::newRow("exact") << "exact" << 1e-9;
+        QTest::newRow("product") << "product" << 1e-6;
+    }
+
+  private slots:
+    void boxHoldsAtFaceAndLetsGoRoundItsEdge_data() { solvers(); }
+    void boxHoldsAtFaceAndLetsGoRoundItsEdge()
+    {
+        QFETCH(QString, name);
+        QFETCH(double, bound);
+        const Surface surface(geometry::repair(shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3)));
+        const auto solver = make(name, surface);
+        SolverStep s = move(*solver, Vec3(1.1, 2.3, 14), Vec3(1.7, 2.9, 7), 20);
+        QVERIFY((s.p_WG - Vec3(1.7, 2.9, 10)).norm() <= bound);
+        QVERIFY((s.spring_mm - Vec3(0, 0, 3)).norm() <= bound);
+        QCOMPARE(s.constraints, 1);
+        s = move(*solver, Vec3(8, 1.3, 12), Vec3(9.5, 1.3, 5), 30);
+        QVERIFY((s.p_WG - Vec3(9.5, 1.3, 10)).norm() <= bound);
+        s = move(*solver, Vec3(8, 1.3, 12), Vec3(11, 1.3, 8), 30);
+        QVERIFY((s.p_WG - Vec3(11, 1.3, 8)).norm() <= bound);
+        QVERIFY(s.spring_mm.norm() <= bound);
+    }
+
+    void wedgeHoldsAtItsBottom_data() { solvers(); }
+    void wedgeHoldsAtItsBottom()
+    {
+        QFETCH(QString, name);
+        QFETCH(double, bound);
+        for (const double degrees : {90.0, 30.0, 10.0}) {
+            const double half = degrees * std::numbers::pi / 360.0;
+            const Surface surface(geometry::repair(shapes::groove(2.0 * half)));
+            const auto solver = make(name, surface);
+            const SolverStep s = move(*solver, Vec3(0.01, -3.3, 21), Vec3(0.01, 4.1, -5), 200);
+            // A gap to both walls lifts it by the gap over the sine of the half angle.
+            QVERIFY2((s.p_WG - Vec3(0, 4.1, 0)).norm() <= bound / std::sin(half),
+                     qPrintable(QString("%1 degrees: off by %2").arg(degrees).arg((s.p_WG - Vec3(0, 4.1, 0)).norm())));
+            QCOMPARE(s.constraints, 2);
+        }
+    }
+
+    void sphereIsFeltWithinItsSag_data() { solvers(); }
+    void sphereIsFeltWithinItsSag()
+    {
+        QFETCH(QString, name);
+        constexpr double radius = 30.0;
+        constexpr int n = 12;
+        const Surface surface(geometry::repair(shapes::bumpySphere(n, radius, 0.0)));
+        const double edge = 1.0515 / 0.7947 * radius / n, sag = edge * edge / (6.0 * radius);
+        const auto solver = make(name, surface);
+        solver->start(Vec3(0, 0, 33));
+        for (int i = 0; i < 400; ++i) {
+            const double a = 2e-3 * i;
+            const double r = std::max(27.0, 33.0 - 0.1 * i);
+            const SolverStep s = solver->step(r * Vec3(std::sin(a), 0.2 * std::sin(2 * a), std::cos(a)).normalized());
+            if (i > 100) {
+                QVERIFY(s.p_WG.norm() <= radius + 1e-3 && s.p_WG.norm() >= radius - 1.01 * sag - 1e-3);
+            }
+        }
+    }
+
+    void paperTakesTwoTicksOverAConvexEdge()
+    {
+        const Surface surface(geometry::repair(shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 2)));
+        PaperSolver solver(surface);
+        solver.start(Vec3(9, 1.3, 11));
+        (void)solver.step(Vec3(9, 1.3, 9));
+        // The HIP leaves below the edge: the top's plane holds for one more tick.
+        QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 10)).norm() < 1e-6);
+        QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 8)).norm() < 1e-6);
+    }
+
+    void eliminationSolvesInFewerOperationsThanThePaperStates()
+    {
+        const std::array<Plane, 3> planes{Plane{Vec3(0.1, 0.2, 1).normalized(), 1.0},
+                                          Plane{Vec3(1, -0.3, 0.2).normalized(), -2.0},
+                                          Plane{Vec3(-0.2, 1, 0.4).normalized(), 0.5}};
+        const std::array<int, 3> expected{10, 27, 52};
+        const Vec3 hip(3.0, -4.0, -5.0);
+        for (std::size_t k = 1; k <= 3; ++k) {
+            const Elimination e = eliminate(hip, std::span(planes).first(k));
+            QVERIFY(e.isSolved);
+            Vec3 gradient = e.p - hip;
+            for (std::size_t i = 0; i < k; ++i) {
+                QVERIFY(std::abs(planes[i].n.dot(e.p) - planes[i].d) < 1e-13);
+                gradient += e.lambda[i] * planes[i].n;
+            }
+            QVERIFY(gradient.norm() < 1e-13);
+            QCOMPARE(e.multiplicativeOperations, expected[k - 1]);
+            QVERIFY(e.multiplicativeOperations <= kPaperOperations[k - 1]);
+        }
+        const std::array<Plane, 2> same{planes[0], planes[0]};
+        QVERIFY(!eliminate(hip, same).isSolved || !eliminate(hip, same).p.allFinite());
+    }
+
+    void vectorFieldShowsWhatThePaperSays()
+    {
+        const VectorFieldFigures f = measureVectorField();
+        QVERIFY(std::abs(f.popThroughDepth_mm - f.plate_mm / 2.0) <= 0.011);
+        // The nearest faces of the middle of a cube of 20 mm are 10 mm away on opposite sides.
+        QVERIFY(std::abs(f.jumpAtTheMiddle_N - 20.0) < 1e-5);
+        QVERIFY(std::abs(f.stiffnessAlone - 1.0) < 1e-12);
+        QVERIFY(std::abs(f.stiffnessOverlapped - 2.0) < 1e-12);
+    }
+
+    void productAgreesWithTheExactSolver_data()
+    {
+        QTest::addColumn<double>("bump");
+        QTest::addColumn<int>("n");
+        QTest::newRow("sphere") << 0.0 << 8;
+        QTest::newRow("hills") << 0.02 << 8;
+    }
+    void productAgreesWithTheExactSolver()
+    {
+        QFETCH(double, bump);
+        QFETCH(int, n);
+        const Surface surface(geometry::repair(shapes::bumpySphere(n, 20.0, bump)));
+        ExactSolver exact(surface, 1);
+        ProductSolver product(sceneOf(surface.repaired()), "product");
+        Vec3 hip(0, 0, 25), god = hip;
+        product.start(hip);
+        double worst = 0.0;
+        int contacts = 0;
+        for (int i = 0; i < 1500; ++i) {
+            const Vec3 before = hip;
+            const double a = 3e-3 * i;
+            hip = std::max(17.0, 25.0 - 0.1 * i) *
+                  Vec3(std::sin(a), std::sin(0.7 * a + 0.2), std::cos(1.3 * a)).normalized();
+            exact.resume(god, before);
+            god = product.step(hip).p_WG;
+            worst = std::max(worst, (exact.step(hip).p_WG - god).norm());
+            contacts += (god - hip).norm() > 1e-3 ? 1 : 0;
+        }
+        QVERIFY(contacts > 1000);
+        QVERIFY2(worst <= 1e-6, qPrintable(QString("%1 mm").arg(worst)));
+    }
+
+    void windingTellsInsideFromOutside()
+    {
+        geometry::TriangleMesh mesh = shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3);
+        geometry::TriangleMesh cavity = shapes::box(Vec3(-5, -5, -5), Vec3(5, 5, 5), 2);
+        geometry::flip(cavity);
+        shapes::append(mesh, cavity);
+        const Surface surface(geometry::repair(mesh));
+        QCOMPARE(surface.winding(Vec3(0, 0, 0)), 0);
+        QCOMPARE(surface.winding(Vec3(7, 0, 0)), 1);
+        QCOMPARE(surface.winding(Vec3(10 - 1e-14, 0, 0)), 1);
+        QCOMPARE(surface.winding(Vec3(10 + 1e-14, 0, 0)), 0);
+        QCOMPARE(surface.winding(Vec3(0, 11, 0)), 0);
+    }
+};
+
+PALPATE_TEST(References)
+#include "tst_References.moc"

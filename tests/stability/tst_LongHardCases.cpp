@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows that take too long for every build.
+#include "HardCaseTest.h"
+
+class LongHardCases : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void holds_data() { palpate::test::addHardCaseRows(true); }
+    void holds() { palpate::test::checkHardCase(); }
+};
+
+PALPATE_TEST(LongHardCases)
+#include "tst_LongHardCases.moc"
