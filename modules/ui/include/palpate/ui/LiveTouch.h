@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/StructureModel.h"
+
+#include <palpate/device/PointerDevice.h>
+#include <palpate/servo/ServoLoop.h>
+#include <palpate/session/Recorder.h>
+
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+
+namespace palpate::ui {
+
+/// The running touch: device, servo loop and recorder, fed with what the structure table says can be felt.
+class LiveTouch : public QObject
+{
+    Q_OBJECT
+  public:
+    /// @param model  must outlive this
+    explicit LiveTouch(StructureModel& model, QObject* parent = nullptr);
+    ~LiveTouch() override;
+
+    /// Starts the servo thread if it does not run.
+    core::Status start();
+    void stop();
+    [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
+    [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
+    [[nodiscard]] haptics::Tissue greatestTissue() const;
+
+    /// @return true when a tick newer than the last one fetched was written to `tick`.
+    bool fetch(servo::TickRecord& tick) { return m_loop.fetchSnapshot(tick); }
+    /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
+    [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
+    /// Ticks per second over the last half second. [Hz]
+    [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
+    [[nodiscard]] servo::RealtimeReport realtime() const { return m_loop.realtime(); }
+    [[nodiscard]] bool isRunning() const noexcept { return m_loop.isRunning(); }
+
+    core::Status startRecording(const std::filesystem::path& path);
+    /// @return what was lost, if anything
+    core::Status stopRecording();
+    [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
+
+  signals:
+    /// Twice a second: rate, timing and recording are worth showing anew.
+    void statusChanged();
+    /// The servo took the force away. @param line  what happened and what to do
+    void faulted(const QString& line);
+
+  private:
+    void handOverScene();
+    void measure();
+
+    StructureModel& m_model;
+    device::PointerDevice m_pointer;
+    device::DeviceInfo m_info;
+    servo::ServoLoop m_loop;
+    session::Recorder m_recorder;
+    QTimer m_meter;
+    QTimer m_handOver; ///< gathers changes of one event into one new scene
+    std::shared_ptr<const haptics::HapticScene> m_scene;
+    std::uint32_t m_generation = 0;
+    std::uint64_t m_ticks = 0;
+    std::int64_t m_measured_ns = 0;
+    double m_rate_Hz = 0.0;
+    double m_solveP99_us = -1.0;
+    bool m_wasFaulted = false;
+};
+
+} // namespace palpate::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/RecordedTouch.h"
+#include "palpate/ui/SessionPanel.h"
+#include "palpate/ui/TouchPanel.h"
+#include "palpate/ui/VtkViewport.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+namespace palpate::ui {
+
+/// Plays an open recording in the view: what was recorded is shown as it was, nothing is computed anew.
+class Playback : public QObject
+{
+    Q_OBJECT
+  public:
+    Playback(VtkViewport& viewport, SessionPanel& panel, TouchPanel& touch, QObject* parent = nullptr);
+
+    /// Takes a recording and shows its first moment; null takes it away.
+    void setRecording(std::unique_ptr<RecordedTouch> recording);
+    [[nodiscard]] const RecordedTouch* recording() const noexcept { return m_recording.get(); }
+    [[nodiscard]] bool isPlaying() const;
+    void play();
+    void pause();
+    void toStart();
+    /// Goes there and fills the chart with the seconds before.
+    void seek(double position_s);
+    /// The moment of greatest force. [s]
+    [[nodiscard]] double peakTime_s() const noexcept { return m_peak_s; }
+
+  signals:
+    void stateChanged();
+    void overviewReady();
+
+  private:
+    void step();
+    void showMoment(double time_s);
+    void feed(const servo::TickRecord& tick, double time_s);
+
+    VtkViewport& m_viewport;
+    SessionPanel& m_panel;
+    TouchPanel& m_touch;
+    std::unique_ptr<RecordedTouch> m_recording;
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    double m_peak_s = 0.0;
+};
+
+} // namespace palpate::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/session/RecordingReader.h>
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace palpate::ui {
+
+/// A recording opened for the window: any moment of it, and its force over time for the timeline.
+class RecordedTouch : public QObject
+{
+    Q_OBJECT
+  public:
+    /// Bins of the overview: more than a timeline has pixels.
+    static constexpr std::size_t kBins = 2000;
+
+    [[nodiscard]] static core::Result<std::unique_ptr<RecordedTouch>> open(const std::filesystem::path& path);
+    ~RecordedTouch() override;
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
+    [[nodiscard]] double duration_s() const;
+    /// @return the newest tick at `time_s` since the first.
+    [[nodiscard]] std::optional<servo::TickRecord> at(double time_s) const;
+    [[nodiscard]] QString structureName(const servo::TickRecord& tick) const;
+    [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
+    [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
+    /// When something was noted [s], with its kind.
+    [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;
+    /// @return one line about ticks that are missing or a recording that was cut off; empty when it is whole.
+    [[nodiscard]] QString losses() const;
+
+    /// Reads the greatest force in each of `kBins` equal spans, on a thread of its own.
+    void startOverview();
+
+  signals:
+    void overviewReady(const std::vector<float>& peaks_N);
+
+  private:
+    RecordedTouch(std::filesystem::path path, std::unique_ptr<session::RecordingReader> reader);
+
+    std::filesystem::path m_path;
+    std::unique_ptr<session::RecordingReader> m_reader;
+    std::thread m_overview;
+    std::atomic<bool> m_isClosing{false};
+};
+
+} // namespace palpate::ui

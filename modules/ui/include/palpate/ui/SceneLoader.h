@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/StructureModel.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace palpate::ui {
+
+/// Everything the window needs of newly opened files.
+struct OpenedScene
+{
+    std::vector<std::filesystem::path> files;
+    meshio::SceneFile scene;
+    std::vector<StructureRow> rows;
+    QStringList problems; ///< files that could not be opened while others could, one line each
+    QStringList warnings; ///< one line each
+    double seconds = 0.0; ///< from the wish to open to ready
+};
+
+/// Opens files on a thread of its own: reads, repairs, makes the pictures and the haptic copies. The window never
+/// waits.
+/// @par Thread All functions on the window's thread; the signals come there too.
+class SceneLoader : public QObject
+{
+    Q_OBJECT
+  public:
+    explicit SceneLoader(QObject* parent = nullptr);
+    ~SceneLoader() override; ///< cancels
+
+    /// Opens mesh and scene files as one scene. What was being opened is cancelled.
+    void open(std::vector<std::filesystem::path> files, double unit_mm);
+    /// Builds the haptic copy of one structure.
+    void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
+    /// Stops as soon as the present step allows; `cancelled` follows.
+    void cancel();
+    [[nodiscard]] bool isBusy() const noexcept { return m_isBusy; }
+
+  signals:
+    /// @param share  0 … 1
+    void progressed(const QString& what, double share);
+    void opened(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
+    /// Nothing could be opened. @param line  what happened, to which file, what to do
+    void failed(const QString& line);
+    void cancelled();
+    void touchBuilt(int row, const std::shared_ptr<const palpate::geometry::SurfaceIndex>& touch,
+                    const QString& sha256);
+
+  private:
+    struct Job;
+    void finish();
+
+    std::shared_ptr<Job> m_job;
+    std::thread m_worker;
+    std::vector<std::thread> m_builders;
+    bool m_isBusy = false;
+};
+
+} // namespace palpate::ui

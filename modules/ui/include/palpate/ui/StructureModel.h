@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/haptics/HapticScene.h>
+#include <palpate/meshio/LoadScene.h>
+#include <palpate/scene/StructureActor.h>
+#include <palpate/session/Recording.h>
+
+#include <QAbstractTableModel>
+#include <QUndoStack>
+
+#include <memory>
+#include <vector>
+
+namespace palpate::ui {
+
+/// A structure of the open scene: what its file said, how it is now, and what was built from it.
+struct StructureRow
+{
+    meshio::LoadedStructure loaded; ///< `loaded.description` is what the panel edits
+    vtkSmartPointer<vtkPolyData> picture;
+    std::shared_ptr<const geometry::SurfaceIndex> touch; ///< null until it is palpable and built
+    std::string sha256;                                  ///< geometryHash, where `touch` is
+};
+
+/// The open scene's structures as a table: shown, name and colour, health, felt. One place holds what view, hand, panel
+/// and file agree on.
+class StructureModel : public QAbstractTableModel
+{
+    Q_OBJECT
+  public:
+    enum Column
+    {
+        Shown,
+        Name,
+        Health,
+        Felt,
+        ColumnCount
+    };
+
+    /// What a change is about; view and hand take what concerns them.
+    enum class Change
+    {
+        Look,
+        Touch
+    };
+
+    explicit StructureModel(QObject* parent = nullptr);
+
+    void setRows(std::vector<StructureRow> rows);
+    [[nodiscard]] const std::vector<StructureRow>& rows() const noexcept { return m_rows; }
+    [[nodiscard]] const meshio::SceneStructure& structure(int row) const;
+
+    /// Replaces a structure's description, undoably; tells what changed. The mesh stays.
+    void edit(int row, const meshio::SceneStructure& description);
+    [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
+    /// Gives a structure its haptic copy, or takes it back with null.
+    void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
+    /// What was found in the structure's mesh, one sentence an entry, empty when it is clean.
+    [[nodiscard]] QStringList findings(int row) const;
+
+    /// More than an open rim, which vessels and sheets have by nature: something was repaired or stands out.
+    [[nodiscard]] bool isDefective(int row) const;
+
+    /// A structure is felt when it is palpable and shown: a hidden one must not be a wall that nobody sees.
+    [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
+    [[nodiscard]] static scene::Appearance appearanceOf(const meshio::SceneStructure& structure);
+    /// What the servo thread can feel now; numbers are the rows.
+    /// @param greatest  stiffness and damping above what the device holds stably are bounded by it
+    [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest) const;
+    [[nodiscard]] std::vector<session::StructureSource> sources() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// Shown and Felt take a Qt::CheckStateRole.
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  signals:
+    void edited(int row, palpate::ui::StructureModel::Change change);
+
+  private:
+    class Edit;
+    void apply(int row, const meshio::SceneStructure& description);
+
+    std::vector<StructureRow> m_rows;
+    QUndoStack m_undo;
+};
+
+/// "VH_F_liver_capsule" or "liver_capsule" as a person writes it: "liver capsule".
+[[nodiscard]] QString readableName(const std::string& name);
+
+} // namespace palpate::ui

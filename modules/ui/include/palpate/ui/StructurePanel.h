@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/StructureModel.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+class QTreeView;
+
+namespace palpate::ui {
+
+/// The list of structures, and look and feel of the selected one.
+class StructurePanel : public QWidget
+{
+    Q_OBJECT
+  public:
+    explicit StructurePanel(StructureModel& model, QWidget* parent = nullptr);
+
+    /// @param greatest  what the device holds stably; the fields go no further
+    void setGreatest(const haptics::Tissue& greatest);
+    [[nodiscard]] int currentRow() const;
+    void select(int row);
+
+  protected:
+    /// In the list: V shows or hides the selected structure, H makes it felt or not.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void click(const QModelIndex& index);
+    void showSelection();
+    void editTissue();
+    void editOpacity(int percent);
+    void chooseColour();
+    void openMenu(const QPoint& place);
+    QWidget* makeTissueBox();
+
+    StructureModel& m_model;
+    QTreeView* m_list = nullptr;
+    QLabel* m_title = nullptr;
+    QLabel* m_findings = nullptr;
+    QToolButton* m_colour = nullptr;
+    QSlider* m_opacity = nullptr;
+    QLabel* m_opacityText = nullptr;
+    QComboBox* m_preset = nullptr;
+    QDoubleSpinBox* m_stiffness = nullptr;
+    QDoubleSpinBox* m_damping = nullptr;
+    QWidget* m_tissue = nullptr;
+    bool m_isShowing = false;
+};
+
+/// A tissue by name, "as felt" by a fingertip.
+struct TissuePreset
+{
+    const char* name;
+    haptics::Tissue tissue;
+};
+[[nodiscard]] const std::vector<TissuePreset>& tissuePresets();
+
+} // namespace palpate::ui

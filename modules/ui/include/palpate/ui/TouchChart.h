@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/TouchHistory.h"
+
+#include <QWidget>
+
+namespace palpate::ui {
+
+/// Force and depth over the last ten seconds, one above the other on the same time.
+class TouchChart : public QWidget
+{
+    Q_OBJECT
+  public:
+    explicit TouchChart(const TouchHistory& history, QWidget* parent = nullptr);
+    [[nodiscard]] QSize sizeHint() const override { return {260, 230}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void paintLane(QPainter& painter, const QRectF& lane, bool isForce) const;
+    const TouchHistory& m_history;
+};
+
+/// A bar from 0 to the device's limit, coloured as the ball in the view.
+class ForceBar : public QWidget
+{
+    Q_OBJECT
+  public:
+    explicit ForceBar(QWidget* parent = nullptr);
+    void setLimit(double force_N);
+    void setForce(double force_N);
+    [[nodiscard]] double limit_N() const noexcept { return m_limit_N; }
+    /// Share of the bar that is filled, 0 … 1.
+    [[nodiscard]] double share() const noexcept;
+    [[nodiscard]] QSize sizeHint() const override { return {220, 30}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    double m_limit_N = 10.0;
+    double m_force_N = 0.0;
+};
+
+} // namespace palpate::ui

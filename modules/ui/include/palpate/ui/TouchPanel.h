@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/TouchHistory.h"
+
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+
+namespace palpate::ui {
+
+class ForceBar;
+class TouchChart;
+
+/// One moment of touch as the panel shows it.
+struct TouchReading
+{
+    double time_s = 0.0;
+    double force_N = 0.0;
+    double depth_mm = 0.0;
+    QString structure; ///< empty in free space
+    double stiffness_N_per_mm = 0.0;
+    int constraints = 0;
+    double solveP99_us = -1.0; ///< < 0: not known
+};
+
+/// What the hand feels, in numbers large enough for arm's length, and its last ten seconds.
+class TouchPanel : public QWidget
+{
+    Q_OBJECT
+  public:
+    explicit TouchPanel(QWidget* parent = nullptr);
+
+    /// @param force_N  the device's limit: the end of the bar
+    void setForceLimit(double force_N);
+    void show(const TouchReading& reading);
+    /// No hand: numbers go to a dash, the chart stays.
+    void showNoHand();
+    void clearHistory();
+
+  private:
+    void setLine(const QString& structure, const QString& detail);
+
+    TouchHistory m_history;
+    QLabel* m_force = nullptr;
+    QLabel* m_forceUnit = nullptr;
+    QLabel* m_structure = nullptr;
+    QLabel* m_detail = nullptr;
+    QLabel* m_solver = nullptr;
+    ForceBar* m_bar = nullptr;
+    TouchChart* m_chart = nullptr;
+};
+
+/// "2.31", or with fewer digits where they would not be read: 12.3, 123.
+[[nodiscard]] QString forceText(double force_N);
+/// "4.6 mm deep · liver · 0.50 N/mm" without the structure's name.
+[[nodiscard]] QString detailText(const TouchReading& reading);
+
+} // namespace palpate::ui

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/SessionPanel.h"
+
+#include "palpate/ui/Theme.h"
+#include "palpate/ui/TouchHistory.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr double kLiveBin_s = 0.05;
+
+/// Seconds between two ticks of the axis, so that their texts have room.
+double axisStep(double duration_s, double width_px)
+{
+    const double room = duration_s * 70.0 / std::max(1.0, width_px);
+    for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0}) {
+        if (step >= room) {
+            return step;
+        }
+    }
+    return 1800.0;
+}
+
+} // namespace
+
+ForceTimeline::ForceTimeline(QWidget* parent)
+    : QWidget(parent)
+{
+    setMinimumHeight(56);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setAccessibleName(tr("Timeline of the recording's force"));
+    setToolTip(tr("Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End."));
+}
+
+void ForceTimeline::setPeaks(std::vector<float> peaks_N, double duration_s)
+{
+    m_peaks_N = std::move(peaks_N);
+    m_duration_s = duration_s;
+    m_isLive = false;
+    update();
+}
+
+void ForceTimeline::setMarks(std::vector<std::pair<double, QString>> marks)
+{
+    m_marks = std::move(marks);
+    update();
+}
+
+void ForceTimeline::setPosition(double position_s)
+{
+    m_position_s = position_s;
+    update();
+}
+
+void ForceTimeline::addLive(double time_s, double force_N)
+{
+    if (!m_isLive) {
+        clear();
+        m_isLive = true;
+    }
+    const auto bin = static_cast<std::size_t>(std::max(0.0, time_s) / kLiveBin_s);
+    if (bin >= m_peaks_N.size()) {
+        // A slow picture leaves out bins: they get what came after them, not a gap that was never felt.
+        m_peaks_N.resize(bin + 1, static_cast<float>(force_N));
+    }
+    m_peaks_N[bin] = std::max(m_peaks_N[bin], static_cast<float>(force_N));
+    m_duration_s = static_cast<double>(m_peaks_N.size()) * kLiveBin_s;
+    m_position_s = m_duration_s;
+    update();
+}
+
+void ForceTimeline::clear()
+{
+    m_peaks_N.clear();
+    m_marks.clear();
+    m_duration_s = 0.0;
+    m_position_s = 0.0;
+    m_isLive = false;
+    update();
+}
+
+double ForceTimeline::timeAt(double x) const
+{
+    return std::clamp(x / std::max(1, width()), 0.0, 1.0) * m_duration_s;
+}
+
+void ForceTimeline::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const QFontMetricsF metrics(font());
+    const QRectF lane(0.0, 0.0, width(), std::max(10.0, height() - metrics.height() - 2.0));
+    painter.fillRect(lane, palette().color(QPalette::Base));
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawRect(lane.adjusted(0, 0, -1, -1));
+    if (m_duration_s <= 0.0) {
+        painter.setPen(mutedColour());
+        painter.drawText(lane, Qt::AlignCenter, tr("The force of a recording appears here"));
+        return;
+    }
+    // A column a pixel: the greatest force of its time, so that no knock is lost at any width.
+    float greatest = 0.0f;
+    for (const float peak : m_peaks_N) {
+        greatest = std::max(greatest, peak);
+    }
+    const double top = axisTop(std::max(0.5, static_cast<double>(greatest)));
+    const auto bins = static_cast<double>(m_peaks_N.size());
+    QColor done = forceColour();
+    QColor coming = done;
+    coming.setAlpha(110);
+    for (int x = 0; x < width() && bins > 0.0; ++x) {
+        const auto first = static_cast<std::size_t>(bins * x / width());
+        const auto last = std::max(first + 1, static_cast<std::size_t>(bins * (x + 1) / width()));
+        float peak = 0.0f;
+        for (std::size_t i = first; i < std::min(last, m_peaks_N.size()); ++i) {
+            peak = std::max(peak, m_peaks_N[i]);
+        }
+        if (peak > 0.0f) {
+            const double high = std::max(1.0, peak / top * (lane.height() - 4.0));
+            painter.fillRect(QRectF(x, lane.bottom() - 1.0 - high, 1.0, high),
+                             timeAt(x) <= m_position_s ? done : coming);
+        }
+    }
+    painter.setPen(mutedColour());
+    const double step = axisStep(m_duration_s, width());
+    for (double t = 0.0; t <= m_duration_s; t += step) {
+        const double x = t / m_duration_s * width();
+        painter.drawLine(QPointF(x, lane.bottom() - 4.0), QPointF(x, lane.bottom()));
+        const QString text = step < 1.0 ? QLocale().toString(t, 'f', 1) : QLocale().toString(t, 'f', 0);
+        const double wide = metrics.horizontalAdvance(text + tr(" s"));
+        painter.drawText(
+            QPointF(std::clamp(x - 0.5 * wide, 0.0, std::max(0.0, width() - wide)), height() - metrics.descent()),
+            text + tr(" s"));
+    }
+    painter.setPen(QPen(depthColour(), 1.5));
+    for (const auto& mark : m_marks) {
+        const double x = mark.first / m_duration_s * width();
+        painter.drawLine(QPointF(x, lane.top() + 1.0), QPointF(x, lane.top() + 9.0));
+    }
+    painter.setPen(mutedColour());
+    painter.drawText(QPointF(6.0, lane.top() + metrics.ascent() + 1.0),
+                     tr("%1 N").arg(QLocale().toString(top, 'g', 3)));
+    const double head = std::clamp(m_position_s / m_duration_s * width(), 1.0, width() - 2.0);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
+    painter.drawLine(QPointF(head, lane.top()), QPointF(head, lane.bottom()));
+    painter.setBrush(palette().color(QPalette::Text));
+    painter.drawPolygon(QPolygonF({{head - 5.0, lane.top()}, {head + 5.0, lane.top()}, {head, lane.top() + 7.0}}));
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+        painter.drawRect(lane.adjusted(1, 1, -2, -2));
+    }
+}
+
+void ForceTimeline::mousePressEvent(QMouseEvent* event)
+{
+    mouseMoveEvent(event);
+}
+
+void ForceTimeline::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons().testFlag(Qt::LeftButton) && m_duration_s > 0.0 && !m_isLive) {
+        emit seekWanted(timeAt(event->position().x()));
+    }
+}
+
+void ForceTimeline::keyPressEvent(QKeyEvent* event)
+{
+    const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        emit seekWanted(m_position_s - step);
+        break;
+    case Qt::Key_Right:
+        emit seekWanted(m_position_s + step);
+        break;
+    case Qt::Key_Home:
+        emit seekWanted(0.0);
+        break;
+    case Qt::Key_End:
+        emit seekWanted(m_duration_s);
+        break;
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+} // namespace palpate::ui

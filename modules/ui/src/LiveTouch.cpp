@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/LiveTouch.h"
+
+#include <palpate/core/Clock.h>
+
+namespace palpate::ui {
+
+LiveTouch::LiveTouch(StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_model(model)
+    , m_info(m_pointer.info())
+    , m_recorder(m_loop)
+{
+    m_handOver.setSingleShot(true);
+    m_handOver.setInterval(0);
+    connect(&m_handOver, &QTimer::timeout, this, &LiveTouch::handOverScene);
+    connect(&model, &StructureModel::edited, this, [this](int, StructureModel::Change change) {
+        if (change == StructureModel::Change::Touch) {
+            m_handOver.start();
+        }
+    });
+    connect(&model, &QAbstractItemModel::modelReset, &m_handOver, qOverload<>(&QTimer::start));
+    m_meter.setInterval(500);
+    connect(&m_meter, &QTimer::timeout, this, &LiveTouch::measure);
+}
+
+LiveTouch::~LiveTouch()
+{
+    stop();
+}
+
+haptics::Tissue LiveTouch::greatestTissue() const
+{
+    // A device that states no bound still has one here: fields need an end.
+    return {m_info.maxStiffness_N_per_mm > 0.0 ? m_info.maxStiffness_N_per_mm : 5.0,
+            m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02};
+}
+
+core::Status LiveTouch::start()
+{
+    if (m_loop.isRunning()) {
+        return {};
+    }
+    handOverScene();
+    core::Status status = m_loop.start(m_pointer, {});
+    m_ticks = 0;
+    m_measured_ns = core::monotonicNow_ns();
+    m_meter.start();
+    return status;
+}
+
+void LiveTouch::stop()
+{
+    m_meter.stop();
+    if (m_recorder.status().isRecording) {
+        (void)m_recorder.stop(); // what was lost is in the file; nobody is left to be told
+    }
+    m_loop.stop();
+}
+
+void LiveTouch::handOverScene()
+{
+    m_scene = m_model.hapticScene(greatestTissue());
+    m_generation = m_loop.setScene(m_scene);
+    if (m_recorder.status().isRecording) {
+        m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources()));
+    }
+}
+
+void LiveTouch::measure()
+{
+    const servo::TimingReport timing = m_loop.timing();
+    const std::int64_t now_ns = core::monotonicNow_ns();
+    if (timing.ticks >= m_ticks && now_ns > m_measured_ns) {
+        m_rate_Hz = static_cast<double>(timing.ticks - m_ticks) / (static_cast<double>(now_ns - m_measured_ns) * 1e-9);
+    }
+    m_ticks = timing.ticks;
+    m_measured_ns = now_ns;
+    m_solveP99_us = timing.solve.count > 0 ? static_cast<double>(timing.solve.p99_ns) * 1e-3 : -1.0;
+    m_loop.collect();
+    const servo::FaultReport fault = m_loop.fault();
+    if (fault.isFaulted() && !m_wasFaulted) {
+        emit faulted(QString::fromUtf8(fault.message));
+        m_loop.rearm(); // the pointer pushes nobody: touch goes on, eased in
+    }
+    m_wasFaulted = fault.isFaulted();
+    emit statusChanged();
+}
+
+core::Status LiveTouch::startRecording(const std::filesystem::path& path)
+{
+    if (m_handOver.isActive() || m_scene == nullptr) {
+        m_handOver.stop();
+        handOverScene();
+    }
+    session::RecordingInfo info;
+    info.device = m_info;
+    info.rate_Hz = m_loop.rate_Hz();
+    info.dt_s = 1.0 / info.rate_Hz;
+    return m_recorder.start(path, info, session::describeScene(m_generation, *m_scene, m_model.sources()));
+}
+
+core::Status LiveTouch::stopRecording()
+{
+    return m_recorder.stop();
+}
+
+} // namespace palpate::ui

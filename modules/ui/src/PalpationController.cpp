@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/PalpationController.h"
+
+#include <palpate/core/Clock.h>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr int kHandPeriod_ms = 4;              // the device gets a new HIP this often while it moves
+constexpr std::int64_t kFrame_ns = 15'000'000; // the view and the numbers follow at display rate
+
+double seconds(std::int64_t time_ns)
+{
+    return static_cast<double>(time_ns) * 1e-9;
+}
+
+} // namespace
+
+PalpationController::PalpationController(VtkViewport& viewport, LiveTouch& live, StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_live(live)
+    , m_model(model)
+{
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(kHandPeriod_ms);
+    connect(&m_timer, &QTimer::timeout, this, &PalpationController::step);
+    connect(&viewport, &VtkViewport::pointerMoved, this, [this] {
+        if (const auto ray = m_viewport.pointerRay()) {
+            point(*ray);
+        }
+    });
+    connect(&viewport, &VtkViewport::pointerPressed, this, &PalpationController::press);
+    connect(&viewport, &VtkViewport::pointerReleased, this, [this] { letGo(); });
+    connect(&viewport, &VtkViewport::pointerLeft, this, [this] {
+        m_hand.goAway();
+        run();
+    });
+    connect(&viewport, &VtkViewport::depthTurned, this, [this](double steps) {
+        m_hand.turnDepth(steps);
+        emit depthChanged(depth_mm());
+        run();
+    });
+}
+
+void PalpationController::setPalpating(bool isPalpating)
+{
+    m_isPalpating = isPalpating;
+    m_viewport.setMode(isPalpating ? VtkViewport::Mode::Palpate : VtkViewport::Mode::Camera);
+    if (!isPalpating) {
+        m_hand.goAway();
+        run();
+    } else if (const auto ray = m_viewport.pointerRay()) {
+        point(*ray);
+    }
+}
+
+bool PalpationController::letGo()
+{
+    const double now_s = seconds(core::monotonicNow_ns());
+    const bool wasPressing = m_hand.phase(now_s) == PointerHand::Phase::Pressing;
+    m_hand.release(now_s);
+    run();
+    return wasPressing;
+}
+
+void PalpationController::setSceneSize(double diagonal_mm)
+{
+    m_hand.goAway();
+    m_hand.setSettings(settingsForSize(diagonal_mm));
+    emit depthChanged(depth_mm());
+    run();
+}
+
+void PalpationController::pressAt(const QPointF& place)
+{
+    moveTo(place);
+    press();
+}
+
+void PalpationController::press()
+{
+    const std::int64_t now_ns = core::monotonicNow_ns();
+    m_hand.press(seconds(now_ns));
+    m_live.pointer().setState(m_hand.state(seconds(now_ns), now_ns));
+    m_pressed_ns = now_ns;
+    run();
+}
+
+void PalpationController::moveTo(const QPointF& place)
+{
+    point(m_viewport.rayAt(place));
+}
+
+void PalpationController::point(const scene::Ray& ray)
+{
+    const auto pick = m_viewport.view().pick(ray);
+    m_hand.pointAt(ray.p_W, ray.d_W, pick ? std::optional(pick->hit.p_W) : std::nullopt);
+    run();
+}
+
+void PalpationController::run()
+{
+    if (!m_timer.isActive()) {
+        m_timer.start();
+        step();
+    }
+}
+
+void PalpationController::step()
+{
+    const std::int64_t now_ns = core::monotonicNow_ns();
+    const double now_s = seconds(now_ns);
+    m_live.pointer().setState(m_hand.state(now_s, now_ns));
+    const PointerHand::Phase phase = m_hand.phase(now_s);
+    const bool isNew = m_live.fetch(m_tick);
+    const bool isFelt = isNew && (m_tick.flags & servo::kNoHand) == 0;
+    // Only a tick younger than the press answers it; an older one may be the last of the press before.
+    if (isFelt && m_tick.time_ns > m_pressed_ns) {
+        m_hand.land(now_s);
+    }
+    if (phase == PointerHand::Phase::Away) {
+        m_timer.stop();
+        m_shown = {};
+        m_viewport.view().cursor().setState(m_shown);
+        m_viewport.update();
+        emit handGone();
+        return;
+    }
+    if (phase == PointerHand::Phase::Hovering) {
+        // The device is told nothing of a hovering hand, so its ticks say nothing of it: show where it hovers.
+        servo::TickRecord hover;
+        hover.p_WH = *m_hand.hip(now_s);
+        hover.p_WG = hover.p_WH;
+        show(hover, now_ns);
+        return;
+    }
+    if (isFelt) {
+        show(m_tick, now_ns);
+    }
+}
+
+void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_ns)
+{
+    if (now_ns - m_shown_ns < kFrame_ns) {
+        return;
+    }
+    m_shown_ns = now_ns;
+    scene::TouchState state;
+    state.p_WH = tick.p_WH;
+    state.p_WG = tick.p_WG;
+    state.f_W = tick.f_W;
+    state.isInContact = tick.structure >= 0;
+    state.isPresent = true;
+    if (!m_shown.isPresent || state.p_WH != m_shown.p_WH || state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {
+        m_shown = state;
+        m_viewport.view().cursor().setState(state);
+        m_viewport.update();
+    }
+    TouchReading reading;
+    reading.time_s = seconds(now_ns);
+    reading.solveP99_us = m_live.solveP99_us();
+    if (state.isInContact && tick.structure < m_model.rowCount()) {
+        const meshio::SceneStructure& structure = m_model.structure(tick.structure);
+        reading.structure = readableName(structure.name);
+        reading.stiffness_N_per_mm = structure.stiffness_N_per_mm;
+        reading.force_N = tick.f_W.norm();
+        reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
+        reading.constraints = tick.constraints;
+    }
+    emit touched(reading);
+}
+
+} // namespace palpate::ui

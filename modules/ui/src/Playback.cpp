@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/Playback.h"
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr int kFrame_ms = 16;
+constexpr double kChartStep_s = 0.04; // of the past that a seek brings back
+
+} // namespace
+
+Playback::Playback(VtkViewport& viewport, SessionPanel& panel, TouchPanel& touch, QObject* parent)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_panel(panel)
+    , m_touch(touch)
+{
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(kFrame_ms);
+    connect(&m_timer, &QTimer::timeout, this, &Playback::step);
+    connect(&panel, &SessionPanel::sought, this, [this] { seek(m_panel.transport().position_s()); });
+}
+
+void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
+{
+    m_timer.stop();
+    m_recording = std::move(recording);
+    m_peak_s = 0.0;
+    m_touch.clearHistory();
+    m_panel.timeline().clear();
+    m_panel.transport().setDuration(m_recording == nullptr ? 0.0 : m_recording->duration_s());
+    if (m_recording == nullptr) {
+        m_panel.showTitle({});
+        m_panel.refresh();
+        emit stateChanged();
+        return;
+    }
+    m_panel.showTitle(QString::fromStdString(m_recording->path().filename().string()));
+    m_panel.timeline().setPeaks({}, m_recording->duration_s());
+    m_panel.timeline().setMarks(m_recording->marks());
+    connect(m_recording.get(), &RecordedTouch::overviewReady, this, [this](const std::vector<float>& peaks_N) {
+        const auto peak = std::max_element(peaks_N.begin(), peaks_N.end());
+        m_peak_s = (static_cast<double>(peak - peaks_N.begin()) + 0.5) / static_cast<double>(peaks_N.size()) *
+                   m_recording->duration_s();
+        m_panel.timeline().setPeaks(peaks_N, m_recording->duration_s());
+        m_panel.refresh();
+        emit overviewReady();
+    });
+    m_recording->startOverview();
+    m_panel.refresh();
+    showMoment(0.0);
+    emit stateChanged();
+}
+
+bool Playback::isPlaying() const
+{
+    return m_recording != nullptr && m_panel.transport().isPlaying();
+}
+
+void Playback::play()
+{
+    if (m_recording == nullptr) {
+        return;
+    }
+    m_panel.transport().play();
+    m_clock.start();
+    m_timer.start();
+    emit stateChanged();
+}
+
+void Playback::pause()
+{
+    m_panel.transport().pause();
+    m_timer.stop();
+    emit stateChanged();
+}
+
+void Playback::toStart()
+{
+    seek(0.0);
+}
+
+void Playback::step()
+{
+    const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+    m_clock.restart();
+    const bool isAtEnd = m_panel.transport().advance(elapsed_s);
+    showMoment(m_panel.transport().position_s());
+    m_panel.refresh();
+    if (isAtEnd) {
+        pause();
+    }
+}
+
+void Playback::seek(double position_s)
+{
+    if (m_recording == nullptr) {
+        return;
+    }
+    Transport& transport = m_panel.transport();
+    transport.seek(position_s);
+    m_touch.clearHistory();
+    for (double t = std::max(0.0, transport.position_s() - TouchHistory::kLength_s); t < transport.position_s();
+         t += kChartStep_s) {
+        if (const auto tick = m_recording->at(t)) {
+            feed(*tick, t);
+        }
+    }
+    showMoment(transport.position_s());
+    m_panel.refresh();
+}
+
+void Playback::feed(const servo::TickRecord& tick, double time_s)
+{
+    TouchReading reading;
+    reading.time_s = time_s;
+    if (tick.structure >= 0) {
+        reading.structure = m_recording->structureName(tick);
+        if (reading.structure.isEmpty()) {
+            reading.structure = tr("structure %1").arg(tick.structure + 1);
+        }
+        reading.stiffness_N_per_mm = m_recording->stiffness_N_per_mm(tick);
+        reading.force_N = tick.f_W.norm();
+        reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
+        reading.constraints = tick.constraints;
+    }
+    m_touch.show(reading);
+}
+
+void Playback::showMoment(double time_s)
+{
+    const auto tick = m_recording->at(time_s);
+    if (!tick) {
+        return;
+    }
+    scene::TouchState state;
+    state.p_WH = tick->p_WH;
+    state.p_WG = tick->p_WG;
+    state.f_W = tick->f_W;
+    state.isInContact = tick->structure >= 0;
+    state.isPresent = (tick->flags & servo::kNoHand) == 0;
+    m_viewport.view().cursor().setState(state);
+    m_viewport.update();
+    feed(*tick, time_s);
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/RecordedTouch.h"
+
+#include "palpate/ui/StructureModel.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::ui {
+
+core::Result<std::unique_ptr<RecordedTouch>> RecordedTouch::open(const std::filesystem::path& path)
+{
+    auto reader = session::RecordingReader::open(path);
+    if (!reader.isOk()) {
+        return reader.status();
+    }
+    if (reader.value()->extent().ticks == 0) {
+        return core::Status(core::StatusCode::Empty,
+                            path.filename().string() + ": the recording holds no tick; there is nothing to play");
+    }
+    return std::unique_ptr<RecordedTouch>(new RecordedTouch(path, std::move(reader).value()));
+}
+
+RecordedTouch::RecordedTouch(std::filesystem::path path, std::unique_ptr<session::RecordingReader> reader)
+    : m_path(std::move(path))
+    , m_reader(std::move(reader))
+{
+}
+
+RecordedTouch::~RecordedTouch()
+{
+    m_isClosing = true;
+    if (m_overview.joinable()) {
+        m_overview.join();
+    }
+}
+
+double RecordedTouch::duration_s() const
+{
+    return m_reader->extent().duration_s;
+}
+
+std::optional<servo::TickRecord> RecordedTouch::at(double time_s) const
+{
+    const session::RecordingExtent& extent = m_reader->extent();
+    const auto offset = static_cast<std::int64_t>(std::llround(std::max(0.0, time_s) * m_reader->info().rate_Hz));
+    return m_reader->at(std::min(extent.firstTick + offset, extent.lastTick));
+}
+
+QString RecordedTouch::structureName(const servo::TickRecord& tick) const
+{
+    return readableName(m_reader->structureName(tick));
+}
+
+double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
+{
+    const session::SceneRecord* scene = m_reader->scene(tick.scene);
+    const auto number = static_cast<std::size_t>(std::max(0, tick.structure));
+    return scene != nullptr && tick.structure >= 0 && number < scene->structures.size()
+               ? scene->structures[number].tissue.stiffness_N_per_mm
+               : 0.0;
+}
+
+std::vector<std::pair<double, QString>> RecordedTouch::marks() const
+{
+    std::vector<std::pair<double, QString>> marks;
+    for (const session::RecordingEvent& event : m_reader->events()) {
+        const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
+        marks.emplace_back(std::max(0.0, time_s), QString::fromStdString(event.kind));
+    }
+    return marks;
+}
+
+QString RecordedTouch::losses() const
+{
+    const session::RecordingExtent& extent = m_reader->extent();
+    const QString name = QString::fromStdString(m_path.filename().string());
+    if (!extent.isComplete) {
+        return tr("%1 was cut off before it was closed; what was written is shown.").arg(name);
+    }
+    if (extent.dropped > 0) {
+        return tr("%1: %2 ticks are missing; they were lost while it was recorded.")
+            .arg(name, QLocale().toString(static_cast<qlonglong>(extent.dropped)));
+    }
+    return {};
+}
+
+void RecordedTouch::startOverview()
+{
+    if (m_overview.joinable()) {
+        return;
+    }
+    m_overview = std::thread([this] {
+        // A reader of its own: one reader serves one thread.
+        auto reader = session::RecordingReader::open(m_path);
+        if (!reader.isOk()) {
+            return;
+        }
+        const session::RecordingExtent extent = reader.value()->extent();
+        const double ticks = static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick + 1));
+        std::vector<float> peaks(kBins, 0.0f);
+        const core::Status status =
+            reader.value()->forEach(extent.firstTick, extent.lastTick, [&](const servo::TickRecord& tick) {
+                const double place = static_cast<double>(tick.tick - extent.firstTick) / ticks;
+                const auto bin = std::min(kBins - 1, static_cast<std::size_t>(place * static_cast<double>(kBins)));
+                peaks[bin] = std::max(peaks[bin], static_cast<float>(tick.f_W.norm()));
+                return !m_isClosing;
+            });
+        if (status.isOk() && !m_isClosing) {
+            QMetaObject::invokeMethod(
+                this, [this, peaks = std::move(peaks)] { emit overviewReady(peaks); }, Qt::QueuedConnection);
+        }
+    });
+}
+
+} // namespace palpate::ui

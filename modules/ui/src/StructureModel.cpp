@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/StructureModel.h"
+
+#include "palpate/ui/Theme.h"
+
+#include <QElapsedTimer>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::ui {
+
+namespace {
+
+QColor colourOf(const meshio::SceneStructure& structure)
+{
+    return QColor::fromRgbF(static_cast<float>(structure.colour[0]), static_cast<float>(structure.colour[1]),
+                            static_cast<float>(structure.colour[2]));
+}
+
+QIcon swatch(const QColor& colour)
+{
+    QPixmap pixmap(32, 32);
+    pixmap.setDevicePixelRatio(2.0);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(mutedColour(), 1.0));
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(1.5, 1.5, 13, 13), 3, 3);
+    QIcon made(pixmap);
+    made.addPixmap(pixmap, QIcon::Selected); // its true colour on the selected row too
+    return made;
+}
+
+} // namespace
+
+/// One edit of one structure. Steps of one drag or one roll of the wheel, which come quickly, undo together.
+class StructureModel::Edit final : public QUndoCommand
+{
+  public:
+    Edit(StructureModel& model, int row, const meshio::SceneStructure& after)
+        : QUndoCommand(tr("Change %1").arg(readableName(after.name)))
+        , m_model(model)
+        , m_row(row)
+        , m_before(model.structure(row))
+        , m_after(after)
+    {
+        m_time.start();
+    }
+    void undo() override { m_model.apply(m_row, m_before); }
+    void redo() override { m_model.apply(m_row, m_after); }
+    [[nodiscard]] int id() const override { return 1; }
+    bool mergeWith(const QUndoCommand* other) override
+    {
+        const auto* next = static_cast<const Edit*>(other);
+        if (next->m_row != m_row || m_time.elapsed() > 700 || m_before.visible != next->m_after.visible ||
+            m_before.palpable != next->m_after.palpable) {
+            return false;
+        }
+        m_after = next->m_after;
+        m_time.restart();
+        return true;
+    }
+
+  private:
+    StructureModel& m_model;
+    int m_row;
+    meshio::SceneStructure m_before;
+    meshio::SceneStructure m_after;
+    QElapsedTimer m_time;
+};
+
+QString readableName(const std::string& name)
+{
+    QString text = QString::fromStdString(name).replace('_', ' ').simplified();
+    // Reference libraries prefix every organ with its body: "VH F liver".
+    for (const char* prefix : {"VH F ", "VH M "}) {
+        if (text.startsWith(QLatin1String(prefix), Qt::CaseInsensitive)) {
+            text.remove(0, 5);
+        }
+    }
+    return text;
+}
+
+StructureModel::StructureModel(QObject* parent)
+    : QAbstractTableModel(parent)
+{
+}
+
+void StructureModel::setRows(std::vector<StructureRow> rows)
+{
+    beginResetModel();
+    m_undo.clear();
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+const meshio::SceneStructure& StructureModel::structure(int row) const
+{
+    return m_rows[static_cast<std::size_t>(row)].loaded.description;
+}
+
+void StructureModel::edit(int row, const meshio::SceneStructure& description)
+{
+    m_undo.push(new Edit(*this, row, description));
+}
+
+void StructureModel::apply(int row, const meshio::SceneStructure& description)
+{
+    meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(row)].loaded.description;
+    const meshio::SceneStructure before = now;
+    now = description;
+    emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
+        emit edited(row, Change::Look);
+    }
+    if (isFelt(before) != isFelt(now) || before.stiffness_N_per_mm != now.stiffness_N_per_mm ||
+        before.damping_Ns_per_mm != now.damping_Ns_per_mm || before.layer != now.layer) {
+        emit edited(row, Change::Touch);
+    }
+}
+
+void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
+{
+    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+    one.touch = std::move(touch);
+    one.sha256 = std::move(sha256);
+    emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    emit edited(row, Change::Touch);
+}
+
+QStringList StructureModel::findings(int row) const
+{
+    QStringList lines;
+    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
+    if (surface != nullptr) {
+        for (const std::string& sentence : surface->report.sentences()) {
+            lines << QString::fromStdString(sentence);
+        }
+    }
+    return lines;
+}
+
+bool StructureModel::isDefective(int row) const
+{
+    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
+    if (surface == nullptr) {
+        return false;
+    }
+    const geometry::MeshReport& report = surface->report;
+    return report.zeroAreaTriangles + report.duplicateTriangles + report.inconsistentEdges + report.nonManifoldEdges +
+               report.nonOrientableComponents + report.insideOutComponents >
+           0;
+}
+
+bool StructureModel::isFelt(const meshio::SceneStructure& structure) noexcept
+{
+    return structure.palpable && structure.visible;
+}
+
+scene::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& structure)
+{
+    return {structure.colour, structure.opacity, structure.visible};
+}
+
+std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest) const
+{
+    std::vector<haptics::HapticStructure> structures;
+    structures.reserve(m_rows.size());
+    for (const StructureRow& row : m_rows) {
+        const meshio::SceneStructure& from = row.loaded.description;
+        haptics::HapticStructure to;
+        to.name = from.name;
+        to.layer = from.layer;
+        to.tissue.stiffness_N_per_mm = std::min(from.stiffness_N_per_mm, greatest.stiffness_N_per_mm);
+        to.tissue.damping_Ns_per_mm = std::min(from.damping_Ns_per_mm, greatest.damping_Ns_per_mm);
+        to.surface = isFelt(from) ? row.touch : nullptr;
+        structures.push_back(std::move(to));
+    }
+    return std::make_shared<const haptics::HapticScene>(std::move(structures));
+}
+
+std::vector<session::StructureSource> StructureModel::sources() const
+{
+    std::vector<session::StructureSource> sources;
+    for (const StructureRow& row : m_rows) {
+        const meshio::SceneStructure& from = row.loaded.description;
+        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM});
+    }
+    return sources;
+}
+
+int StructureModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int StructureModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant StructureModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const meshio::SceneStructure& one = structure(index.row());
+    const QString name = readableName(one.name);
+    const QStringList found =
+        index.column() == Health && isDefective(index.row()) ? findings(index.row()) : QStringList();
+    switch (index.column()) {
+    case Shown:
+        if (role == Qt::DecorationRole) {
+            return icon(one.visible ? Symbol::Eye : Symbol::EyeOff);
+        }
+        if (role == Qt::CheckStateRole) {
+            return {}; // the picture says it; a box beside it would say it twice
+        }
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+            return one.visible ? tr("%1 is shown. Click to hide it; what is hidden is not felt.").arg(name)
+                               : tr("%1 is hidden. Click to show it.").arg(name);
+        }
+        break;
+    case Name:
+        if (role == Qt::DisplayRole || role == Qt::AccessibleTextRole) {
+            return name;
+        }
+        if (role == Qt::DecorationRole) {
+            return swatch(colourOf(one));
+        }
+        if (role == Qt::ForegroundRole && !one.visible) {
+            return QBrush(mutedColour());
+        }
+        if (role == Qt::ToolTipRole) {
+            const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
+            return tr("%1\n%2 triangles")
+                .arg(name, QLocale().toString(
+                               surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size())));
+        }
+        break;
+    case Health:
+        if (role == Qt::DecorationRole && !found.isEmpty()) {
+            return icon(Symbol::Warning);
+        }
+        if ((role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) && !found.isEmpty()) {
+            return tr("About the mesh of %1:\n• %2").arg(name, found.join(QStringLiteral("\n• ")));
+        }
+        break;
+    case Felt:
+        if (role == Qt::DecorationRole) {
+            return icon(one.palpable ? Symbol::Hand : Symbol::HandOff);
+        }
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+            return one.palpable ? tr("%1 can be felt. Click to let the hand pass through it.").arg(name)
+                                : tr("The hand passes through %1. Click to feel it.").arg(name);
+        }
+        break;
+    default:
+        break;
+    }
+    return {};
+}
+
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::DisplayRole && section == Name) {
+        return tr("Structure");
+    }
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+        const QString titles[ColumnCount] = {tr("Shown"), tr("Name and colour"), tr("What was found in the mesh"),
+                                             tr("Can be felt")};
+        return titles[section];
+    }
+    return {};
+}
+
+bool StructureModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (role != Qt::CheckStateRole || !index.isValid()) {
+        return false;
+    }
+    meshio::SceneStructure changed = structure(index.row());
+    const bool isOn = value.toInt() == Qt::Checked;
+    if (index.column() == Shown) {
+        changed.visible = isOn;
+    } else if (index.column() == Felt) {
+        changed.palpable = isOn;
+    } else {
+        return false;
+    }
+    edit(index.row(), changed);
+    return true;
+}
+
+Qt::ItemFlags StructureModel::flags(const QModelIndex& index) const
+{
+    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/StructurePanel.h"
+
+#include "palpate/ui/Theme.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QSlider>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+const std::vector<TissuePreset>& tissuePresets()
+{
+    // A fingertip, as a flat punch of radius a = 5 mm on a half space of modulus E, feels k = 2 a E / (1 - nu^2): 5 kPa
+    // gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. Bone stands for "does not give" within what devices hold.
+    static const std::vector<TissuePreset> presets{
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Very soft organ"), {0.07, 0.0}},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft organ"), {0.25, 0.0}},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm organ"), {0.50, 0.0}},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm lump"), {0.80, 0.0}},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Hard lump"), {1.30, 0.0}},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Bone"), {2.00, 0.0005}},
+    };
+    return presets;
+}
+
+StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
+    : QWidget(parent)
+    , m_model(model)
+    , m_list(new QTreeView(this))
+{
+    m_list->setModel(&model);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setTextElideMode(Qt::ElideMiddle); // names of one organ differ at their ends
+    m_list->setAlternatingRowColors(true);
+    m_list->setAccessibleName(tr("Structures"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setIconSize(QSize(18, 18));
+    m_list->setIndentation(0);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_list->installEventFilter(this);
+    // A tint, so that swatches, symbols and badges read on the selected row as on the others.
+    QPalette tint = palette();
+    const QColor accent = tint.color(QPalette::Highlight);
+    const QColor base = tint.color(QPalette::Base);
+    const float share = isDarkTheme() ? 0.45F : 0.22F;
+    tint.setColor(QPalette::Highlight, QColor::fromRgbF(base.redF() + share * (accent.redF() - base.redF()),
+                                                        base.greenF() + share * (accent.greenF() - base.greenF()),
+                                                        base.blueF() + share * (accent.blueF() - base.blueF())));
+    tint.setColor(QPalette::HighlightedText, tint.color(QPalette::Text));
+    m_list->setPalette(tint);
+    QHeaderView* header = m_list->header();
+    header->setStretchLastSection(false);
+    header->setMinimumSectionSize(24);
+    for (const int column : {StructureModel::Shown, StructureModel::Health, StructureModel::Felt}) {
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, 30);
+    }
+    header->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
+    header->hide();
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_list, 1);
+    m_tissue = makeTissueBox();
+    layout->addWidget(m_tissue);
+
+    connect(m_list, &QTreeView::clicked, this, &StructurePanel::click);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &StructurePanel::openMenu);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &StructurePanel::showSelection);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &StructurePanel::showSelection);
+    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        bool isAnyDefective = false;
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            isAnyDefective = isAnyDefective || m_model.isDefective(row);
+        }
+        m_list->setColumnHidden(StructureModel::Health, !isAnyDefective);
+        select(0);
+        showSelection();
+    });
+    showSelection();
+}
+
+QWidget* StructurePanel::makeTissueBox()
+{
+    auto* box = new QWidget(this);
+    auto* form = new QFormLayout(box);
+    form->setContentsMargins(12, 10, 12, 12);
+    form->setHorizontalSpacing(10);
+    form->setVerticalSpacing(8);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+
+    m_colour = new QToolButton(box);
+    m_colour->setAutoRaise(true);
+    m_colour->setToolTip(tr("Colour of the structure"));
+    m_colour->setAccessibleName(tr("Colour"));
+    m_title = new QLabel(box);
+    m_title->setTextFormat(Qt::PlainText);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_title->setMinimumWidth(10);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_colour);
+    head->addWidget(m_title, 1);
+    form->addRow(head);
+    m_findings = new QLabel(box);
+    m_findings->setWordWrap(true);
+    m_findings->setTextFormat(Qt::PlainText);
+    m_findings->setForegroundRole(QPalette::PlaceholderText);
+    form->addRow(m_findings);
+
+    m_opacity = new QSlider(Qt::Horizontal, box);
+    m_opacity->setRange(0, 100);
+    m_opacity->setPageStep(10);
+    m_opacity->setAccessibleName(tr("Opacity in per cent"));
+    m_opacity->setToolTip(tr("Opacity [%]: what lies behind shows through"));
+    m_opacityText = new QLabel(box);
+    m_opacityText->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
+    m_opacityText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* opacity = new QHBoxLayout;
+    opacity->addWidget(m_opacity, 1);
+    opacity->addWidget(m_opacityText);
+    form->addRow(tr("Opacity"), opacity);
+
+    m_preset = new QComboBox(box);
+    m_preset->addItem(tr("Own values"));
+    for (const TissuePreset& preset : tissuePresets()) {
+        m_preset->addItem(tr(preset.name));
+    }
+    m_preset->setAccessibleName(tr("Tissue"));
+    m_preset->setToolTip(tr("How the structure feels, by name"));
+    form->addRow(tr("Tissue"), m_preset);
+
+    m_stiffness = new QDoubleSpinBox(box);
+    m_stiffness->setDecimals(2);
+    m_stiffness->setSingleStep(0.05);
+    m_stiffness->setSuffix(tr(" N/mm"));
+    m_stiffness->setToolTip(tr("Stiffness as felt [N/mm]: force for each mm pressed in"));
+    m_stiffness->setAccessibleName(tr("Stiffness in newton per millimetre"));
+    form->addRow(tr("Stiffness"), m_stiffness);
+    m_damping = new QDoubleSpinBox(box);
+    m_damping->setDecimals(4);
+    m_damping->setSingleStep(0.0005);
+    m_damping->setSuffix(tr(" N·s/mm"));
+    m_damping->setToolTip(tr("Damping as felt [N·s/mm]: force against each mm/s of movement"));
+    m_damping->setAccessibleName(tr("Damping in newton seconds per millimetre"));
+    form->addRow(tr("Damping"), m_damping);
+    setGreatest({5.0, 0.02});
+
+    connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
+    connect(m_opacity, &QSlider::valueChanged, this, &StructurePanel::editOpacity);
+    connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, &StructurePanel::editTissue);
+    connect(m_damping, &QDoubleSpinBox::valueChanged, this, &StructurePanel::editTissue);
+    connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
+        if (chosen > 0) {
+            const haptics::Tissue& tissue = tissuePresets()[static_cast<std::size_t>(chosen - 1)].tissue;
+            m_stiffness->setValue(tissue.stiffness_N_per_mm);
+            m_damping->setValue(tissue.damping_Ns_per_mm);
+        }
+    });
+    return box;
+}
+
+void StructurePanel::setGreatest(const haptics::Tissue& greatest)
+{
+    m_isShowing = true; // a bound that clamps what a field shows is not an edit
+    m_stiffness->setRange(0.0, greatest.stiffness_N_per_mm);
+    m_damping->setRange(0.0, greatest.damping_Ns_per_mm);
+    m_isShowing = false;
+}
+
+int StructurePanel::currentRow() const
+{
+    return m_list->currentIndex().isValid() ? m_list->currentIndex().row() : -1;
+}
+
+void StructurePanel::select(int row)
+{
+    if (row >= 0 && row < m_model.rowCount()) {
+        m_list->setCurrentIndex(m_model.index(row, StructureModel::Name));
+    }
+}
+
+void StructurePanel::click(const QModelIndex& index)
+{
+    const meshio::SceneStructure& one = m_model.structure(index.row());
+    if (index.column() == StructureModel::Shown) {
+        m_model.setData(index, one.visible ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    } else if (index.column() == StructureModel::Felt) {
+        m_model.setData(index, one.palpable ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    }
+}
+
+bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && currentRow() >= 0) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_V || key == Qt::Key_H) {
+            click(m_model.index(currentRow(), key == Qt::Key_V ? StructureModel::Shown : StructureModel::Felt));
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void StructurePanel::showSelection()
+{
+    const int row = currentRow();
+    const bool isAny = row >= 0 && row < m_model.rowCount();
+    m_tissue->setEnabled(isAny);
+    m_isShowing = true;
+    if (isAny) {
+        const meshio::SceneStructure& one = m_model.structure(row);
+        const QString name = readableName(one.name);
+        m_title->setText(fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(120, width() - 70)));
+        m_title->setToolTip(name);
+        const QStringList found = m_model.findings(row);
+        m_findings->setVisible(!found.isEmpty());
+        m_findings->setText(found.join(QLatin1Char('\n')));
+        m_colour->setIcon(m_model.data(m_model.index(row, StructureModel::Name), Qt::DecorationRole).value<QIcon>());
+        m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
+        m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
+        m_stiffness->setValue(one.stiffness_N_per_mm);
+        m_damping->setValue(one.damping_Ns_per_mm);
+        int chosen = 0;
+        for (std::size_t i = 0; i < tissuePresets().size(); ++i) {
+            const haptics::Tissue& tissue = tissuePresets()[i].tissue;
+            if (tissue.stiffness_N_per_mm == one.stiffness_N_per_mm &&
+                tissue.damping_Ns_per_mm == one.damping_Ns_per_mm) {
+                chosen = static_cast<int>(i) + 1;
+            }
+        }
+        m_preset->setCurrentIndex(chosen);
+    } else {
+        m_title->setText(tr("No structure selected"));
+        m_findings->hide();
+    }
+    m_isShowing = false;
+}
+
+void StructurePanel::editTissue()
+{
+    if (m_isShowing || currentRow() < 0) {
+        return;
+    }
+    meshio::SceneStructure changed = m_model.structure(currentRow());
+    changed.stiffness_N_per_mm = m_stiffness->value();
+    changed.damping_Ns_per_mm = m_damping->value();
+    m_model.edit(currentRow(), changed);
+}
+
+void StructurePanel::editOpacity(int percent)
+{
+    if (m_isShowing || currentRow() < 0) {
+        return;
+    }
+    meshio::SceneStructure changed = m_model.structure(currentRow());
+    changed.opacity = percent / 100.0;
+    m_model.edit(currentRow(), changed);
+}
+
+void StructurePanel::chooseColour()
+{
+    if (currentRow() < 0) {
+        return;
+    }
+    meshio::SceneStructure changed = m_model.structure(currentRow());
+    const QColor now = QColor::fromRgbF(static_cast<float>(changed.colour[0]), static_cast<float>(changed.colour[1]),
+                                        static_cast<float>(changed.colour[2]));
+    const QColor chosen = QColorDialog::getColor(now, this, tr("Colour of %1").arg(readableName(changed.name)));
+    if (chosen.isValid()) {
+        changed.colour = {chosen.redF(), chosen.greenF(), chosen.blueF()};
+        m_model.edit(currentRow(), changed);
+    }
+}
+
+void StructurePanel::openMenu(const QPoint& place)
+{
+    const QModelIndex at = m_list->indexAt(place);
+    const auto setAll = [this](StructureModel::Column column, int only) {
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            const bool isOn = only < 0 || row == only;
+            m_model.setData(m_model.index(row, column), isOn ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+        }
+    };
+    QMenu menu(this);
+    if (at.isValid()) {
+        menu.addAction(tr("Show only this"), this, [=] { setAll(StructureModel::Shown, at.row()); });
+        menu.addAction(tr("Feel only this"), this, [=] { setAll(StructureModel::Felt, at.row()); });
+    }
+    menu.addAction(tr("Show all"), this, [=] { setAll(StructureModel::Shown, -1); });
+    menu.addAction(tr("Feel all"), this, [=] { setAll(StructureModel::Felt, -1); });
+    menu.exec(m_list->viewport()->mapToGlobal(place));
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/TouchChart.h"
+
+#include "palpate/ui/Theme.h"
+
+#include <palpate/scene/ColourMap.h>
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+QString axisText(double value)
+{
+    return QLocale().toString(value, 'g', 3);
+}
+
+} // namespace
+
+TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
+    : QWidget(parent)
+    , m_history(history)
+{
+    setMinimumSize(180, 130);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setAccessibleName(tr("Chart of force and depth over the last ten seconds"));
+    setToolTip(tr("Force [N] and depth [mm] over the last 10 s"));
+}
+
+void TouchChart::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(font());
+    const double title = metrics.height() + 4.0;
+    const double foot = metrics.height() + 2.0;
+    const double left = metrics.horizontalAdvance(QStringLiteral("0.05")) + 6.0;
+    const double each = std::max(20.0, 0.5 * (height() - 2.0 * title - foot - 6.0));
+    const QRectF force(left, title, width() - left - 4.0, each);
+    const QRectF depth(left, 2.0 * title + each + 6.0, width() - left - 4.0, each);
+    paintLane(painter, force, true);
+    paintLane(painter, depth, false);
+    painter.setPen(mutedColour());
+    const QRectF times(left, depth.bottom() + 1.0, depth.width(), foot);
+    painter.drawText(times, Qt::AlignLeft | Qt::AlignVCenter, tr("−10 s"));
+    painter.drawText(times, Qt::AlignHCenter | Qt::AlignVCenter, tr("−5 s"));
+    painter.drawText(times, Qt::AlignRight | Qt::AlignVCenter, tr("now"));
+}
+
+void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) const
+{
+    const QColor colour = isForce ? forceColour() : depthColour();
+    const double top =
+        axisTop(std::max(isForce ? m_history.peakForce_N() : m_history.peakDepth_mm(), isForce ? 0.5 : 1.0));
+    const QFontMetricsF metrics(font());
+    painter.fillRect(lane, palette().color(QPalette::Base));
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+    for (const double share : {0.0, 0.5, 1.0}) {
+        const double y = lane.bottom() - share * lane.height();
+        painter.drawLine(QPointF(lane.left(), y), QPointF(lane.right(), y));
+    }
+    painter.setPen(mutedColour());
+    const QRectF scale(0.0, lane.top() - 0.5 * metrics.height(), lane.left() - 4.0, metrics.height());
+    painter.drawText(scale, Qt::AlignRight | Qt::AlignVCenter, axisText(top));
+    painter.drawText(scale.translated(0.0, lane.height()), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QPointF(lane.left(), lane.top() - metrics.descent() - 3.0),
+                     isForce ? tr("Force [N]") : tr("Depth [mm]"));
+    // Not by colour alone: the title of each lane carries a piece of its line, force solid, depth dashed.
+    QPen pen(colour, 2.0, isForce ? Qt::SolidLine : Qt::DashLine);
+    const auto& samples = m_history.samples();
+    painter.setPen(pen);
+    const double keyY = lane.top() - 0.5 * metrics.height() - 1.0;
+    const double keyX = lane.left() + metrics.horizontalAdvance(isForce ? tr("Force [N]") : tr("Depth [mm]")) + 8.0;
+    painter.drawLine(QPointF(keyX, keyY), QPointF(keyX + 22.0, keyY));
+    if (samples.size() < 2) {
+        return;
+    }
+    const double now = samples.back().time_s;
+    QPainterPath line;
+    bool isFirst = true;
+    for (const TouchSample& sample : samples) {
+        const double value = isForce ? sample.force_N : sample.depth_mm;
+        const QPointF p(lane.right() - (now - sample.time_s) / TouchHistory::kLength_s * lane.width(),
+                        lane.bottom() - std::min(1.0, value / top) * lane.height());
+        isFirst ? line.moveTo(p) : line.lineTo(p);
+        isFirst = false;
+    }
+    painter.save();
+    painter.setClipRect(lane.adjusted(-1, -2, 1, 2));
+    QPainterPath area = line;
+    area.lineTo(lane.right(), lane.bottom());
+    area.lineTo(line.elementAt(0).x, lane.bottom());
+    QColor wash = colour;
+    wash.setAlpha(36);
+    painter.fillPath(area, wash);
+    pen.setStyle(isForce ? Qt::SolidLine : Qt::CustomDashLine);
+    if (!isForce) {
+        pen.setDashPattern({4.0, 1.5});
+    }
+    painter.setPen(pen);
+    painter.drawPath(line);
+    painter.restore();
+}
+
+ForceBar::ForceBar(QWidget* parent)
+    : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setMinimumHeight(30);
+}
+
+void ForceBar::setLimit(double force_N)
+{
+    m_limit_N = force_N > 0.0 ? force_N : m_limit_N;
+    setToolTip(tr("Force of the model [N]; the bar ends at the device's limit of %1 N").arg(axisText(m_limit_N)));
+    update();
+}
+
+void ForceBar::setForce(double force_N)
+{
+    m_force_N = force_N;
+    update();
+}
+
+double ForceBar::share() const noexcept
+{
+    return std::clamp(m_force_N / m_limit_N, 0.0, 1.0);
+}
+
+void ForceBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(font());
+    const QRectF bar(0.5, 0.5, width() - 1.0, std::max(6.0, height() - metrics.height() - 4.0));
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(bar, 3, 3);
+    if (share() > 0.0) {
+        const scene::Colour c = scene::cividis(share());
+        QRectF filled = bar.adjusted(1, 1, -1, -1);
+        filled.setWidth(std::max(2.0, filled.width() * share()));
+        painter.setPen(QPen(palette().color(QPalette::Text), 1.0));
+        painter.setBrush(
+            QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])));
+        painter.drawRoundedRect(filled, 2, 2);
+    }
+    painter.setPen(mutedColour());
+    const QRectF text(0.0, bar.bottom() + 2.0, width(), metrics.height());
+    painter.drawText(text, Qt::AlignLeft, QStringLiteral("0"));
+    painter.drawText(text, Qt::AlignRight, tr("limit %1 N").arg(axisText(m_limit_N)));
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/TouchPanel.h"
+
+#include "palpate/ui/Theme.h"
+#include "palpate/ui/TouchChart.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+QString forceText(double force_N)
+{
+    const int decimals = force_N < 9.995 ? 2 : force_N < 99.95 ? 1 : 0;
+    return QLocale().toString(force_N, 'f', decimals);
+}
+
+QString detailText(const TouchReading& reading)
+{
+    const int decimals = reading.depth_mm < 0.95 ? 2 : 1;
+    return TouchPanel::tr("%1 mm deep · %2 N/mm")
+        .arg(QLocale().toString(reading.depth_mm, 'f', decimals),
+             QLocale().toString(reading.stiffness_N_per_mm, 'f', 2));
+}
+
+TouchPanel::TouchPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_force(new QLabel(this))
+    , m_forceUnit(new QLabel(tr("N"), this))
+    , m_structure(new QLabel(this))
+    , m_detail(new QLabel(this))
+    , m_solver(new QLabel(this))
+    , m_bar(new ForceBar(this))
+    , m_chart(new TouchChart(m_history, this))
+{
+    QFont large = font();
+    large.setPointSizeF(font().pointSizeF() * 3.6);
+    large.setWeight(QFont::DemiBold);
+    m_force->setFont(large);
+    m_force->setAccessibleName(tr("Force in newton"));
+    m_force->setToolTip(tr("Force on the hand [N]"));
+    QFont unit = font();
+    unit.setPointSizeF(font().pointSizeF() * 1.8);
+    m_forceUnit->setFont(unit);
+    QFont medium = font();
+    medium.setPointSizeF(font().pointSizeF() * 1.25);
+    medium.setWeight(QFont::DemiBold);
+    m_structure->setFont(medium);
+    m_structure->setTextFormat(Qt::PlainText);
+    m_structure->setAccessibleName(tr("Touched structure"));
+    m_structure->setMinimumWidth(10);
+    medium.setWeight(QFont::Normal);
+    m_detail->setFont(medium);
+    m_detail->setAccessibleName(tr("Depth and stiffness"));
+    m_detail->setToolTip(tr("Depth: from the surface to the hand [mm]; stiffness as felt [N/mm]"));
+    m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
+                            "Solver: time of one tick, not exceeded by 99 of 100 [µs]"));
+
+    auto* number = new QHBoxLayout;
+    number->setSpacing(6);
+    number->addWidget(m_force, 0, Qt::AlignBaseline);
+    number->addWidget(m_forceUnit, 0, Qt::AlignBaseline);
+    number->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(14, 6, 14, 10);
+    layout->setSpacing(6);
+    layout->addLayout(number);
+    layout->addWidget(m_bar);
+    layout->addSpacing(4);
+    layout->addWidget(m_structure);
+    layout->addWidget(m_detail);
+    layout->addSpacing(6);
+    layout->addWidget(m_chart, 1);
+    layout->addWidget(m_solver);
+    m_bar->setLimit(m_bar->limit_N());
+    showNoHand();
+}
+
+void TouchPanel::setForceLimit(double force_N)
+{
+    m_bar->setLimit(force_N);
+}
+
+void TouchPanel::setLine(const QString& structure, const QString& detail)
+{
+    const QString shown =
+        m_structure->fontMetrics().elidedText(structure, Qt::ElideMiddle, std::max(100, width() - 28));
+    if (m_structure->text() != shown) {
+        m_structure->setText(shown);
+        m_structure->setToolTip(structure);
+    }
+    m_detail->setText(detail);
+}
+
+void TouchPanel::show(const TouchReading& reading)
+{
+    const bool isTouching = !reading.structure.isEmpty();
+    m_force->setText(forceText(reading.force_N));
+    m_force->setForegroundRole(QPalette::WindowText);
+    m_bar->setForce(reading.force_N);
+    setLine(isTouching ? reading.structure : tr("Free space"),
+            isTouching ? detailText(reading) : tr("nothing is touched"));
+    m_solver->setText(reading.solveP99_us >= 0.0
+                          ? tr("constraints %1 · solver %2 µs p99")
+                                .arg(reading.constraints)
+                                .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))
+                          : tr("constraints %1").arg(reading.constraints));
+    m_history.add({reading.time_s, reading.force_N, reading.depth_mm});
+    m_chart->update();
+}
+
+void TouchPanel::showNoHand()
+{
+    m_force->setText(forceText(0.0));
+    m_force->setForegroundRole(QPalette::PlaceholderText);
+    m_bar->setForce(0.0);
+    setLine(tr("No hand"), tr("press on a structure to feel it"));
+    m_solver->setText(tr("constraints 0"));
+}
+
+void TouchPanel::clearHistory()
+{
+    m_history.clear();
+    m_chart->update();
+}
+
+} // namespace palpate::ui

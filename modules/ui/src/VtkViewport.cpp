@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/VtkViewport.h"
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QWheelEvent>
+
+#include <vtkCommand.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr int kStill_ms = 350;    // after this long without a frame the picture stands still
+constexpr int kWarmUp = 2;        // first frames upload meshes and compile shaders: they say nothing of the speed
+constexpr double kSlow_ms = 40.0; // slower than this, a moving picture drops what costs most
+constexpr int kJudged = 20;       // frames after which the speed is judged
+constexpr double kQuick_ms = 5.0; // a frame this quick leaves time for ambient occlusion
+
+} // namespace
+
+QSurfaceFormat VtkViewport::surfaceFormat()
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
+    format.setRedBufferSize(8);
+    format.setGreenBufferSize(8);
+    format.setBlueBufferSize(8);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    format.setSamples(0);
+    return format;
+}
+
+VtkViewport::VtkViewport(QWidget* parent)
+    : QOpenGLWidget(parent)
+{
+    setFormat(surfaceFormat());
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("3D view"));
+    setMinimumSize(240, 180);
+
+    m_window->SetOwnContext(0);
+    m_window->SetFrameBlitModeToNoBlit();
+    m_view.attach(*m_window);
+    m_interactor->SetRenderWindow(m_window);
+    m_interactor->EnableRenderOff(); // Qt decides when to draw
+    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    style->AutoAdjustCameraClippingRangeOff();
+    style->SetDefaultRenderer(&m_view.renderer());
+    m_interactor->SetInteractorStyle(style);
+    m_interactor->Initialize();
+    m_view.setSmoothEdges(true);
+    m_still.setSingleShot(true);
+    m_still.setInterval(kStill_ms);
+    connect(&m_still, &QTimer::timeout, this, [this] {
+        refineNext();
+        update();
+    });
+}
+
+VtkViewport::~VtkViewport()
+{
+    if (context() != nullptr) {
+        disconnect(context(), nullptr, this, nullptr);
+    }
+    letGoOfContext();
+}
+
+void VtkViewport::initializeGL()
+{
+    m_window->SetReadyForRendering(true);
+    m_window->SetMapped(1);
+    m_window->SetIsCurrent(true);
+    m_window->InitializeFromCurrentContext();
+    m_isReady = true;
+    // A move to another screen may replace the context: give back what belongs to it while it is still there.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkViewport::letGoOfContext, Qt::UniqueConnection);
+}
+
+void VtkViewport::letGoOfContext()
+{
+    if (!m_isReady) {
+        return;
+    }
+    makeCurrent();
+    m_window->Finalize();
+    m_window->SetReadyForRendering(false);
+    m_isReady = false;
+    doneCurrent();
+}
+
+void VtkViewport::fitSize()
+{
+    const double ratio = devicePixelRatioF();
+    const int w = std::max(1, static_cast<int>(std::lround(width() * ratio)));
+    const int h = std::max(1, static_cast<int>(std::lround(height() * ratio)));
+    const int* size = m_window->GetSize();
+    if (size[0] != w || size[1] != h) {
+        m_window->SetSize(w, h);
+        m_interactor->SetSize(w, h);
+    }
+}
+
+void VtkViewport::paintGL()
+{
+    if (!m_isReady) {
+        return;
+    }
+    QElapsedTimer timer;
+    timer.start();
+    fitSize();
+    vtkOpenGLState* state = m_window->GetState();
+    // Qt has changed the context's state behind VTK's back since the last frame.
+    state->Reset();
+    state->Push();
+    m_window->SetReadyForRendering(true);
+    m_window->SetIsCurrent(true);
+    m_view.prepareFrame(devicePixelRatioF());
+    m_window->Render();
+    blitToWidget();
+    state->Pop();
+    m_frame_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    judgeSpeed();
+}
+
+void VtkViewport::refineNext()
+{
+    m_isStill = true;
+    m_view.setSortedTransparency(true);
+}
+
+void VtkViewport::judgeSpeed()
+{
+    if (++m_frames > kWarmUp && m_frames <= kJudged) {
+        m_slowest_ms = std::max(m_slowest_ms, m_frame_ms);
+        if (m_frames == kJudged) {
+            m_view.setAmbientOcclusion(m_slowest_ms < kQuick_ms);
+        }
+    }
+    if (m_frames <= kWarmUp) {
+        return;
+    }
+    if (m_isStill) {
+        m_isStill = false; // the next frame is one of a moving picture again
+        m_isSlow = m_frame_ms > kSlow_ms;
+    } else if (m_isSlow || m_frame_ms > kSlow_ms) {
+        m_isSlow = true;
+        m_still.start();
+    }
+    m_view.setSortedTransparency(!m_isSlow);
+}
+
+void VtkViewport::blitToWidget()
+{
+    QOpenGLExtraFunctions* gl = context()->extraFunctions();
+    const int* size = m_window->GetSize();
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_window->GetDisplayFramebuffer()->GetFBOIndex());
+    gl->glReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    gl->glDisable(GL_SCISSOR_TEST);
+    gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    // Qt blends the widget into the window by its alpha: make it opaque.
+    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    gl->glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    gl->glClear(GL_COLOR_BUFFER_BIT);
+    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void VtkViewport::setMode(Mode mode)
+{
+    m_mode = mode;
+    setCursor(mode == Mode::Palpate ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+scene::Ray VtkViewport::rayAt(const QPointF& place)
+{
+    fitSize();
+    const double ratio = devicePixelRatioF();
+    return m_view.rayThrough(place.x() * ratio, (height() - place.y()) * ratio);
+}
+
+std::optional<scene::Ray> VtkViewport::pointerRay()
+{
+    return m_isPointerInside ? std::optional(rayAt(m_pointer)) : std::nullopt;
+}
+
+void VtkViewport::moveCamera(const QPointF& place, unsigned long event, Qt::KeyboardModifiers modifiers)
+{
+    fitSize();
+    const double ratio = devicePixelRatioF();
+    m_interactor->SetEventInformationFlipY(static_cast<int>(place.x() * ratio), static_cast<int>(place.y() * ratio),
+                                           modifiers.testFlag(Qt::ControlModifier) ? 1 : 0,
+                                           modifiers.testFlag(Qt::ShiftModifier) ? 1 : 0);
+    m_interactor->InvokeEvent(event, nullptr);
+    update();
+}
+
+void VtkViewport::mousePressEvent(QMouseEvent* event)
+{
+    m_pointer = event->position();
+    m_isPointerInside = true;
+    if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
+        m_isPressed = true;
+        emit pointerMoved();
+        emit pointerPressed();
+        return;
+    }
+    if (m_cameraButton != Qt::NoButton) {
+        return;
+    }
+    m_cameraButton = event->button();
+    const bool turns =
+        event->button() == Qt::LeftButton || (m_mode == Mode::Palpate && event->button() == Qt::RightButton);
+    moveCamera(m_pointer,
+               turns                                 ? vtkCommand::LeftButtonPressEvent
+               : event->button() == Qt::MiddleButton ? vtkCommand::MiddleButtonPressEvent
+                                                     : vtkCommand::RightButtonPressEvent,
+               event->modifiers());
+}
+
+void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_pointer = event->position();
+    if (m_isPressed && event->button() == Qt::LeftButton) {
+        m_isPressed = false;
+        emit pointerReleased();
+        return;
+    }
+    if (event->button() != m_cameraButton) {
+        return;
+    }
+    m_cameraButton = Qt::NoButton;
+    // Whichever of the three it was: the style ends what it began and ignores the others.
+    for (const auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
+                               vtkCommand::RightButtonReleaseEvent}) {
+        moveCamera(m_pointer, release, event->modifiers());
+    }
+}
+
+void VtkViewport::mouseMoveEvent(QMouseEvent* event)
+{
+    m_pointer = event->position();
+    m_isPointerInside = true;
+    if (m_cameraButton != Qt::NoButton) {
+        moveCamera(m_pointer, vtkCommand::MouseMoveEvent, event->modifiers());
+    }
+    if (m_mode == Mode::Palpate) {
+        emit pointerMoved();
+    }
+}
+
+void VtkViewport::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && m_mode == Mode::Camera) {
+        emit centreWanted(event->position());
+        return;
+    }
+    mousePressEvent(event);
+}
+
+void VtkViewport::wheelEvent(QWheelEvent* event)
+{
+    const double steps = event->angleDelta().y() / 120.0;
+    if (m_mode == Mode::Palpate && !event->modifiers().testFlag(Qt::ControlModifier)) {
+        emit depthTurned(steps);
+    } else if (steps != 0.0) {
+        m_view.camera().Dolly(std::pow(1.12, steps));
+        update();
+        if (m_mode == Mode::Palpate) {
+            emit pointerMoved();
+        }
+    }
+    event->accept();
+}
+
+bool VtkViewport::event(QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isDown = event->type() == QEvent::KeyPress;
+        if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
+            if (!key->isAutoRepeat()) {
+                emit spaceHeld(isDown);
+            }
+            return true;
+        }
+        if (key->key() == Qt::Key_Tab && key->modifiers() == Qt::NoModifier) {
+            if (isDown) {
+                emit panelsToggled();
+            }
+            return true;
+        }
+    }
+    return QOpenGLWidget::event(event);
+}
+
+void VtkViewport::leaveEvent(QEvent* event)
+{
+    m_isPointerInside = m_isPressed;
+    if (m_mode == Mode::Palpate && !m_isPressed) {
+        emit pointerLeft();
+        update();
+    }
+    QOpenGLWidget::leaveEvent(event);
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Balls.h"
+
+#include <palpate/scene/SurfaceMesh.h>
+#include <palpate/ui/StructureModel.h>
+
+namespace palpate::test {
+
+/// A row as the loader makes it, palpable and ready to touch.
+inline ui::StructureRow row(const std::string& name, const geometry::TriangleMesh& mesh)
+{
+    ui::StructureRow made;
+    made.loaded.description.name = name;
+    made.loaded.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+    made.picture = scene::makeSurface(*made.loaded.surface);
+    made.touch = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*made.loaded.surface));
+    return made;
+}
+
+inline std::vector<ui::StructureRow> twoRows()
+{
+    std::vector<ui::StructureRow> rows;
+    rows.push_back(row("VH_F_liver_capsule", ball(50.0, 4)));
+    rows.push_back(row("lump", ball(8.0, 2)));
+    return rows;
+}
+
+} // namespace palpate::test

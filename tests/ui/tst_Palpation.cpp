@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rows.h"
+#include "TestRunner.h"
+
+#include <palpate/session/RecordingReader.h>
+#include <palpate/ui/PalpationController.h>
+
+#include <QTemporaryDir>
+
+#include <optional>
+
+using namespace palpate;
+
+/// The whole way from pointer to number: view, hand, device, servo thread, snapshot, reading. Nothing is drawn.
+class Palpation : public QObject
+{
+    Q_OBJECT
+  private slots:
+    void init()
+    {
+        m_model = std::make_unique<ui::StructureModel>();
+        m_live = std::make_unique<ui::LiveTouch>(*m_model);
+        m_viewport = std::make_unique<ui::VtkViewport>();
+        m_viewport->resize(600, 400);
+        m_palpation = std::make_unique<ui::PalpationController>(*m_viewport, *m_live, *m_model);
+        std::vector<ui::StructureRow> rows;
+        rows.push_back(test::row("liver", test::ball(50.0, 5)));
+        std::vector<scene::ViewStructure> pictures;
+        pictures.push_back({scene::StructureActor(rows[0].picture), rows[0].touch});
+        m_viewport->view().setStructures(std::move(pictures));
+        m_model->setRows(std::move(rows));
+        (void)m_viewport->rayAt({0, 0}); // gives the window its size
+        m_viewport->view().look(scene::ViewFrom::Front);
+        m_palpation->setSceneSize(200.0);
+        QVERIFY(m_live->start().isOk());
+        connect(m_palpation.get(), &ui::PalpationController::touched, this,
+                [this](const ui::TouchReading& reading) { m_reading = reading; });
+        connect(m_palpation.get(), &ui::PalpationController::handGone, this, [this] { m_reading.reset(); });
+    }
+    void cleanup()
+    {
+        m_palpation.reset();
+        m_live.reset();
+        m_viewport.reset();
+        m_model.reset();
+        m_reading.reset();
+    }
+    void pressInTheMiddleIsFeltAsStiffnessTimesDepth()
+    {
+        m_palpation->setPalpating(true);
+        m_palpation->pressAt({300, 200});
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        QCOMPARE(m_reading->structure, QStringLiteral("liver"));
+        // Straight onto the sphere: 4 mm at 0.5 N/mm, but for the tilt of the facet that is hit.
+        QVERIFY2(std::abs(m_reading->force_N - 2.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
+        QVERIFY(m_reading->constraints >= 1);
+        const scene::TouchState& shown = m_viewport->view().cursor().state();
+        QVERIFY(shown.isInContact);
+        QVERIFY(std::abs(shown.p_WG.norm() - 50.0) < 0.1);
+    }
+    void hoverIsShownButNotFelt()
+    {
+        m_palpation->setPalpating(true);
+        m_palpation->moveTo({300, 200});
+        QTRY_VERIFY(m_reading.has_value());
+        QVERIFY(m_reading->structure.isEmpty());
+        const scene::TouchState& shown = m_viewport->view().cursor().state();
+        QVERIFY(shown.isPresent && !shown.isInContact);
+        QVERIFY(std::abs(shown.p_WH.norm() - 52.0) < 0.1);
+    }
+    void stiffnessChangesUnderThePressedHand()
+    {
+        m_palpation->setPalpating(true);
+        m_palpation->pressAt({300, 200});
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        meshio::SceneStructure harder = m_model->structure(0);
+        harder.stiffness_N_per_mm = 1.0;
+        m_model->edit(0, harder);
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && std::abs(m_reading->force_N - 4.0) < 0.05, 10000);
+    }
+    void escapeLetsGoThenTheHandIsGone()
+    {
+        m_palpation->setPalpating(true);
+        m_palpation->pressAt({300, 200});
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
+        QVERIFY(m_palpation->letGo());
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        QVERIFY(!m_palpation->letGo()); // nothing was pressed any more
+        m_palpation->setPalpating(false);
+        QTRY_VERIFY(!m_reading.has_value());
+        QVERIFY(!m_viewport->view().cursor().state().isPresent);
+    }
+    void everyPressBeginsOutside()
+    {
+        m_palpation->setPalpating(true);
+        for (int i = 0; i < 5; ++i) {
+            m_palpation->pressAt({250.0 + 20.0 * i, 200.0});
+            QTest::qSleep(200); // a slow frame, longer than the press takes to go in
+            QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
+            m_palpation->letGo();
+            QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        }
+    }
+    void recordsWhatWasFelt()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.path().toStdString() + "/touch.palpate";
+        QVERIFY(m_live->startRecording(file).isOk());
+        m_palpation->setPalpating(true);
+        m_palpation->pressAt({300, 200});
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        QTest::qWait(300);
+        QVERIFY(m_live->stopRecording().isOk());
+        const auto reader = session::RecordingReader::open(file);
+        QVERIFY(reader.isOk());
+        QVERIFY(reader.value()->extent().ticks > 300);
+        QCOMPARE(reader.value()->scenes().front().structures.front().name, std::string("liver"));
+        const auto last = reader.value()->at(reader.value()->extent().lastTick);
+        QVERIFY(last.has_value());
+        QVERIFY(std::abs(last->f_W.norm() - 2.0) < 0.02);
+    }
+
+  private:
+    std::unique_ptr<ui::StructureModel> m_model;
+    std::unique_ptr<ui::LiveTouch> m_live;
+    std::unique_ptr<ui::VtkViewport> m_viewport;
+    std::unique_ptr<ui::PalpationController> m_palpation;
+    std::optional<ui::TouchReading> m_reading;
+};
+
+PALPATE_TEST(Palpation)
+#include "tst_Palpation.moc"

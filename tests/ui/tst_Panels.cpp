@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rows.h"
+#include "TestRunner.h"
+
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/Theme.h>
+#include <palpate/ui/TouchChart.h>
+#include <palpate/ui/TouchPanel.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTreeView>
+
+#include <cmath>
+
+using namespace palpate;
+
+namespace {
+
+bool says(const QWidget& widget, const QString& text)
+{
+    for (const QLabel* label : widget.findChildren<QLabel*>()) {
+        if (label->text() == text) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double luminance(const QColor& colour)
+{
+    const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b)
+{
+    const double light = std::max(luminance(a), luminance(b));
+    const double dark = std::min(luminance(a), luminance(b));
+    return (light + 0.05) / (dark + 0.05);
+}
+
+} // namespace
+
+class Panels : public QObject
+{
+    Q_OBJECT
+  private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void forceHasSensibleDigits()
+    {
+        QCOMPARE(ui::forceText(2.3149), QStringLiteral("2.31"));
+        QCOMPARE(ui::forceText(9.996), QStringLiteral("10.0"));
+        QCOMPARE(ui::forceText(123.4), QStringLiteral("123"));
+    }
+    void touchShowsNumbersWithUnits()
+    {
+        ui::TouchPanel panel;
+        panel.setForceLimit(10.0);
+        panel.show(ui::TouchReading{1.0, 2.314, 4.62, QStringLiteral("liver"), 0.5, 1, 0.31});
+        QVERIFY(says(panel, QStringLiteral("2.31")));
+        QVERIFY(says(panel, QStringLiteral("liver")));
+        QVERIFY(says(panel, QStringLiteral("4.6 mm deep · 0.50 N/mm")));
+        QVERIFY(says(panel, QStringLiteral("constraints 1 · solver 0.3 µs p99")));
+        QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
+    }
+    void freeSpaceSaysSo()
+    {
+        ui::TouchPanel panel;
+        panel.show(ui::TouchReading{1.0, 0.0, 0.0, {}, 0.0, 0, 0.3});
+        QVERIFY(says(panel, QStringLiteral("Free space")));
+        panel.showNoHand();
+        QVERIFY(says(panel, QStringLiteral("No hand")));
+        QCOMPARE(panel.findChild<ui::ForceBar*>()->share(), 0.0);
+    }
+    void barEndsAtTheLimit()
+    {
+        ui::ForceBar bar;
+        bar.setLimit(5.0);
+        bar.setForce(50.0);
+        QCOMPARE(bar.share(), 1.0);
+        bar.setLimit(0.0); // no limit known: keeps the one it had
+        QCOMPARE(bar.limit_N(), 5.0);
+    }
+    void tissueFieldsEditTheSelection()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(test::twoRows());
+        panel.select(1);
+        auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
+        QVERIFY(stiffness->suffix().contains(QStringLiteral("N/mm")));
+        stiffness->setValue(1.1);
+        QCOMPARE(model.structure(1).stiffness_N_per_mm, 1.1);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5);
+        panel.select(0);
+        QCOMPARE(stiffness->value(), 0.5);
+        QCOMPARE(model.structure(1).stiffness_N_per_mm, 1.1); // showing is not editing
+    }
+    void presetSetsItsTissue()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(test::twoRows());
+        panel.select(0);
+        auto* presets = panel.findChild<QComboBox*>();
+        presets->setCurrentIndex(5);
+        emit presets->activated(5);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, ui::tissuePresets()[4].tissue.stiffness_N_per_mm);
+        QCOMPARE(presets->currentIndex(), 5);
+        panel.findChildren<QDoubleSpinBox*>().first()->setValue(0.77);
+        QCOMPARE(presets->currentIndex(), 0); // own values
+    }
+    void keysInTheListShowAndFeel()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(test::twoRows());
+        panel.select(1);
+        auto* list = panel.findChild<QTreeView*>();
+        QTest::keyClick(list, Qt::Key_V);
+        QVERIFY(!model.structure(1).visible);
+        QTest::keyClick(list, Qt::Key_H);
+        QVERIFY(!model.structure(1).palpable);
+        QVERIFY(model.structure(0).visible && model.structure(0).palpable);
+    }
+    void messageStaysUntilItIsClosed()
+    {
+        QWidget window;
+        ui::MessageBar bar(&window);
+        window.show();
+        QVERIFY(!bar.isVisible());
+        bar.showError(QStringLiteral("liver.stl: no triangle"));
+        QVERIFY(bar.isVisible());
+        QCOMPARE(bar.text(), QStringLiteral("liver.stl: no triangle"));
+    }
+    void offerDoesWhatItsButtonSays()
+    {
+        QWidget window;
+        ui::MessageBar bar(&window);
+        window.show();
+        int done = 0;
+        bar.offer(QStringLiteral("0.3 mm across"), QStringLiteral("Read as metres"), [&] { ++done; });
+        bar.findChild<QPushButton*>()->click();
+        QCOMPARE(done, 1);
+        QVERIFY(!bar.isVisible());
+        bar.showError(QStringLiteral("something else"));
+        QVERIFY(!bar.findChild<QPushButton*>()->isVisible());
+    }
+    void emptyChipIsNotShown()
+    {
+        QWidget window;
+        ui::Chip chip(QStringLiteral("rate"), &window);
+        window.show();
+        QVERIFY(!chip.isVisible());
+        chip.say(QStringLiteral("1.00 kHz"));
+        QVERIFY(chip.isVisible());
+        chip.say({});
+        QVERIFY(!chip.isVisible());
+    }
+    void welcomeOffersWhatIsThere()
+    {
+        ui::WelcomePage page;
+        page.setChoices(true, {QStringLiteral("/a/liver.stl")});
+        page.show();
+        QSignalSpy recent(&page, &ui::WelcomePage::recentWanted);
+        for (auto* button : page.findChildren<QPushButton*>()) {
+            if (button->text().contains(QStringLiteral("liver.stl"))) {
+                button->click();
+            }
+        }
+        QCOMPARE(recent.count(), 1);
+        QCOMPARE(recent.first().first().toString(), QStringLiteral("/a/liver.stl"));
+    }
+    void textReadsInBothPalettes_data()
+    {
+        QTest::addColumn<bool>("isDark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    void textReadsInBothPalettes()
+    {
+        QFETCH(bool, isDark);
+        ui::applyTheme(*qApp, isDark);
+        QCOMPARE(ui::isDarkTheme(), isDark);
+        const QPalette palette = QApplication::palette();
+        for (const auto ground : {QPalette::Window, QPalette::Base}) {
+            const QColor behind = palette.color(ground);
+            for (const QColor& ink : {palette.color(QPalette::Text), ui::mutedColour(), ui::forceColour(),
+                                      ui::depthColour(), ui::warningColour(), ui::recordColour()}) {
+                QVERIFY2(contrast(ink, behind) >= 4.5, qPrintable(ink.name() + QStringLiteral(" on ") + behind.name()));
+            }
+        }
+    }
+};
+
+PALPATE_TEST(Panels)
+#include "tst_Panels.moc"

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/MeshFile.h>
+#include <palpate/ui/SceneLoader.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+using namespace palpate;
+
+class SceneLoader : public QObject
+{
+    Q_OBJECT
+  private slots:
+    void init()
+    {
+        QVERIFY(m_folder.isValid());
+        m_ball = m_folder.path().toStdString() + "/ball.vtp";
+        m_bad = m_folder.path().toStdString() + "/bad.stl";
+        const meshio::MeshStructure one{"ball", test::ball(20.0, 3), std::nullopt};
+        QVERIFY(meshio::writeMesh(m_ball, std::span(&one, 1)).isOk());
+        QFile bad(QString::fromStdString(m_bad.string()));
+        QVERIFY(bad.open(QIODevice::WriteOnly));
+        bad.write("this is no mesh");
+    }
+    void opensReadyToTouch()
+    {
+        ui::SceneLoader loader;
+        std::shared_ptr<ui::OpenedScene> scene;
+        connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
+        loader.open({m_ball}, 1.0);
+        QVERIFY(loader.isBusy()); // and this thread is free
+        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 20000);
+        QCOMPARE(scene->rows.size(), std::size_t{1});
+        QVERIFY(scene->rows[0].touch != nullptr);
+        QCOMPARE(scene->rows[0].touch->triangleCount(), 1280u);
+        QCOMPARE(scene->rows[0].picture->GetNumberOfPolys(), vtkIdType{1280});
+        QCOMPARE(scene->rows[0].sha256.size(), std::size_t{64});
+        QVERIFY(!loader.isBusy());
+    }
+    void saysInOneLineWhyNothingOpened()
+    {
+        ui::SceneLoader loader;
+        QSignalSpy failed(&loader, &ui::SceneLoader::failed);
+        loader.open({m_bad}, 1.0);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+        const QString line = failed.first().first().toString();
+        QVERIFY2(line.contains(QStringLiteral("bad.stl")) && !line.contains(QLatin1Char('\n')), qPrintable(line));
+    }
+    void oneBadFileDoesNotKeepTheOthersOut()
+    {
+        ui::SceneLoader loader;
+        std::shared_ptr<ui::OpenedScene> scene;
+        connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
+        loader.open({m_bad, m_ball}, 1.0);
+        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 20000);
+        QCOMPARE(scene->rows.size(), std::size_t{1});
+        QCOMPARE(scene->problems.size(), 1);
+    }
+    void cancelOpensNothing()
+    {
+        ui::SceneLoader loader;
+        QSignalSpy cancelled(&loader, &ui::SceneLoader::cancelled);
+        QSignalSpy opened(&loader, &ui::SceneLoader::opened);
+        loader.open(std::vector<std::filesystem::path>(200, m_ball), 1.0);
+        loader.cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(cancelled.count(), 1, 20000);
+        QCOMPARE(opened.count(), 0);
+    }
+    void newerWishReplacesTheOlder()
+    {
+        ui::SceneLoader loader;
+        QSignalSpy opened(&loader, &ui::SceneLoader::opened);
+        QSignalSpy failed(&loader, &ui::SceneLoader::failed);
+        loader.open({m_bad}, 1.0);
+        loader.open({m_ball}, 1.0);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QCOMPARE(failed.count(), 0);
+    }
+
+  private:
+    QTemporaryDir m_folder;
+    std::filesystem::path m_ball;
+    std::filesystem::path m_bad;
+};
+
+PALPATE_TEST(SceneLoader)
+#include "tst_SceneLoader.moc"

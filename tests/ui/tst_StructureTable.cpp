@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rows.h"
+#include "TestRunner.h"
+
+using namespace palpate;
+using ui::StructureModel;
+
+namespace {
+
+const haptics::Tissue kGreatest{5.0, 0.02};
+
+} // namespace
+
+class StructureTable : public QObject
+{
+    Q_OBJECT
+  private slots:
+    void namesReadAsAPersonWritesThem()
+    {
+        QCOMPARE(ui::readableName("VH_F_liver_capsule"), QStringLiteral("liver capsule"));
+        QCOMPARE(ui::readableName("left  hepatic_vein"), QStringLiteral("left hepatic vein"));
+    }
+    void hiddenStructureIsNotFelt()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface != nullptr);
+        model.setData(model.index(0, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole);
+        QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface == nullptr);
+        QVERIFY(model.hapticScene(kGreatest)->structures()[1].surface != nullptr); // keeps its number
+    }
+    void tellsTheViewOfLooksAndTheHandOfTissue()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        QList<StructureModel::Change> changes;
+        connect(&model, &StructureModel::edited, this, [&](int, StructureModel::Change change) { changes << change; });
+        meshio::SceneStructure one = model.structure(0);
+        one.opacity = 0.4;
+        model.edit(0, one);
+        QCOMPARE(changes, QList<StructureModel::Change>{StructureModel::Change::Look});
+        changes.clear();
+        one.stiffness_N_per_mm = 1.3;
+        model.edit(0, one);
+        QCOMPARE(changes, QList<StructureModel::Change>{StructureModel::Change::Touch});
+        QCOMPARE(model.hapticScene(kGreatest)->structures()[0].tissue.stiffness_N_per_mm, 1.3);
+    }
+    void stiffnessIsBoundedByTheDevice()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        meshio::SceneStructure one = model.structure(0);
+        one.stiffness_N_per_mm = 40.0;
+        model.edit(0, one);
+        QCOMPARE(model.hapticScene(kGreatest)->structures()[0].tissue.stiffness_N_per_mm, 5.0);
+    }
+    void editsAreUndone()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        model.setData(model.index(1, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole);
+        QVERIFY(!model.structure(1).palpable);
+        model.undoStack().undo();
+        QVERIFY(model.structure(1).palpable);
+        model.undoStack().redo();
+        QVERIFY(!model.structure(1).palpable);
+    }
+    void stepsOfOneDragUndoTogether()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        for (const double opacity : {0.9, 0.7, 0.5}) {
+            meshio::SceneStructure one = model.structure(0);
+            one.opacity = opacity;
+            model.edit(0, one);
+        }
+        model.undoStack().undo();
+        QCOMPARE(model.structure(0).opacity, 1.0);
+    }
+    void badgeIsForDefectsNotForRims()
+    {
+        geometry::TriangleMesh rim = test::ball(10.0, 2);
+        rim.triangles.pop_back();
+        geometry::TriangleMesh twice = test::ball(10.0, 2);
+        twice.triangles.push_back(twice.triangles.front());
+        std::vector<ui::StructureRow> rows;
+        rows.push_back(test::row("vessel", rim));
+        rows.push_back(test::row("broken", twice));
+        StructureModel model;
+        model.setRows(std::move(rows));
+        const auto badge = [&](int row) {
+            return model.data(model.index(row, StructureModel::Health), Qt::DecorationRole);
+        };
+        QVERIFY(!badge(0).isValid());
+        QVERIFY(!model.findings(0).isEmpty());
+        QVERIFY(badge(1).isValid());
+        const QString tip = model.data(model.index(1, StructureModel::Health), Qt::ToolTipRole).toString();
+        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QLatin1Char('1')), qPrintable(tip));
+    }
+    void everyCellSaysItselfAloud()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        for (const int column : {StructureModel::Shown, StructureModel::Name, StructureModel::Felt}) {
+            QVERIFY(
+                model.data(model.index(1, column), Qt::AccessibleTextRole).toString().contains(QStringLiteral("lump")));
+        }
+    }
+};
+
+PALPATE_TEST(StructureTable)
+#include "tst_StructureTable.moc"
