@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Palpation.h"
+#include "Phantom.h"
+
+#include <palpate/meshio/LoadScene.h>
+#include <palpate/meshio/MeshFile.h>
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/session/RecordingReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <unistd.h>
+
+namespace {
+
+using namespace palpate;
+
+/// A structure's name as a file name: "lump 20 mm" becomes "lump-20-mm.stl".
+std::string stlName(std::string name)
+{
+    std::replace(name.begin(), name.end(), ' ', '-');
+    return name + ".stl";
+}
+
+core::Status write(const std::filesystem::path& folder)
+{
+    std::vector<phantom::PhantomStructure> phantom = phantom::makePhantom();
+    std::vector<meshio::MeshStructure> meshes;
+    meshio::SceneFile scene;
+    for (phantom::PhantomStructure& structure : phantom) {
+        meshio::SceneStructure described;
+        described.mesh = std::filesystem::absolute(folder / "phantom.vtp");
+        described.part = structure.name;
+        described.name = structure.name;
+        described.colour = structure.colour;
+        described.opacity = structure.opacity;
+        described.palpable = structure.palpable;
+        described.stiffness_N_per_mm = structure.stiffness_N_per_mm;
+        described.layer = structure.layer;
+        scene.structures.push_back(described);
+        meshes.push_back({structure.name, std::move(structure.mesh), structure.colour});
+    }
+    meshio::SceneCamera camera;
+    camera.position_W = {-70, -430, 110};
+    camera.focus_W = {4, 4, 4};
+    scene.camera = camera;
+
+    if (core::Status status = meshio::writeMesh(folder / "phantom.vtp", meshes); !status.isOk()) {
+        return status;
+    }
+    for (const meshio::MeshStructure& mesh : meshes) {
+        if (core::Status status = meshio::writeMesh(folder / stlName(mesh.name), {&mesh, 1}); !status.isOk()) {
+            return status;
+        }
+    }
+    const std::filesystem::path scenePath = folder / "phantom.palpate.json";
+    if (core::Status status = meshio::writeScene(scenePath, scene); !status.isOk()) {
+        return status;
+    }
+    // Felt as it will be opened, so that a replay on the scene file gives back the same bits.
+    core::Result<meshio::LoadedScene> loaded = meshio::loadScene(scenePath);
+    if (!loaded.isOk()) {
+        return loaded.status();
+    }
+    return phantom::recordPalpation(loaded.value(), phantom::palpationScript(), folder / "palpation.palpate");
+}
+
+/// One line when the two files differ in a bit.
+core::Status compareBytes(const std::filesystem::path& kept, const std::filesystem::path& made)
+{
+    std::ifstream a(kept, std::ios::binary);
+    std::ifstream b(made, std::ios::binary);
+    using Bytes = std::istreambuf_iterator<char>;
+    if (!a || !b || !std::equal(Bytes(a), Bytes(), Bytes(b), Bytes())) {
+        return {core::StatusCode::Mismatch, kept.string() + " is not what the generator makes"};
+    }
+    return {};
+}
+
+/// By their content: the compression differs between versions of the library that does it.
+core::Status compareMeshes(const std::filesystem::path& kept, const std::filesystem::path& made)
+{
+    const core::Result<meshio::MeshFile> a = meshio::readMesh(kept);
+    const core::Result<meshio::MeshFile> b = meshio::readMesh(made);
+    for (const auto* read : {&a, &b}) {
+        if (!read->isOk()) {
+            return read->status();
+        }
+    }
+    const auto same = [](const meshio::MeshStructure& x, const meshio::MeshStructure& y) {
+        return x.name == y.name && x.mesh.vertices == y.mesh.vertices && x.mesh.triangles == y.mesh.triangles;
+    };
+    const std::vector<meshio::MeshStructure>& x = a.value().structures;
+    const std::vector<meshio::MeshStructure>& y = b.value().structures;
+    if (!std::equal(x.begin(), x.end(), y.begin(), y.end(), same)) {
+        return {core::StatusCode::Mismatch, kept.string() + " is not what the generator makes"};
+    }
+    return {};
+}
+
+/// By what was felt: when it was written and how long solving took is of no account. Another build may round otherwise:
+/// to a millionth of a mm and of a N.
+core::Status compareRecordings(const std::filesystem::path& kept, const std::filesystem::path& made)
+{
+    std::array<std::vector<servo::TickRecord>, 2> ticks;
+    for (int i = 0; i < 2; ++i) {
+        const auto reader = session::RecordingReader::open(i == 0 ? kept : made);
+        if (!reader.isOk()) {
+            return reader.status();
+        }
+        const session::RecordingExtent& extent = reader.value()->extent();
+        const core::Status read =
+            reader.value()->forEach(extent.firstTick, extent.lastTick, [&](const servo::TickRecord& tick) {
+                ticks[i].push_back(tick);
+                return true;
+            });
+        if (!read.isOk()) {
+            return read;
+        }
+    }
+    const auto close = [](const core::Vec3& a, const core::Vec3& b) { return (a - b).norm() <= 1e-6; };
+    const auto same = [&close](const servo::TickRecord& a, const servo::TickRecord& b) {
+        return a.tick == b.tick && close(a.p_WH, b.p_WH) && close(a.p_WG, b.p_WG) && close(a.f_W, b.f_W) &&
+               close(a.fSent_W, b.fSent_W) && a.structure == b.structure && a.flags == b.flags;
+    };
+    const auto [a, b] = std::mismatch(ticks[0].begin(), ticks[0].end(), ticks[1].begin(), ticks[1].end(), same);
+    if (a != ticks[0].end() || b != ticks[1].end()) {
+        return {core::StatusCode::Mismatch,
+                kept.string() + ": tick " + std::to_string(a - ticks[0].begin()) + " is not what the generator makes"};
+    }
+    return {};
+}
+
+core::Status check(const std::filesystem::path& folder)
+{
+    const std::filesystem::path made =
+        std::filesystem::temp_directory_path() / ("palpate-phantom-" + std::to_string(getpid()));
+    std::filesystem::create_directory(made);
+    core::Status status = write(made);
+    for (const auto& entry : std::filesystem::directory_iterator(made)) {
+        if (!status.isOk()) {
+            break;
+        }
+        const std::filesystem::path kept = folder / entry.path().filename();
+        const std::string extension = entry.path().extension().string();
+        status = extension == ".vtp"       ? compareMeshes(kept, entry.path())
+                 : extension == ".palpate" ? compareRecordings(kept, entry.path())
+                                           : compareBytes(kept, entry.path());
+    }
+    std::filesystem::remove_all(made);
+    return status;
+}
+
+} // namespace
+
+/// Usage: palpate-phantom [--check] FOLDER   writes the phantom's meshes, its scene file and its recording into an
+/// existing folder, or checks that what is there is what it would write.
+int main(int argc, char** argv)
+{
+    const bool isCheck = argc == 3 && std::string_view(argv[1]) == "--check";
+    if ((argc != 2 && !isCheck) || !std::filesystem::is_directory(argv[argc - 1])) {
+        std::fprintf(stderr, "usage: palpate-phantom [--check] FOLDER (an existing folder)\n");
+        return 2;
+    }
+    const core::Status status = isCheck ? check(argv[2]) : write(argv[1]);
+    if (!status.isOk()) {
+        std::fprintf(stderr, "palpate-phantom: %s\n", status.message().c_str());
+        return 1;
+    }
+    return 0;
+}
