@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Console.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace palpate::app {
+
+using core::Status;
+using core::StatusCode;
+
+void printError(std::string_view message)
+{
+    std::string line = "palpate: " + std::string(message);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+int report(const Status& status)
+{
+    if (status.isOk()) {
+        return kDone;
+    }
+    printError(status.message());
+    switch (status.code()) {
+    case StatusCode::Internal:
+    case StatusCode::DeviceLost:
+    case StatusCode::Cancelled:
+        return kFailed;
+    default:
+        return kBadInput;
+    }
+}
+
+void print(const char* format, ...)
+{
+    // The program never calls setlocale before a subcommand ends, so that this is the C locale.
+    va_list arguments;
+    va_start(arguments, format);
+    std::vprintf(format, arguments);
+    va_end(arguments);
+}
+
+std::string grouped(long long value)
+{
+    std::string digits = std::to_string(value);
+    const std::size_t sign = value < 0 ? 1 : 0;
+    for (std::size_t i = digits.size(); i > sign + 3;) {
+        i -= 3;
+        digits.insert(i, 1, ',');
+    }
+    return digits;
+}
+
+core::Result<double> numberOption(std::string_view option, const std::string& text, double least, bool isAbove)
+{
+    const auto value = core::parseNumber(text);
+    const bool isGood = value && std::isfinite(*value) && (isAbove ? *value > least : *value >= least);
+    if (!isGood) {
+        return Status(StatusCode::BadCommandLine, std::string(option) + ": found \"" + text + "\", expected a number " +
+                                                      (isAbove ? "above " : "of at least ") +
+                                                      std::to_string(static_cast<long long>(least)));
+    }
+    return *value;
+}
+
+core::Result<double> unitOption(const std::string& text)
+{
+    if (text == "mm") {
+        return 1.0;
+    }
+    if (text == "cm") {
+        return 10.0;
+    }
+    if (text == "m") {
+        return 1000.0;
+    }
+    return Status(StatusCode::BadCommandLine, "--unit: found \"" + text + "\", expected m, cm or mm");
+}
+
+Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs)
+{
+    const auto isSame = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+        std::error_code error;
+        return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (const auto& input : inputs) {
+            if (isSame(outputs[i], input)) {
+                return {StatusCode::BadCommandLine, outputs[i].string() + ": found it as input and output, "
+                                                                          "expected another name for the output"};
+            }
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            if (isSame(outputs[i], outputs[k])) {
+                return {StatusCode::BadCommandLine,
+                        outputs[i].string() + ": found it as two outputs, expected a name for each"};
+            }
+        }
+    }
+    return {};
+}
+
+} // namespace palpate::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::app {
+
+/// What `palpate` returns to its caller.
+enum ExitCode : int
+{
+    kDone = 0,
+    kFailed = 1,   ///< anything that no other code says
+    kBadInput = 2, ///< the command line or an input is wrong
+    kSomeLost = 3, ///< finished, but something was lost or skipped
+};
+
+/// Writes one line to stderr, whatever the message holds.
+void printError(std::string_view message);
+/// Writes the status to stderr. @return the exit code that belongs to it
+[[nodiscard]] int report(const core::Status& status);
+/// Writes to stdout as printf does, always with a decimal point.
+[[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
+
+/// A whole number with a comma every three digits.
+[[nodiscard]] std::string grouped(long long value);
+
+/// Checks a number from the command line.
+/// @param least  smallest value that is allowed, or with `isAbove` the largest that is not
+[[nodiscard]] core::Result<double> numberOption(std::string_view option, const std::string& text, double least,
+                                                bool isAbove);
+/// @return millimetres of one unit called `text`.
+[[nodiscard]] core::Result<double> unitOption(const std::string& text);
+
+/// @return an error when an output is also an input or another output
+[[nodiscard]] core::Status checkOutputs(const std::vector<std::filesystem::path>& inputs,
+                                        const std::vector<std::filesystem::path>& outputs);
+
+} // namespace palpate::app

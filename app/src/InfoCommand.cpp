@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+#include "Console.h"
+#include "InfoReport.h"
+#include "SceneForTouch.h"
+
+#include <palpate/session/AtomicFile.h>
+#include <palpate/session/RecordingReader.h>
+
+#include <CLI/CLI.hpp>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <chrono>
+#include <utility>
+
+namespace palpate::app {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+struct InfoOptions
+{
+    std::vector<std::filesystem::path> files;
+    std::string unit = "mm";
+    bool isJson = false;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+core::Result<FileReport> examine(const std::filesystem::path& file, double unit_mm)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        return Status(StatusCode::NotFound, file.string() + ": no such file, expected a mesh, a scene or a folder");
+    }
+    if (session::isRecordingFile(file)) {
+        return Status(StatusCode::Unsupported,
+                      file.string() + ": found a recording, expected a mesh (palpate session info reads recordings)");
+    }
+    FileReport report;
+    report.path = file;
+    auto start = std::chrono::steady_clock::now();
+    meshio::ReadOptions options;
+    options.unit_mm = unit_mm;
+    auto loaded = loadSceneOrFolder(file, options);
+    if (!loaded.isOk()) {
+        return loaded.status();
+    }
+    report.scene = std::move(loaded).value();
+    report.load_s = secondsSince(start);
+    start = std::chrono::steady_clock::now();
+    const auto scene = sceneForTouch(report.scene);
+    report.index_s = secondsSince(start);
+    report.touchBytes = scene->byteSize();
+    report.touchTriangles = triangleCount(*scene);
+    return report;
+}
+
+int runInfo(const InfoOptions& options)
+{
+    const auto unit = unitOption(options.unit);
+    if (!unit.isOk()) {
+        return report(unit.status());
+    }
+    QJsonArray all;
+    for (const auto& file : options.files) {
+        const auto examined = examine(file, unit.value());
+        if (!examined.isOk()) {
+            return report(examined.status());
+        }
+        if (options.isJson) {
+            all.append(toJson(examined.value()));
+        } else {
+            printReport(examined.value());
+        }
+    }
+    if (options.isJson) {
+        print("%s", QJsonDocument(all).toJson().constData());
+    }
+    return kDone;
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& app, Chosen& chosen)
+{
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "Health report of meshes: what they hold and how they will feel");
+    command->add_option("FILE", options->files, "Mesh files, scene files or folders of meshes")->required();
+    command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_flag("--json", options->isJson, "Print the report as JSON");
+    command->callback([options, &chosen] { chosen = [options] { return runInfo(*options); }; });
+}
+
+} // namespace palpate::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/meshio/LoadScene.h>
+
+#include <QJsonObject>
+
+#include <cstddef>
+#include <filesystem>
+
+namespace palpate::app {
+
+/// What `palpate info` found out about one file.
+struct FileReport
+{
+    std::filesystem::path path;
+    meshio::LoadedScene scene;
+    double load_s = 0.0;  ///< reading and repairing
+    double index_s = 0.0; ///< building the haptic copies
+    std::size_t touchBytes = 0;
+    std::size_t touchTriangles = 0;
+};
+
+/// Prints the report for a person.
+void printReport(const FileReport& report);
+/// The same as data, with the SHA-256 of each geometry.
+[[nodiscard]] QJsonObject toJson(const FileReport& report);
+
+} // namespace palpate::app

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/SceneLoader.h>
+#include <palpate/ui/SessionPanel.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/Theme.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
+
+#include <QMainWindow>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QStackedWidget;
+class QToolButton;
+
+/// The desktop application's window: makes the parts and connects them.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+  public:
+    MainWindow();
+    ~MainWindow() override;
+
+    /// Opens meshes and scenes as one scene, and the last recording among them to play in it.
+    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0);
+
+    [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
+    [[nodiscard]] palpate::ui::PalpationController& palpation() noexcept { return *m_palpation; }
+    [[nodiscard]] palpate::ui::Playback& playback() noexcept { return *m_playback; }
+    void setPalpating(bool isPalpating);
+
+  signals:
+    /// The scene is open and drawn; what was asked for besides (a recording) is loaded.
+    void ready();
+    void openFailed(const QString& line);
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    void makeActions();
+    void makeMenus();
+    void makeToolBar();
+    void makeDocks();
+    void makeStatusBar();
+    void connectParts();
+    QAction* makeAction(const QString& text, palpate::ui::Symbol symbol, const QKeySequence& key, const QString& tip);
+    void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::scene::ViewFrom from);
+
+    void chooseFiles();
+    void saveScene();
+    void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
+    void openRecording(const std::filesystem::path& path);
+    void followModel(int row, palpate::ui::StructureModel::Change change);
+    void toggleRecording();
+    void togglePlaying();
+    void saveSnapshot();
+    void letGo();
+    void togglePanels();
+    void showStatus();
+    void showWhatPlays();
+    void remember(const std::filesystem::path& file);
+    void refreshRecent();
+    void say(const QString& text, int forget_ms = 8000);
+    void showError(const QString& line);
+    void styleView();
+    void offerMetres();
+
+    palpate::ui::StructureModel m_model;
+    palpate::ui::LiveTouch m_live{m_model};
+    palpate::ui::SceneLoader m_loader;
+    palpate::ui::VtkViewport* m_viewport = nullptr;
+    QStackedWidget* m_stack = nullptr;
+    palpate::ui::WelcomePage* m_welcome = nullptr;
+    palpate::ui::MessageBar* m_message = nullptr;
+    palpate::ui::StructurePanel* m_structures = nullptr;
+    palpate::ui::TouchPanel* m_touch = nullptr;
+    palpate::ui::SessionPanel* m_session = nullptr;
+    palpate::ui::PalpationController* m_palpation = nullptr;
+    palpate::ui::Playback* m_playback = nullptr;
+    palpate::ui::KeysCard* m_keys = nullptr;
+    palpate::ui::Chip* m_deviceChip = nullptr;
+    palpate::ui::Chip* m_rateChip = nullptr;
+    palpate::ui::Chip* m_recordingChip = nullptr;
+    palpate::ui::Chip* m_realtimeChip = nullptr;
+    palpate::ui::Chip* m_depthChip = nullptr;
+    QLabel* m_hint = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QToolButton* m_cancel = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    std::vector<QDockWidget*> m_docks;
+
+    QAction* m_openAction = nullptr;
+    QAction* m_saveAction = nullptr;
+    QAction* m_palpateAction = nullptr;
+    QAction* m_recordAction = nullptr;
+    QAction* m_playAction = nullptr;
+    QAction* m_restartAction = nullptr;
+    QAction* m_snapshotAction = nullptr;
+    QAction* m_fitAction = nullptr;
+    QAction* m_undoAction = nullptr;
+    QAction* m_redoAction = nullptr;
+    QAction* m_keysAction = nullptr;
+
+    std::vector<std::filesystem::path> m_files;
+    double m_unit_mm = 1.0;                                  ///< that they were read with
+    std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there
+    std::filesystem::path m_recordingPath;
+};
+
+/// The bundled phantom's folder: beside the installed program, in the source tree, or where PALPATE_DATA_DIR says.
+[[nodiscard]] std::optional<std::filesystem::path> phantomFolder();

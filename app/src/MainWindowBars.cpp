@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Menus, tool bar, chips and what they show of the parts' state.
+#include "MainWindow.h"
+
+#include <palpate/ui/Theme.h>
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, scene::ViewFrom from)
+{
+    QAction* action = menu.addAction(text, this, [this, from] {
+        m_viewport->view().look(from);
+        m_viewport->update();
+    });
+    action->setShortcut(key);
+}
+
+void MainWindow::makeMenus()
+{
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addAction(m_openAction);
+    m_recentMenu = file->addMenu(tr("Open recent"));
+    file->addAction(m_saveAction);
+    file->addAction(m_snapshotAction);
+    file->addSeparator();
+    file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
+
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addAction(m_undoAction);
+    edit->addAction(m_redoAction);
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(m_fitAction);
+    view->addSeparator();
+    addViewKey(*view, tr("From the front (A)"), Qt::Key_1, scene::ViewFrom::Front);
+    addViewKey(*view, tr("From the back (P)"), Qt::CTRL | Qt::Key_1, scene::ViewFrom::Back);
+    addViewKey(*view, tr("From the left (L)"), Qt::Key_3, scene::ViewFrom::Left);
+    addViewKey(*view, tr("From the right (R)"), Qt::CTRL | Qt::Key_3, scene::ViewFrom::Right);
+    addViewKey(*view, tr("From the head (S)"), Qt::Key_7, scene::ViewFrom::Head);
+    addViewKey(*view, tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, scene::ViewFrom::Feet);
+    addViewKey(*view, tr("Oblique"), Qt::Key_0, scene::ViewFrom::Oblique);
+    view->addSeparator();
+    for (QDockWidget* dock : m_docks) {
+        view->addAction(dock->toggleViewAction());
+    }
+    view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
+
+    QMenu* session = menuBar()->addMenu(tr("&Session"));
+    for (QAction* action : {m_palpateAction, m_recordAction, m_playAction, m_restartAction}) {
+        session->addAction(action);
+    }
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(m_keysAction);
+}
+
+void MainWindow::makeToolBar()
+{
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize(QSize(22, 22));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    const auto add = [&](QAction* action, bool hasText) {
+        bar->addAction(action);
+        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+        button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+        button->setAccessibleName(action->text());
+    };
+    add(m_openAction, true);
+    bar->addSeparator();
+    add(m_palpateAction, true);
+    add(m_recordAction, true);
+    add(m_playAction, true);
+    bar->addSeparator();
+    for (QAction* action : {m_fitAction, m_snapshotAction, m_undoAction, m_redoAction, m_keysAction}) {
+        add(action, false);
+    }
+    m_undoAction->setEnabled(false);
+    m_redoAction->setEnabled(false);
+
+    auto* chips = new QWidget(bar);
+    auto* line = new QHBoxLayout(chips);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    line->addStretch(1);
+    m_depthChip = new Chip(tr("Mode"), chips);
+    m_recordingChip = new Chip(tr("Recording"), chips);
+    m_deviceChip = new Chip(tr("Device"), chips);
+    m_rateChip = new Chip(tr("Servo rate"), chips);
+    m_realtimeChip = new Chip(tr("Real-time scheduling"), chips);
+    for (Chip* chip : {m_depthChip, m_recordingChip, m_deviceChip, m_rateChip, m_realtimeChip}) {
+        line->addWidget(chip);
+    }
+    chips->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(chips);
+}
+
+void MainWindow::showStatus()
+{
+    m_depthChip->say(
+        m_palpation != nullptr && m_palpation->isPalpating()
+            ? tr("depth %1 mm")
+                  .arg(QLocale().toString(m_palpation->depth_mm(), 'f', m_palpation->depth_mm() < 1.0 ? 2 : 1))
+            : tr("camera"));
+    m_depthChip->setToolTip(
+        tr("What the pointer does: it moves the camera, or it presses this deep [mm]; the wheel sets it (P switches)"));
+    m_deviceChip->say(QString::fromStdString(m_live.deviceInfo().name).toLower());
+    m_deviceChip->setToolTip(tr("The hand's device. The mouse feels nothing: its force is shown, up to %1 N.")
+                                 .arg(QLocale().toString(m_live.deviceInfo().maxForce_N)));
+    const session::RecorderStatus recording = m_live.recording();
+    if (recording.isRecording) {
+        m_recordingChip->say(
+            tr("● recording %1, %2 dropped")
+                .arg(clockText(recording.duration_s), QLocale().toString(static_cast<qulonglong>(recording.dropped))),
+            Chip::Tone::Recording);
+        m_session->showRecording(recording.duration_s, recording.dropped);
+        if (!recording.problem.empty()) {
+            showError(QString::fromStdString(recording.problem));
+        }
+    } else {
+        m_recordingChip->say({});
+    }
+    m_recordingChip->setToolTip(tr("Length of the recording [min:s] and ticks lost because the disk was slow"));
+    if (!m_live.isRunning()) {
+        m_rateChip->say({});
+        m_realtimeChip->say({});
+        return;
+    }
+    const double rate_kHz = m_live.measuredRate_Hz() * 1e-3;
+    m_rateChip->say(tr("%1 kHz").arg(QLocale().toString(rate_kHz, 'f', 2)),
+                    rate_kHz > 0.0 && rate_kHz < 0.95 ? Chip::Tone::Warning : Chip::Tone::Quiet);
+    m_rateChip->setToolTip(tr("Ticks of the servo thread a second [kHz], over the last half second"));
+    const servo::RealtimeReport realtime = m_live.realtime();
+    m_realtimeChip->say(realtime.isRealtime ? tr("real-time") : tr("not real-time"),
+                        realtime.isRealtime ? Chip::Tone::Quiet : Chip::Tone::Warning);
+    QStringList lines{tr("What the servo thread was granted:")};
+    for (const servo::RealtimeItem& item : realtime.items) {
+        lines << QStringLiteral("%1 %2: %3")
+                     .arg(item.isGranted ? QStringLiteral("✓") : QStringLiteral("✗"), QString::fromStdString(item.name),
+                          QString::fromStdString(item.message));
+        if (!item.remedy.empty()) {
+            lines << QStringLiteral("    ") + QString::fromStdString(item.remedy);
+        }
+    }
+    m_realtimeChip->setToolTip(lines.join(QLatin1Char('\n')));
+}
+
+void MainWindow::showWhatPlays()
+{
+    const bool hasRecording = m_playback != nullptr && m_playback->recording() != nullptr;
+    const bool isPlaying = hasRecording && m_playback->isPlaying();
+    const bool isRecording = m_live.recording().isRecording;
+    const bool hasScene = m_model.rowCount() > 0;
+    m_playAction->setIcon(icon(isPlaying ? Symbol::Pause : Symbol::Play));
+    m_playAction->setText(isPlaying ? tr("Pause") : tr("Play"));
+    m_playAction->setEnabled(hasRecording && !isRecording);
+    m_restartAction->setEnabled(hasRecording && !isRecording);
+    m_recordAction->setEnabled(hasScene);
+    m_recordAction->setIcon(icon(isRecording ? Symbol::Stop : Symbol::Record));
+    m_recordAction->setText(isRecording ? tr("Stop") : tr("Record"));
+    for (QAction* action : {m_palpateAction, m_saveAction, m_fitAction, m_snapshotAction}) {
+        action->setEnabled(hasScene);
+    }
+    const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;
+    m_touch->setForceLimit(limit_N);
+    m_viewport->view().cursor().setForceLimit(limit_N);
+}
+
+void MainWindow::togglePanels()
+{
+    const bool isAnyShown =
+        std::any_of(m_docks.begin(), m_docks.end(), [](QDockWidget* dock) { return dock->isVisible(); });
+    for (QDockWidget* dock : m_docks) {
+        dock->setVisible(!isAnyShown);
+    }
+}
+
+void MainWindow::say(const QString& text, int forget_ms)
+{
+    m_hint->setText(text);
+    m_hint->setToolTip(text);
+    QTimer::singleShot(forget_ms, this, [this, text] {
+        if (m_hint->text() == text) {
+            m_hint->clear();
+        }
+    });
+}
+
+void MainWindow::showError(const QString& line)
+{
+    m_message->showError(line);
+}
+
+void MainWindow::remember(const std::filesystem::path& file)
+{
+    const QString path = QFileInfo(QString::fromStdU16String(file.u16string())).absoluteFilePath();
+    QSettings settings;
+    QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
+    recent.removeAll(path);
+    recent.prepend(path);
+    settings.setValue(QStringLiteral("recent"), recent.mid(0, 12));
+    refreshRecent();
+}
+
+void MainWindow::refreshRecent()
+{
+    QStringList recent;
+    for (const QString& path : QSettings().value(QStringLiteral("recent")).toStringList()) {
+        if (QFileInfo::exists(path)) {
+            recent << path;
+        }
+    }
+    m_welcome->setChoices(phantomFolder().has_value(), recent);
+    m_recentMenu->clear();
+    m_recentMenu->setEnabled(!recent.isEmpty());
+    for (const QString& path : recent) {
+        m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { open({path.toStdU16String()}); })
+            ->setToolTip(path);
+    }
+}

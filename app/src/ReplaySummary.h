@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/session/Measures.h>
+#include <palpate/session/Replay.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::app {
+
+/// What the scene of a replay took to get ready.
+struct SceneCost
+{
+    std::string name; ///< of the file
+    std::size_t structures = 0;
+    std::size_t triangles = 0;
+    std::size_t bytes = 0; ///< of all haptic copies
+    double load_s = 0.0;   ///< reading and repairing
+    double index_s = 0.0;  ///< building the haptic copies
+};
+
+/// Order statistics of a duration, by nearest rank. [ns]
+struct SolveTimes
+{
+    std::uint32_t p50 = 0, p99 = 0, p999 = 0, max = 0;
+    double mean = 0.0;
+};
+
+/// Collects what a replay says at its end.
+class ReplaySummary
+{
+  public:
+    ReplaySummary(SceneCost cost, double dt_s);
+
+    void reserve(std::size_t ticks);
+    void add(const servo::TickRecord& tick, std::string_view structure);
+    void setResimulation(const session::Resimulation& result) { m_resimulation = result; }
+    /// @param lost  ticks of the motion that were not felt
+    void setLive(std::int64_t lost, std::uint64_t overruns) { m_lost = lost, m_overruns = overruns; }
+
+    [[nodiscard]] SolveTimes solveTimes() const;
+    void print() const;
+    [[nodiscard]] std::string json() const;
+
+  private:
+    SceneCost m_cost;
+    session::MeasureAccumulator m_measures;
+    std::vector<std::uint32_t> m_solve_ns;
+    std::int64_t m_iterationBounds = 0;
+    std::uint32_t m_mostIterations = 0;
+    std::int64_t m_gated = 0;
+    std::optional<session::Resimulation> m_resimulation;
+    std::optional<std::int64_t> m_lost;
+    std::uint64_t m_overruns = 0;
+};
+
+} // namespace palpate::app

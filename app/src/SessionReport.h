@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/session/Measures.h>
+#include <palpate/session/RecordingReader.h>
+
+#include <filesystem>
+#include <string>
+
+namespace palpate::app {
+
+/// @return words to put after a difference when another build made the recording, which may round otherwise; else
+/// empty.
+[[nodiscard]] std::string builtDifferently(const session::RecordingInfo& info);
+
+/// Prints what a recording holds, in about ten lines.
+void printRecording(const std::filesystem::path& file, const session::RecordingReader& reader);
+void printMeasures(const session::Measures& measures);
+[[nodiscard]] std::string measuresJson(const session::Measures& measures);
+
+} // namespace palpate::app

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window.h"
+
+#include "MainWindow.h"
+
+#include <palpate/ui/Theme.h>
+
+#include <QApplication>
+#include <QPainter>
+#include <QTimer>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+using namespace palpate;
+
+namespace {
+
+constexpr int kSettle_ms = 1400; // panels, refined picture and servo have settled
+constexpr int kPress_ms = 1200;  // the scripted hand is in contact and has slid
+constexpr int kGiveUp_ms = 120000;
+
+/// Touches what was opened and takes the picture.
+class ScreenshotRun : public QObject
+{
+  public:
+    ScreenshotRun(MainWindow& window, QString file)
+        : m_window(window)
+        , m_file(std::move(file))
+    {
+        connect(&window, &MainWindow::ready, this,
+                [this] { QTimer::singleShot(kSettle_ms, this, [this] { touch(); }); });
+        connect(&window, &MainWindow::openFailed, this, [](const QString& line) {
+            std::fprintf(stderr, "%s\n", line.toUtf8().constData());
+            QCoreApplication::exit(2);
+        });
+        QTimer::singleShot(kGiveUp_ms, this, [] {
+            std::fprintf(stderr, "palpate: no picture after %d s\n", kGiveUp_ms / 1000);
+            QCoreApplication::exit(1);
+        });
+    }
+
+  private:
+    void touch()
+    {
+        ui::Playback& playback = m_window.playback();
+        if (playback.recording() != nullptr) {
+            // Into the recording to its strongest moment, then a little of it as it runs.
+            playback.seek(std::max(0.0, playback.peakTime_s() - 0.3));
+            playback.play();
+            QTimer::singleShot(300, this, [this] {
+                m_window.playback().pause();
+                m_window.playback().seek(m_window.playback().peakTime_s());
+                QTimer::singleShot(kSettle_ms, this, [this] { shoot(); });
+            });
+            return;
+        }
+        if (const auto place = findSurface()) {
+            m_place = *place;
+            m_window.setPalpating(true);
+            m_window.palpation().pressAt(m_place);
+            auto* slide = new QTimer(this);
+            connect(slide, &QTimer::timeout, this, [this] {
+                m_place += QPointF(0.5, 0.25);
+                m_window.palpation().moveTo(m_place);
+            });
+            slide->start(30);
+            QTimer::singleShot(kPress_ms, this, [this, slide] {
+                slide->stop();
+                QTimer::singleShot(kSettle_ms, this, [this] { shoot(); });
+            });
+            return;
+        }
+        shoot();
+    }
+
+    /// A place of the view, near its middle, that shows something palpable.
+    [[nodiscard]] std::optional<QPointF> findSurface()
+    {
+        ui::VtkViewport& view = m_window.viewport();
+        const QPointF centre(0.5 * view.width(), 0.5 * view.height());
+        for (int ring = 0; ring < 24; ++ring) {
+            for (int spoke = 0; spoke < 12; ++spoke) {
+                const double angle = 0.5236 * spoke;
+                const QPointF place = centre + 0.02 * ring * view.height() * QPointF(std::cos(angle), std::sin(angle));
+                if (view.view().pick(view.rayAt(place))) {
+                    return place;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    void shoot()
+    {
+        m_window.viewport().refineNext();
+        const QPixmap picture = m_window.grab();
+        const scene::TouchState& state = m_window.viewport().view().cursor().state();
+        if (!picture.save(m_file, "PNG")) {
+            std::fprintf(stderr, "%s: the picture could not be written\n", m_file.toUtf8().constData());
+            QCoreApplication::exit(1);
+            return;
+        }
+        if (state.isInContact) {
+            std::printf("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
+                        picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
+        } else {
+            std::printf("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
+        }
+        std::fflush(stdout);
+        QCoreApplication::exit(0);
+    }
+
+    MainWindow& m_window;
+    QString m_file;
+    QPointF m_place;
+};
+
+} // namespace
+
+int runWindow(int argc, char** argv, const WindowOptions& options)
+{
+    QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));
+    QCoreApplication::setApplicationName(options.screenshot ? QStringLiteral("Palpate screenshot")
+                                                            : QStringLiteral("Palpate"));
+    QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
+    ui::applyTheme(application, options.darkPalette || ui::systemIsDark(application));
+
+    MainWindow window;
+    std::unique_ptr<ScreenshotRun> run;
+    if (options.screenshot) {
+        run = std::make_unique<ScreenshotRun>(window, QString::fromStdU16String(options.screenshot->u16string()));
+        window.resize(options.screenshotWidth, options.screenshotHeight);
+    }
+    window.show();
+    if (!options.files.empty()) {
+        window.open(options.files, options.unit_mm);
+    } else if (options.screenshot) {
+        QTimer::singleShot(kSettle_ms, &window, [&window] { emit window.ready(); });
+    }
+    return QApplication::exec();
+}

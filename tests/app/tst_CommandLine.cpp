@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../support/Shapes.h"
+#include "TestRunner.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <cstring>
+
+using namespace palpate;
+using core::Vec3;
+
+namespace {
+
+struct Outcome
+{
+    int exitCode = -1;
+    QByteArray out, error;
+};
+
+/// One row of a tick table.
+struct Row
+{
+    int tick = 0;
+    Vec3 hip, god, force;
+    int constraints = 0;
+    QByteArray structure;
+    int solve_ns = 0;
+};
+
+Vec3 vector(const QList<QByteArray>& fields, int first)
+{
+    return {fields[first].toDouble(), fields[first + 1].toDouble(), fields[first + 2].toDouble()};
+}
+
+} // namespace
+
+/// Runs the real executable in a folder of its own and looks at exit code, output and files.
+class CommandLine : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    QString file(const char* name) const { return m_folder->filePath(name); }
+
+    void write(const char* name, const QByteArray& text) const
+    {
+        QFile out(file(name));
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(text);
+    }
+
+    QByteArray read(const char* name) const
+    {
+        QFile in(file(name));
+        return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+    }
+
+    void writeStl(const char* name, const geometry::TriangleMesh& mesh) const
+    {
+        QByteArray bytes(80, ' ');
+        const auto put = [&bytes](const auto value) {
+            bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+        };
+        put(static_cast<std::uint32_t>(mesh.triangles.size()));
+        for (const auto& triangle : mesh.triangles) {
+            bytes.append(12, '\0'); // normals are computed, never read
+            for (const auto corner : triangle) {
+                for (const double value : mesh.vertices[corner]) {
+                    put(static_cast<float>(value));
+                }
+            }
+            bytes.append(2, '\0');
+        }
+        write(name, bytes);
+    }
+
+    Outcome run(const QStringList& arguments) const
+    {
+        QProcess process;
+        process.setWorkingDirectory(m_folder->path());
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+            environment.remove(display); // no subcommand needs one
+        }
+        process.setProcessEnvironment(environment);
+        process.start(PALPATE_EXECUTABLE, arguments);
+        process.waitForFinished(120000);
+        Outcome outcome;
+        outcome.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+        outcome.out = process.readAllStandardOutput();
+        outcome.error = process.readAllStandardError();
+        return outcome;
+    }
+
+    QList<Row> rows(const char* name) const
+    {
+        QList<Row> out;
+        QList<QByteArray> lines = read(name).split('\n');
+        lines.removeFirst();
+        for (const QByteArray& line : lines) {
+            const QList<QByteArray> f = line.split(',');
+            if (f.size() == 13) {
+                out.append(
+                    {f[0].toInt(), vector(f, 1), vector(f, 4), vector(f, 7), f[10].toInt(), f[11], f[12].toInt()});
+            }
+        }
+        return out;
+    }
+
+    static QByteArray withoutTimes(const QByteArray& csv)
+    {
+        QByteArray out;
+        for (const QByteArray& line : csv.split('\n')) {
+            out += line.left(line.lastIndexOf(',')) + '\n';
+        }
+        return out;
+    }
+
+    /// Down on the top of the box (z = 10), along it and up again.
+    static QByteArray pressing()
+    {
+        QByteArray csv = "x,y,z\n";
+        for (int i = 0; i < 1000; ++i) {
+            const double t = i * 1e-3;
+            csv += QByteArray::number(3.0 * t, 'g', 17) + ',' + QByteArray::number(1.0 - t, 'g', 17) + ',' +
+                   QByteArray::number(11.0 - 3.0 * std::sin(M_PI * t), 'g', 17) + '\n';
+        }
+        return csv;
+    }
+
+  private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        writeStl("box.stl", test::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3));
+        write("m.csv", pressing());
+    }
+
+    void helpAndVersionNeedNothing_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("version") << QStringList{"--version"};
+        QTest::newRow("help") << QStringList{"--help"};
+        QTest::newRow("replay") << QStringList{"replay", "--help"};
+        QTest::newRow("info") << QStringList{"info", "--help"};
+        QTest::newRow("session") << QStringList{"session", "--help"};
+    }
+
+    void helpAndVersionNeedNothing()
+    {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.exitCode, 0);
+        QCOMPARE(outcome.error, QByteArray());
+        QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
+    }
+
+    void replayWritesTheTable()
+    {
+        const Outcome outcome = run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv", "--json", "s.json"});
+        QCOMPARE(outcome.error, QByteArray());
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY(read("t.csv").startsWith("tick,hip_x,hip_y,hip_z,god_x,god_y,god_z,force_x,force_y,force_z,"
+                                         "constraints,structure,solve_ns\n"));
+        const QList<Row> table = rows("t.csv");
+        QCOMPARE(table.size(), 1000);
+        int contacts = 0;
+        for (qsizetype i = 0; i < table.size(); ++i) {
+            const Row& row = table[i];
+            QCOMPARE(row.tick, static_cast<int>(i));
+            if (row.hip.z() < 10.0) { // force in the tick of contact
+                ++contacts;
+                QCOMPARE(row.structure, QByteArray("box"));
+                QCOMPARE(row.constraints, 1);
+                QVERIFY(std::abs(row.god.z() - 10.0) <= 1e-6);
+                QVERIFY((row.force - 0.5 * (row.god - row.hip)).norm() <= 1e-12);
+            } else {
+                QCOMPARE(row.structure, QByteArray());
+                QCOMPARE(row.constraints, 0);
+                QCOMPARE(row.god, row.hip);
+                QCOMPARE(row.force, Vec3(0, 0, 0));
+            }
+        }
+        const QJsonObject summary = QJsonDocument::fromJson(read("s.json")).object();
+        QCOMPARE(summary["ticks"].toInt(), 1000);
+        QCOMPARE(summary["contact_ticks"].toInt(), contacts);
+        QVERIFY(std::abs(summary["peak_force_N"].toDouble() - 1.0) < 1e-3);
+        QVERIFY(summary["solve_ns"].toObject().contains("p99.9"));
+        QVERIFY(outcome.out.contains("ticks 1,000"));
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 4);
+    }
+
+    void tissueIsOverridden()
+    {
+        const Outcome outcome = run(
+            {"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv", "--stiffness", "1.25", "--damping", "0.002"});
+        QCOMPARE(outcome.exitCode, 0);
+        const QList<Row> table = rows("t.csv");
+        for (qsizetype i = 1; i < table.size(); ++i) {
+            if (table[i].constraints > 0) {
+                const Vec3 v = (table[i].hip - table[i - 1].hip) / 1e-3;
+                QVERIFY((table[i].force - (1.25 * (table[i].god - table[i].hip) - 0.002 * v)).norm() <= 1e-12);
+            }
+        }
+    }
+
+    void unitsScaleTheMeshOnly()
+    {
+        writeStl("metres.stl", test::box(Vec3(-0.01, -0.01, -0.01), Vec3(0.01, 0.01, 0.01), 3));
+        QCOMPARE(run({"replay", "metres.stl", "--unit", "m", "--motion", "m.csv", "--out", "t.csv"}).exitCode, 0);
+        int contacts = 0;
+        for (const Row& row : rows("t.csv")) {
+            contacts += row.constraints > 0 && std::abs(row.god.z() - 10.0) < 1e-5 ? 1 : 0;
+        }
+        QVERIFY(contacts > 500);
+    }
+
+    void aFolderIsAScene()
+    {
+        QVERIFY(QDir(m_folder->path()).mkdir("meshes"));
+        writeStl("meshes/b.stl", test::box(Vec3(-10, -10, -10), Vec3(10, 10, 10)));
+        writeStl("meshes/a.stl", test::sphere(4, 3.0));
+        write("meshes/readme.txt", "not a mesh");
+        const Outcome outcome = run({"replay", "meshes", "--motion", "m.csv", "--out", "t.csv"});
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY(outcome.out.contains("2 structures"));
+        QVERIFY(read("t.csv").contains(",b,"));
+    }
+
+    void aRecordingReplaysBitForBit()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv", "--record", "r.palpate",
+                      "--stiffness", "0.8"})
+                     .exitCode,
+                 0);
+        const Outcome again = run({"replay", "box.stl", "--motion", "r.palpate", "--out", "u.csv"});
+        QCOMPARE(again.error, QByteArray());
+        QCOMPARE(again.exitCode, 0);
+        QVERIFY(again.out.contains("the same bit for bit"));
+        QCOMPARE(withoutTimes(read("u.csv")), withoutTimes(read("t.csv")));
+
+        const Outcome verified = run({"session", "verify", "r.palpate"});
+        QCOMPARE(verified.error, QByteArray());
+        QCOMPARE(verified.exitCode, 0);
+        QCOMPARE(run({"session", "info", "r.palpate"}).exitCode, 0);
+        QCOMPARE(run({"session", "measure", "r.palpate", "--json", "measures.json"}).exitCode, 0);
+        QVERIFY(read("measures.json").contains("\"box\""));
+        QCOMPARE(run({"session", "export", "r.palpate", "--csv", "e.csv"}).exitCode, 0);
+        QCOMPARE(withoutTimes(read("e.csv")), withoutTimes(read("t.csv")));
+    }
+
+    void aRecordingOfAnotherMeshIsRefusedUnlessForced()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        writeStl("other.stl", test::box(Vec3(-10, -10, -10), Vec3(10, 10, 9.5), 3));
+        const Outcome refused = run({"replay", "other.stl", "--motion", "r.palpate", "--out", "t.csv"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY(refused.error.contains("other.stl"));
+        QVERIFY(refused.error.contains("\"box\""));
+        QVERIFY(!QFile::exists(file("t.csv")));
+        QCOMPARE(run({"replay", "other.stl", "--motion", "r.palpate", "--force", "--out", "t.csv"}).exitCode, 0);
+        QCOMPARE(rows("t.csv").size(), 1000);
+    }
+
+    void liveGivesTheSameTicks()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv"}).exitCode, 0);
+        const Outcome live =
+            run({"replay", "box.stl", "--motion", "m.csv", "--live", "--out", "u.csv", "--record", "r.palpate"});
+        QCOMPARE(live.error, QByteArray());
+        QCOMPARE(live.exitCode, 0);
+        QCOMPARE(withoutTimes(read("u.csv")), withoutTimes(read("t.csv")));
+        QCOMPARE(run({"session", "verify", "r.palpate"}).exitCode, 0);
+    }
+
+    void infoSaysWhatAMeshIs()
+    {
+        const Outcome outcome = run({"info", "box.stl"});
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY(outcome.out.contains("108 triangles"));
+        QVERIFY(outcome.out.contains("closed"));
+        const Outcome json = run({"info", "--json", "box.stl", "box.stl"});
+        QCOMPARE(json.exitCode, 0);
+        QVERIFY(QJsonDocument::fromJson(json.out).isArray());
+    }
+
+    void badInputIsOneLineAndExitCode2_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("names"); // what the line must say
+        const auto row = [](const char* name, const QStringList& arguments, const char* names) {
+            QTest::newRow(name) << arguments << QByteArray(names);
+        };
+        const QStringList replay{"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv"};
+        row("unknown option", replay + QStringList{"--colour", "red"}, "--colour");
+        row("no motion", {"replay", "box.stl", "--out", "t.csv"}, "--motion");
+        row("no scene", {"replay", "--motion", "m.csv"}, "SCENE");
+        row("option without value", {"replay", "box.stl", "--motion"}, "--motion");
+        row("session without verb", {"session"}, "palpate");
+        row("unit", replay + QStringList{"--unit", "inch"}, "found \"inch\", expected m, cm or mm");
+        row("stiffness zero", replay + QStringList{"--stiffness", "0"}, "--stiffness: found \"0\"");
+        row("stiffness negative", replay + QStringList{"--stiffness", "-1"}, "--stiffness");
+        row("stiffness negative with =", replay + QStringList{"--stiffness=-1"}, "--stiffness: found \"-1\"");
+        row("stiffness nan", replay + QStringList{"--stiffness", "nan"}, "--stiffness: found \"nan\"");
+        row("stiffness inf", replay + QStringList{"--stiffness", "inf"}, "--stiffness: found \"inf\"");
+        row("stiffness word", replay + QStringList{"--stiffness", "1,5"}, "--stiffness: found \"1,5\"");
+        row("damping negative", replay + QStringList{"--damping=-0.1"}, "--damping: found \"-0.1\"");
+        row("scene missing", {"replay", "no.stl", "--motion", "m.csv", "--out", "t.csv"}, "no.stl");
+        row("motion missing", {"replay", "box.stl", "--motion", "no.csv", "--out", "t.csv"}, "no.csv");
+        row("motion is a folder", {"replay", "box.stl", "--motion", ".", "--out", "t.csv"}, "directory");
+        row("empty folder", {"replay", "empty", "--motion", "m.csv", "--out", "t.csv"},
+            "empty: found a folder without");
+        row("column missing", {"replay", "box.stl", "--motion", "two.csv", "--out", "t.csv"}, "two.csv: line 1");
+        row("not a number", {"replay", "box.stl", "--motion", "word.csv", "--out", "t.csv"},
+            "word.csv: line 3, column y: found \"abc\", expected a number");
+        row("not finite", {"replay", "box.stl", "--motion", "nan.csv", "--out", "t.csv"}, "nan.csv: line 2, column z");
+        row("empty motion", {"replay", "box.stl", "--motion", "empty.csv", "--out", "t.csv"}, "empty.csv: line 1");
+        row("truncated mesh", {"replay", "cut.stl", "--motion", "m.csv", "--out", "t.csv"}, "cut.stl");
+        row("empty mesh", {"replay", "empty.stl", "--motion", "m.csv", "--out", "t.csv"}, "empty.stl");
+        row("mesh with NaN", {"replay", "nan.stl", "--motion", "m.csv", "--out", "t.csv"}, "nan.stl");
+        row("text as mesh", {"replay", "m.csv", "--motion", "m.csv", "--out", "t.csv"}, "m.csv");
+        row("output folder missing", {"replay", "box.stl", "--motion", "m.csv", "--out", "no/t.csv"}, "no/t.csv");
+        row("output is a folder", {"replay", "box.stl", "--motion", "m.csv", "--out", "empty"}, "empty: cannot be");
+        row("json unwritable", replay + QStringList{"--json", "no/s.json"}, "no/s.json");
+        row("recording unwritable", replay + QStringList{"--record", "no/r.palpate"}, "no/r.palpate");
+        row("output is an input", {"replay", "box.stl", "--motion", "m.csv", "--out", "m.csv"}, "m.csv");
+        row("one output twice", replay + QStringList{"--json", "t.csv"}, "t.csv");
+        row("bad recording", {"replay", "box.stl", "--motion", "bad.palpate", "--out", "t.csv"}, "bad.palpate");
+        row("info missing", {"info", "no.stl"}, "no.stl");
+        row("info nothing", {"info"}, "FILE");
+        row("info truncated", {"info", "cut.stl"}, "cut.stl");
+        row("session missing", {"session", "info", "no.palpate"}, "no.palpate");
+        row("session of a mesh", {"session", "verify", "box.stl"}, "box.stl");
+        row("session of rubbish", {"session", "measure", "bad.palpate"}, "bad.palpate");
+        row("export unwritable", {"session", "export", "no.palpate", "--csv", "no/t.csv"}, "palpate");
+        row("no such file to open", {"no-such-file.stl"}, "");
+    }
+
+    void badInputIsOneLineAndExitCode2()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, names);
+        QVERIFY(QDir(m_folder->path()).mkdir("empty"));
+        write("two.csv", "x,y\n1,2\n");
+        write("word.csv", "x,y,z\n1,2,3\n1,abc,3\n");
+        write("nan.csv", "x,y,z\n1,2,nan\n");
+        write("empty.csv", "");
+        write("empty.stl", "");
+        write("cut.stl", read("box.stl").left(700));
+        QByteArray nan = read("box.stl");
+        const float notANumber = std::nanf("");
+        std::memcpy(nan.data() + 84 + 12, &notANumber, sizeof notANumber);
+        write("nan.stl", nan);
+        write("bad.palpate", QByteArray("SQLite format 3\0", 16) + QByteArray(4096, 'x'));
+        const auto before = QDir(m_folder->path()).entryList(QDir::Files);
+        const QByteArray motion = read("m.csv");
+
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.error.count('\n') == 1 && outcome.error.endsWith('\n'), outcome.error.constData());
+        QVERIFY2(outcome.error.contains(names), outcome.error.constData());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), before);
+        QCOMPARE(read("m.csv"), motion);
+    }
+
+    void anOldOutputStaysWhenTheReplayFails()
+    {
+        write("t.csv", "kept");
+        write("bad.csv", "x,y,z\n1,2,oops\n");
+        QCOMPARE(run({"replay", "box.stl", "--motion", "bad.csv", "--out", "t.csv"}).exitCode, 2);
+        QCOMPARE(read("t.csv"), QByteArray("kept"));
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv"}).exitCode, 0);
+        QCOMPARE(rows("t.csv").size(), 1000);
+    }
+
+    void verifyNamesAChangedTick()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        QByteArray bytes = read("r.palpate");
+        // The HIP of tick 500 as SQLite keeps it: big-endian. Its last bit is turned.
+        const double x = 3.0 * 500 * 1e-3;
+        const QByteArray text = QByteArray::number(x, 'g', 17);
+        const double stored = text.toDouble();
+        QByteArray pattern(8, '\0');
+        std::memcpy(pattern.data(), &stored, 8);
+        std::reverse(pattern.begin(), pattern.end());
+        const qsizetype place = bytes.indexOf(pattern);
+        QVERIFY(place > 0);
+        bytes[place + 7] = static_cast<char>(bytes[place + 7] ^ 1);
+        write("r.palpate", bytes);
+        const Outcome outcome = run({"session", "verify", "r.palpate"});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.error.contains("r.palpate: ticks 500 to 749"), outcome.error.constData());
+    }
+};
+
+PALPATE_TEST(CommandLine)
+#include "tst_CommandLine.moc"
