@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Times single servo ticks of the god-object (Palpator::step) and reports them as percentiles, not means.
+//
+//   bench_touch [--benchmark_filter=REGEX]
+//
+// slide/T   a HIP 5 mm below a sphere of 50 mm radius with about T triangles, moving at 100 mm/s: one contact
+// cold/T    the same with the data flushed from the caches before each tick
+// free/T    the same path 5 mm above the surface: no contact
+// bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
+//
+// Columns: p50, p99, p99_9 and max in ns of one tick, clock included (about 25 ns of each); iterations, the mean of
+// moves tried; hash of all god-objects: when it changes, so has the answer. Pin one core for numbers worth comparing:
+// taskset -c 1 bench_touch
+#include "Shapes.h"
+
+#include <palpate/core/Clock.h>
+#include <palpate/haptics/Palpator.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace {
+
+using namespace palpate;
+using core::Vec3;
+
+constexpr double kRadius_mm = 50.0;
+
+/// 20 n^2 triangles, indexed once and kept for the next benchmark.
+const haptics::HapticScene& scene(int n, double bump)
+{
+    static std::map<std::pair<int, double>, haptics::HapticScene> scenes;
+    const auto key = std::pair(n, bump);
+    if (scenes.find(key) == scenes.end()) {
+        scenes.clear(); // one at a time: the largest is nearly a gigabyte while it is built
+        scenes.emplace(key, haptics::HapticScene({haptics::HapticStructure{
+                                "sphere", test::indexed(test::bumpySphere(n, kRadius_mm, bump)), {0.5, 0.0}, 0}}));
+    }
+    return scenes.at(key);
+}
+
+/// Writes and flushes more than any cache holds, so that the next tick finds nothing there.
+void flushCaches()
+{
+    static std::vector<char> larger(64 << 20);
+    for (std::size_t i = 0; i < larger.size(); i += 64) {
+        ++larger[i];
+    }
+    benchmark::ClobberMemory();
+}
+
+Vec3 direction(double arc)
+{
+    return Vec3(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc), std::sin(0.37 * arc));
+}
+
+void slide(benchmark::State& state, int n, double bump, double distance_mm, double speed_mm_s, bool isCold)
+{
+    const haptics::HapticScene& sphere = scene(n, bump);
+    haptics::Palpator palpator;
+    palpator.setScene(&sphere);
+    std::vector<std::int64_t> ns;
+    std::uint64_t hash = 0, moves = 0, contacts = 0;
+    double arc = 0.0;
+    for (int i = 0; i < 300; ++i) { // arrive
+        const double share = std::min(1.0, i / 200.0);
+        (void)palpator.step(direction(0.0) * (kRadius_mm + 10 + (distance_mm - 10) * share), 1e-3);
+    }
+    for (auto _ : state) {
+        arc += speed_mm_s * 1e-3 / kRadius_mm;
+        const Vec3 hip = direction(arc) * (kRadius_mm + distance_mm);
+        if (isCold) {
+            flushCaches();
+        }
+        const std::int64_t start = core::monotonicNow_ns();
+        const haptics::TickResult tick = palpator.step(hip, 1e-3);
+        const std::int64_t end = core::monotonicNow_ns();
+        ns.push_back(end - start);
+        state.SetIterationTime(static_cast<double>(end - start) * 1e-9);
+        for (int axis = 0; axis < 3; ++axis) {
+            hash = hash * 0x9e3779b97f4a7c15ull + std::bit_cast<std::uint64_t>(tick.p_WG[axis]);
+        }
+        moves += tick.iterations;
+        contacts += tick.constraints > 0 ? 1 : 0;
+    }
+    std::sort(ns.begin(), ns.end());
+    const auto percentile = [&ns](double p) {
+        return static_cast<double>(
+            ns[std::min(ns.size() - 1, static_cast<std::size_t>(p * static_cast<double>(ns.size())))]);
+    };
+    state.counters["triangles"] = sphere.structures()[0].surface->triangleCount();
+    state.counters["p50"] = percentile(0.5);
+    state.counters["p99"] = percentile(0.99);
+    state.counters["p99_9"] = percentile(0.999);
+    state.counters["max"] = static_cast<double>(ns.back());
+    state.counters["iterations"] = static_cast<double>(moves) / static_cast<double>(ns.size());
+    state.counters["contact"] = static_cast<double>(contacts) / static_cast<double>(ns.size());
+    state.counters["hash"] = static_cast<double>(hash >> 40);
+}
+
+void add(const char* name, int n, double bump, double distance_mm, double speed_mm_s, bool isCold, int ticks)
+{
+    benchmark::RegisterBenchmark(
+        (std::string(name) + "/" + std::to_string(20 * n * n)).c_str(),
+        [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold); })
+        ->Iterations(ticks)
+        ->UseManualTime()
+        ->Unit(benchmark::kNanosecond);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    benchmark::Initialize(&argc, argv);
+    for (const int n : {8, 32, 128, 256}) {
+        add("slide", n, 0.0, -5.0, 100.0, false, 200'000);
+        add("free", n, 0.0, 5.0, 100.0, false, 200'000);
+    }
+    add("cold", 256, 0.0, -5.0, 100.0, true, 300);
+    add("bumpy", 128, 0.05, -5.0, 400.0, false, 100'000);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# test_package.sh BUILD WORK COMPILER   installs BUILD below WORK, then builds and runs consumer/ with find_package(Palpate).
+set -eu
+build=$1 work=$2 compiler=$3
+rm -rf "$work/prefix" "$work/consumer"
+cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
+cmake -S "$(dirname "${BASH_SOURCE[0]}")/consumer" -B "$work/consumer" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix"
+cmake --build "$work/consumer"
+said=$("$work/consumer/consumer")
+echo "$said"
+# 2 mm into a triangle of 0.5 N/mm.
+[ "$said" = "force 0 0 1 N" ]
