@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Flags that every target shares, and the one way to declare a module.
+
+add_library(palpate_flags INTERFACE)
+# No contraction: a replay gives back the same bits on one build (resources/docs/god-object.md).
+target_compile_options(palpate_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  -Woverloaded-virtual $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(NOT PALPATE_SANITIZER STREQUAL "none")
+  target_compile_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER})
+endif()
+
+# palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT])
+# makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed and exported.
+function(palpate_module name)
+  cmake_parse_arguments(M "ENGINE;QT" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  add_library(palpate_${name} STATIC ${M_SOURCES})
+  add_library(palpate::${name} ALIAS palpate_${name})
+  target_include_directories(palpate_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(palpate_${name} PUBLIC cxx_std_20)
+  list(TRANSFORM M_USES PREPEND palpate::)
+  target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}
+    PRIVATE $<BUILD_INTERFACE:palpate_flags> ${M_PRIVATE_LIBRARIES})
+  if(M_QT)
+    set_target_properties(palpate_${name} PROPERTIES AUTOMOC ON)
+  endif()
+  if(M_ENGINE)
+    set_target_properties(palpate_${name} PROPERTIES EXPORT_NAME ${name})
+    install(TARGETS palpate_${name} EXPORT PalpateTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
+endfunction()
