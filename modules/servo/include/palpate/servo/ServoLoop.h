@@ -4,7 +4,7 @@
 #include "palpate/servo/Fault.h"
 #include "palpate/servo/RealtimeSetup.h"
 #include "palpate/servo/TickRecord.h"
-#include "palpate/servo/TimingHistogram.h"
+#include "palpate/servo/TimingReport.h"
 
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/Palpator.h>

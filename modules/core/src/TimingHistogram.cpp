@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/servo/TimingHistogram.h"
+#include "palpate/core/TimingHistogram.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace palpate::servo {
+namespace palpate::core {
 
 namespace {
 
@@ -90,4 +90,4 @@ TimingSummary TimingHistogram::summary() const
     return out;
 }
 
-} // namespace palpate::servo
+} // namespace palpate::core

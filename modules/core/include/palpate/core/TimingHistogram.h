@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/core/Realtime.h>
+#include "palpate/core/Realtime.h"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
 
-namespace palpate::servo {
+namespace palpate::core {
 
 /// What a histogram says. All times in ns; a percentile is at most 0.4 % above the true one, never below; max is exact.
 struct TimingSummary
@@ -39,17 +39,4 @@ class TimingHistogram
     std::atomic<std::int64_t> m_max{0};
 };
 
-/// How the servo loop kept time since it started.
-struct TimingReport
-{
-    TimingSummary period;      ///< from wake to wake
-    TimingSummary periodError; ///< |period - nominal|
-    TimingSummary lateness;    ///< wake after the deadline it slept for
-    TimingSummary latency;     ///< age of the device's state when the force was written
-    TimingSummary solve;       ///< in the solver, ticks with a hand only
-    std::uint64_t ticks = 0;
-    std::uint64_t overruns = 0; ///< ticks that ended after their deadline
-    std::uint64_t skipped = 0;  ///< periods left out after overruns
-};
-
-} // namespace palpate::servo
+} // namespace palpate::core

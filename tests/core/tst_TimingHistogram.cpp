@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
-#include <palpate/servo/TimingHistogram.h>
+#include <palpate/core/TimingHistogram.h>
 
 #include <algorithm>
 #include <barrier>
@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-using Histogram = palpate::servo::TimingHistogram;
+using Histogram = palpate::core::TimingHistogram;
 
 class TimingHistogram : public QObject
 {
