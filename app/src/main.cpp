@@ -5,6 +5,7 @@
 #include "Window.h"
 #endif
 
+#include <palpate/meshio/ImportServer.h>
 #include <palpate/session/Recording.h>
 
 #include <CLI/CLI.hpp>
@@ -109,6 +110,10 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    // First, while there is one thread and nothing is open. Without a server files are read here.
+    if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
+        app::printError(server.message() + "; meshes are read in this process");
+    }
     int code = app::kFailed;
     try {
         code = run(argc, argv);

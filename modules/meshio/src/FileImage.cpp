@@ -5,40 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
 namespace palpate::meshio::internal {
 
-namespace {
-
-using core::Status;
 using core::StatusCode;
-
-/// Closes a descriptor at the end of its scope.
-struct Descriptor
-{
-    int value;
-    ~Descriptor()
-    {
-        if (value >= 0) {
-            ::close(value);
-        }
-    }
-};
-
-Status systemFault(std::string_view file, std::string_view what)
-{
-    const int error = errno;
-    return fault(error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable, file, "",
-                 std::string(what) + ": " + std::strerror(error), "a readable file");
-}
-
-} // namespace
 
 core::Result<FileImage> FileImage::allocate(std::size_t size, std::string_view file)
 {
@@ -60,27 +33,20 @@ core::Result<FileImage> FileImage::allocate(std::size_t size, std::string_view f
 
 core::Result<FileImage> FileImage::load(const std::filesystem::path& path)
 {
-    const std::string file = path.filename().string();
-    const Descriptor source{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    if (source.value < 0) {
-        return systemFault(file, "cannot be opened");
-    }
-    struct stat info = {};
-    if (::fstat(source.value, &info) != 0) {
-        return systemFault(file, "cannot be opened");
-    }
-    if (!S_ISREG(info.st_mode)) {
-        return fault(StatusCode::Unreadable, file, "", S_ISDIR(info.st_mode) ? "is a folder" : "is not a regular file",
-                     "a mesh file");
-    }
-    core::Result<FileImage> image = allocate(static_cast<std::size_t>(info.st_size), file);
+    const core::Result<OpenFile> source = openFile(path);
+    return source.isOk() ? load(source.value(), path.filename().string()) : source.status();
+}
+
+core::Result<FileImage> FileImage::load(const OpenFile& source, std::string_view file)
+{
+    core::Result<FileImage> image = allocate(source.size, file);
     if (!image.isOk()) {
         return image;
     }
     const std::span<char> to = image.value().writable();
     for (std::size_t done = 0; done < to.size();) {
         constexpr std::size_t kPart = std::size_t{1} << 26;
-        const ssize_t got = ::read(source.value, to.data() + done, std::min(kPart, to.size() - done));
+        const ssize_t got = ::read(source.descriptor.value(), to.data() + done, std::min(kPart, to.size() - done));
         if (got < 0 && errno == EINTR) {
             continue;
         }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/core/Status.h>
+#include "OpenFile.h"
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +16,8 @@ class FileImage
   public:
     /// Copies the file at `path`.
     [[nodiscard]] static core::Result<FileImage> load(const std::filesystem::path& path);
+    /// Copies a file from where its descriptor stands. @param file  its name in error messages
+    [[nodiscard]] static core::Result<FileImage> load(const OpenFile& source, std::string_view file);
     /// Copies `bytes`. @param file  its name in error messages
     [[nodiscard]] static core::Result<FileImage> copy(std::string_view bytes, std::string_view file);
 

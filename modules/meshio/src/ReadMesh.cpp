@@ -3,6 +3,7 @@
 
 #include "Fault.h"
 #include "FileKind.h"
+#include "ImportServer.h"
 #include "NumericLocale.h"
 #include "PreScan.h"
 #include "TriangleSoup.h"
@@ -56,10 +57,6 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         }
         return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
     };
-    if (!(options.unit_mm > 0.0) || !std::isfinite(options.unit_mm)) {
-        return fault(StatusCode::BadCommandLine, context.file, "unit", "a factor that is not positive", "mm per unit");
-    }
-
     const Result<FileKind> kind = fileKind(image.bytes(), path);
     if (!kind.isOk()) {
         return kind.status();
@@ -97,19 +94,30 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     return file;
 }
 
+Result<MeshFile> readHere(const std::filesystem::path& path, const ReadOptions& options)
+{
+    Result<FileImage> image = FileImage::load(path);
+    return image.isOk() ? decodeMesh(std::move(image).value(), path, options) : image.status();
+}
+
 } // namespace internal
 
 core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOptions& options)
 {
+    const std::string name = path.filename().string();
+    if (!(options.unit_mm > 0.0) || !std::isfinite(options.unit_mm)) {
+        return internal::fault(core::StatusCode::BadCommandLine, name, "unit", "a factor that is not positive",
+                               "mm per unit");
+    }
     try {
-        core::Result<internal::FileImage> image = internal::FileImage::load(path);
-        if (!image.isOk()) {
-            return image.status();
+        if (!internal::hasImportServer()) {
+            return internal::readHere(path, options);
         }
-        return internal::decodeMesh(std::move(image).value(), path, options);
+        const core::Result<internal::OpenFile> file = internal::openFile(path);
+        return file.isOk() ? internal::readInChild(file.value(), path, options) : file.status();
     } catch (const std::bad_alloc&) {
-        return internal::fault(core::StatusCode::OutOfRange, path.filename().string(), "",
-                               "not enough memory to read it", "a mesh that fits");
+        return internal::fault(core::StatusCode::OutOfRange, name, "", "not enough memory to read it",
+                               "a mesh that fits");
     }
 }
 

@@ -12,4 +12,7 @@ namespace palpate::meshio::internal {
 [[nodiscard]] core::Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path,
                                                 const ReadOptions& options);
 
+/// Reads a file in this process.
+[[nodiscard]] core::Result<MeshFile> readHere(const std::filesystem::path& path, const ReadOptions& options);
+
 } // namespace palpate::meshio::internal

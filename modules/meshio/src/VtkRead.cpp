@@ -16,6 +16,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <exception>
+#include <new>
 
 namespace palpate::meshio::internal {
 
@@ -90,6 +91,8 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(FileKind kind, const FileImage&
         reader->AddObserver(vtkCommand::ProgressEvent, observer);
         reader->Update();
         mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         return fault(StatusCode::BadFormat, context.file, "", std::string("VTK could not read it: ") + error.what(),
                      "a readable " + scan.format + " file");

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImportServer.h"
+
+#include "Fault.h"
+#include "MeshWire.h"
+#include "ReadMesh.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <malloc.h>
+#include <new>
+#include <poll.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::StatusCode;
+
+bool limit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard)
+{
+    const rlimit both{soft, hard};
+    return ::setrlimit(resource, &both) == 0;
+}
+
+/// Takes away what a mesh has no use for, before the first byte of the file is seen.
+bool confine(const ImportTask& task)
+{
+    return limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_AS, task.memory_bytes, task.memory_bytes) &&
+           limit(RLIMIT_FSIZE, task.memory_bytes, task.memory_bytes) && // of the outcome
+           limit(RLIMIT_CPU, task.cpu_s, task.cpu_s + 1) && limit(RLIMIT_NOFILE, task.files, task.files) &&
+           ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+}
+
+Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+{
+    const std::string name = path.filename().string();
+    try {
+        ReadOptions options;
+        options.unit_mm = task.unit_mm;
+        options.progress = [progress = ends.progress, newest = -1](double share) mutable {
+            const int step = static_cast<int>(share * (kDoneByte - 1));
+            if (step > newest && step < kDoneByte) {
+                newest = step;
+                const auto byte = static_cast<std::uint8_t>(step);
+                (void)!::write(progress, &byte, 1); // a client that is behind misses a step
+            }
+            return true;
+        };
+        const Result<OpenFile> file = openFile(Descriptor(ends.source), name);
+        if (!file.isOk()) {
+            return file.status();
+        }
+        Result<FileImage> image = FileImage::load(file.value(), name);
+        return image.isOk() ? decodeMesh(std::move(image).value(), path, options) : image.status();
+    } catch (const std::bad_alloc&) {
+        return fault(StatusCode::OutOfRange, name, "",
+                     "reading it takes more than " + grouped(task.memory_bytes >> 20) + " MiB of memory",
+                     "a mesh that fits its file's size");
+    }
+}
+
+/// Makes the reader's heap one that grows in large steps, in huge pages where the system gives them, and keeps what is
+/// freed: a short life with large arrays spends a fifth of its time on page faults otherwise.
+void prepareHeap(const ImportTask& task)
+{
+    const auto step = static_cast<int>(std::min<std::uint64_t>(task.memory_bytes / 4, 1 << 29));
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 25); // the most there is
+    ::mallopt(M_TRIM_THRESHOLD, INT_MAX);
+    ::mallopt(M_TOP_PAD, step);
+    auto* const begin = static_cast<char*>(::sbrk(0));
+    void* volatile block = std::malloc(std::size_t{1} << 22); // more than is left: one step
+    std::free(block);
+    const auto* const end = static_cast<char*>(::sbrk(0));
+    if (end > begin) {
+        ::madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE);
+    }
+}
+
+/// The reader, from its first step to its last.
+[[noreturn]] void beReader(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
+{
+    constexpr int kBad = 2;
+    if (!confine(task)) {
+        ::_exit(kBad);
+    }
+    prepareHeap(task);
+    if (hook != nullptr) {
+        hook(path);
+    }
+    if (!writeOutcome(ends.result, read(task, path, ends))) {
+        ::_exit(kBad);
+    }
+    (void)!::write(ends.progress, &kDoneByte, 1);
+    ::_exit(0); // nothing of this process is worth tidying up
+}
+
+/// Starts the reader, waits until it ends or the client hangs up, and tells how it ended.
+[[noreturn]] void beKeeper(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
+{
+    (void)std::signal(SIGCHLD, SIG_DFL);
+    int life[2] = {-1, -1}; // the reader alone keeps one end open, so that its end is seen at the other
+    int status = -1;
+    if (::pipe2(life, O_CLOEXEC) == 0) {
+        const pid_t reader = ::fork();
+        if (reader == 0) {
+            ::close(ends.control);
+            ::close(life[0]);
+            beReader(task, path, ends, hook);
+        }
+        ::close(life[1]);
+        ::close(ends.source);
+        ::close(ends.result);
+        ::close(ends.progress);
+        pollfd events[2] = {{life[0], POLLIN, 0}, {ends.control, POLLIN, 0}};
+        while (reader > 0 && ::poll(events, 2, -1) < 0 && errno == EINTR) {
+        }
+        if (reader > 0) {
+            if (events[0].revents == 0) {
+                ::kill(reader, SIGKILL);
+            }
+            (void)::waitpid(reader, &status, 0);
+        }
+    }
+    (void)!::send(ends.control, &status, sizeof(status), MSG_NOSIGNAL);
+    ::_exit(0);
+}
+
+} // namespace
+
+void serveImports(int socket, ReaderHook hook)
+{
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // what libraries say there is nobody's
+        const int nothing = ::open("/dev/null", O_RDWR);
+        ::dup2(nothing, standard);
+        ::close(nothing);
+    }
+    ::dup2(socket, STDERR_FILENO + 1);
+    socket = STDERR_FILENO + 1;
+    ::closefrom(socket + 1);
+    ::prctl(PR_SET_NAME, "palpate-import");
+    (void)std::signal(SIGCHLD, SIG_IGN); // keepers go without being waited for
+    (void)std::signal(SIGINT, SIG_IGN);  // meant for the program, whose end ends this one
+    while (true) {
+        alignas(ImportTask) char bytes[kMostTask + 1] = {};
+        alignas(cmsghdr) char rights[CMSG_SPACE(sizeof(ImportEnds))] = {};
+        iovec part = {bytes, kMostTask};
+        msghdr message = {};
+        message.msg_iov = &part;
+        message.msg_iovlen = 1;
+        message.msg_control = rights;
+        message.msg_controllen = sizeof(rights);
+        const ssize_t got = ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        const cmsghdr* head = CMSG_FIRSTHDR(&message);
+        if (got <= static_cast<ssize_t>(sizeof(ImportTask)) || head == nullptr ||
+            head->cmsg_len != CMSG_LEN(sizeof(ImportEnds))) {
+            ::_exit(0); // the client is gone
+        }
+        ImportTask task;
+        ImportEnds ends;
+        std::memcpy(&task, bytes, sizeof(task));
+        std::memcpy(&ends, CMSG_DATA(head), sizeof(ends));
+        if (::fork() == 0) {
+            ::close(socket);
+            beKeeper(task, bytes + sizeof(task), ends, hook);
+        }
+        for (const int end : {ends.source, ends.result, ends.progress, ends.control}) {
+            ::close(end);
+        }
+    }
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "OpenFile.h"
+
+#include "palpate/meshio/ImportServer.h"
+#include "palpate/meshio/MeshFile.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palpate::meshio::internal {
+
+// Three processes: the client asks the server over a socket; the server forks a keeper, which forks the reader and
+// tells the client how that one ended, or ends it when the client hangs up.
+
+/// What the reader does; sent with the descriptors below and followed by the path.
+struct ImportTask
+{
+    std::uint64_t memory_bytes = 0;
+    std::uint64_t cpu_s = 0;
+    std::uint64_t files = 0;
+    double unit_mm = 1.0;
+};
+
+/// The descriptors that go with a task.
+struct ImportEnds
+{
+    int source;   ///< the mesh file
+    int result;   ///< an empty memory file for the outcome
+    int progress; ///< a pipe: one byte a step, 0 … kDoneByte - 1, then kDoneByte
+    int control;  ///< the keeper's end of a socket: the reader's exit status comes out, hanging up ends the reader
+};
+inline constexpr std::uint8_t kDoneByte = 255;
+inline constexpr std::size_t kMostTask = 8192; ///< with its path [bytes]
+
+/// Called in the reader before it reads, with the path: lets a test stand in for a reader that goes wrong.
+using ReaderHook = void (*)(const char* path);
+
+/// `startImportServer` with a hook.
+core::Status startImportServer(const ImportLimits& limits, ReaderHook hook);
+
+/// Serves tasks from a socket until its other end is closed. Never returns.
+[[noreturn]] void serveImports(int socket, ReaderHook hook);
+
+/// @return true when files are read in children
+[[nodiscard]] bool hasImportServer();
+
+/// Reads `file` in a child. Whatever becomes of the child is an error here that names the file.
+/// @par Thread Any number at a time, a child each.
+[[nodiscard]] core::Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path,
+                                                 const ReadOptions& options);
+
+} // namespace palpate::meshio::internal

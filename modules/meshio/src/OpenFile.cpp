@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenFile.h"
+
+#include "Fault.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+
+namespace palpate::meshio::internal {
+
+using core::StatusCode;
+
+core::Status systemFault(std::string_view file, std::string_view what)
+{
+    const int error = errno;
+    return fault(error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable, file, "",
+                 std::string(what) + ": " + std::strerror(error), "a readable file");
+}
+
+core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file)
+{
+    struct stat info = {};
+    if (descriptor.value() < 0 || ::fstat(descriptor.value(), &info) != 0) {
+        return systemFault(file, "cannot be opened");
+    }
+    if (!S_ISREG(info.st_mode)) {
+        return fault(StatusCode::Unreadable, file, "", S_ISDIR(info.st_mode) ? "is a folder" : "is not a regular file",
+                     "a mesh file");
+    }
+    return OpenFile{std::move(descriptor), static_cast<std::size_t>(info.st_size)};
+}
+
+core::Result<OpenFile> openFile(const std::filesystem::path& path)
+{
+    return openFile(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)), path.filename().string());
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace palpate::meshio::internal {
+
+/// Owns a file descriptor.
+class Descriptor
+{
+  public:
+    explicit Descriptor(int value = -1) noexcept
+        : m_value(value)
+    {
+    }
+    Descriptor(Descriptor&& other) noexcept
+        : m_value(std::exchange(other.m_value, -1))
+    {
+    }
+    Descriptor& operator=(Descriptor&& other) noexcept
+    {
+        std::swap(m_value, other.m_value);
+        return *this;
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor()
+    {
+        if (m_value >= 0) {
+            ::close(m_value);
+        }
+    }
+    [[nodiscard]] int value() const noexcept { return m_value; }
+
+  private:
+    int m_value;
+};
+
+/// A regular file, open for reading from its start.
+struct OpenFile
+{
+    Descriptor descriptor;
+    std::size_t size = 0; ///< [bytes]
+};
+
+/// Opens `path`; a folder, a pipe and what else is no regular file is an error.
+[[nodiscard]] core::Result<OpenFile> openFile(const std::filesystem::path& path);
+/// The same for what is open already. @param file  its name in error messages
+[[nodiscard]] core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file);
+
+/// @return an error that says `what`, and why by errno
+[[nodiscard]] core::Status systemFault(std::string_view file, std::string_view what);
+
+} // namespace palpate::meshio::internal

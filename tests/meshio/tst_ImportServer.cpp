@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImportServer.h"
+#include "MeshWire.h"
+#include "ReadMesh.h"
+#include "Samples.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <limits>
+#include <sys/mman.h>
+#include <unistd.h>
+
+using namespace palpate;
+using core::StatusCode;
+using meshio::internal::readOutcome;
+using meshio::internal::writeOutcome;
+
+namespace {
+
+/// What goes wrong in the reader, by the name of the file that it is given.
+void misbehave(const char* path)
+{
+    const std::string name = std::filesystem::path(path).filename().string();
+    if (name == "segv.stl") {
+        (void)std::raise(SIGSEGV);
+    } else if (name == "abort.stl") {
+        std::abort();
+    } else if (name == "exit.stl") {
+        ::_exit(7);
+    } else if (name == "hang.stl") {
+        std::ofstream(std::string(path) + ".pid") << ::getpid() << std::flush;
+        while (true) {
+            ::pause();
+        }
+    } else if (name == "spin.stl") {
+        for (std::atomic<unsigned> i = 0;; ++i) {
+        }
+    } else if (name == "eat.stl") {
+        while (true) { // to the end of all memory that it can get
+            std::memset(::operator new (std::size_t{1} << 24), 1, std::size_t{1} << 24);
+        }
+    } else if (name == "files.stl") {
+        int opened = 0;
+        while (opened < 1000 && ::open("/dev/null", O_RDONLY) >= 0) {
+            ++opened;
+        }
+        ::_exit(opened < 32 ? 7 : 8);
+    } else if (name == "noise.stl") {
+        (void)!::write(1, "out", 3);
+        (void)!::write(2, "error", 5);
+    }
+}
+
+/// An outcome in a memory file.
+class Wire
+{
+  public:
+    Wire()
+        : m_file(::memfd_create("wire", MFD_CLOEXEC))
+    {
+    }
+    ~Wire() { ::close(m_file); }
+    [[nodiscard]] int file() const { return m_file; }
+    [[nodiscard]] std::string bytes() const
+    {
+        std::string out(static_cast<std::size_t>(::lseek(m_file, 0, SEEK_END)), '\0');
+        return ::pread(m_file, out.data(), out.size(), 0) == static_cast<ssize_t>(out.size()) ? out : std::string();
+    }
+    void set(std::string_view bytes) const
+    {
+        QCOMPARE(::ftruncate(m_file, 0), 0);
+        QCOMPARE(::pwrite(m_file, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
+    }
+    [[nodiscard]] core::Result<meshio::MeshFile> taken() const { return readOutcome(m_file, "/somewhere/a.stl", 1.0); }
+
+  private:
+    int m_file;
+};
+
+meshio::MeshFile twoStructures()
+{
+    meshio::MeshFile file;
+    file.format = "VTP";
+    file.frame = meshio::FileFrame::Ras;
+    file.notes = {"one", "two"};
+    file.structures = {test::tetrahedron("liver"), test::tetrahedron("größe", {1, 2, 3})};
+    file.structures[1].colour = {0.1, 0.2, 0.3};
+    return file;
+}
+
+std::size_t openDescriptors()
+{
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+        count += entry.path().empty() ? 0 : 1;
+    }
+    return count;
+}
+
+bool isGone(pid_t process)
+{
+    return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, 5000);
+}
+
+} // namespace
+
+/// Readers that go wrong in a child of this program, and the program that goes on.
+class ImportServer : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void readsWhatThisProcessReads();
+    void readerThatEndsBadlyIsOneError_data();
+    void readerThatEndsBadlyIsOneError();
+    void noiseOfTheReaderIsNotHeard();
+    void progressRisesAndCancelEndsTheReader();
+    void manyAtOnceAndNothingLeft();
+    void outcomeComesBackWhole();
+    void errorComesBackAsOneLine();
+    void liesAreRefused_data();
+    void liesAreRefused();
+    void anyByteMayBeWrong();
+};
+
+void ImportServer::readsWhatThisProcessReads()
+{
+    QVERIFY(meshio::internal::hasImportServer());
+    const test::Folder folder;
+    for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"ä b.stl", test::asciiStl()},
+                                      {"a.vtp", test::asciiVtp()},
+                                      {"a.obj", "# SPACE=RAS\no liver\n" + test::kObj},
+                                      {"a.ply", test::asciiPly()},
+                                      {"cut.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}})},
+                                      {"none.ply", ""}}) {
+        const auto path = folder.write(name, bytes);
+        meshio::ReadOptions options;
+        options.unit_mm = 0.1;
+        const auto here = meshio::internal::readHere(path, options);
+        const auto child = meshio::readMesh(path, options);
+        QCOMPARE(child.isOk(), here.isOk());
+        QCOMPARE(child.status().code(), here.status().code());
+        QCOMPARE(child.status().message(), here.status().message());
+        if (here.isOk()) {
+            QCOMPARE(child.value().path, path);
+            QCOMPARE(child.value().unit_mm, 0.1);
+            QCOMPARE(child.value().format, here.value().format);
+            QCOMPARE(child.value().frame, here.value().frame);
+            QVERIFY(child.value().notes == here.value().notes);
+            QCOMPARE(child.value().structures.size(), here.value().structures.size());
+            QCOMPARE(child.value().structures[0].name, here.value().structures[0].name);
+            QVERIFY(child.value().structures[0].mesh.vertices == here.value().structures[0].mesh.vertices);
+            QVERIFY(child.value().structures[0].mesh.triangles == here.value().structures[0].mesh.triangles);
+        }
+    }
+    QCOMPARE(meshio::readMesh(folder.path("missing.stl")).status().code(), StatusCode::NotFound);
+    QCOMPARE(meshio::readMesh(folder.path("")).status().code(), StatusCode::Unreadable);
+}
+
+void ImportServer::readerThatEndsBadlyIsOneError_data()
+{
+    QTest::addColumn<std::string>("found");
+    QTest::newRow("segv.stl") << std::string("the process that read it crashed (Segmentation fault)");
+    QTest::newRow("abort.stl") << std::string("the process that read it crashed (Aborted)");
+    QTest::newRow("exit.stl") << std::string("the process that read it gave up (exit code 7)");
+    QTest::newRow("files.stl") << std::string("the process that read it gave up (exit code 7)");
+    QTest::newRow("hang.stl") << std::string("reading it took more than ");
+    QTest::newRow("spin.stl") << std::string("reading it took more than ");
+    QTest::newRow("eat.stl") << std::string("the process that read it crashed (Aborted)"); // by an uncaught bad_alloc
+}
+
+void ImportServer::readerThatEndsBadlyIsOneError()
+{
+    QFETCH(std::string, found);
+    const test::Folder folder;
+    const std::string name = QTest::currentDataTag();
+    const auto file = meshio::readMesh(folder.write(name, test::asciiStl()));
+    QVERIFY(!file.isOk());
+    const std::string& message = file.status().message();
+    QVERIFY2(message.starts_with(name + ": " + found), message.c_str());
+    QVERIFY2(message.find("; expected ") != std::string::npos, message.c_str());
+    QCOMPARE(std::count(message.begin(), message.end(), '\n'), std::ptrdiff_t{0});
+    QVERIFY(meshio::readMesh(folder.write("good.stl", test::asciiStl())).isOk());
+}
+
+void ImportServer::noiseOfTheReaderIsNotHeard()
+{
+    const test::Folder folder;
+    std::fflush(stdout);
+    std::fflush(stderr);
+    const int before[2] = {::dup(1), ::dup(2)};
+    const int caught = ::open(folder.path("caught").c_str(), O_RDWR | O_CREAT, 0600);
+    ::dup2(caught, 1);
+    ::dup2(caught, 2);
+    const bool isOk = meshio::readMesh(folder.write("noise.stl", test::asciiStl())).isOk();
+    ::dup2(before[0], 1);
+    ::dup2(before[1], 2);
+    for (const int file : {before[0], before[1], caught}) {
+        ::close(file);
+    }
+    QVERIFY(isOk);
+    QCOMPARE(test::fileBytes(folder.path("caught")), std::string());
+}
+
+void ImportServer::progressRisesAndCancelEndsTheReader()
+{
+    const test::Folder folder;
+    const std::vector<std::array<float, 9>> facets(300000, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const auto path = folder.write("large.stl", test::binaryStl(300000, facets));
+    double last = 0.0;
+    std::size_t steps = 0;
+    meshio::ReadOptions options;
+    options.progress = [&](double share) {
+        steps += share > last ? 1 : 0;
+        last = share >= last ? share : 2.0;
+        return true;
+    };
+    QVERIFY(meshio::readMesh(path, options).isOk());
+    QCOMPARE(last, 1.0);
+    QVERIFY2(steps >= 3, std::to_string(steps).c_str());
+
+    const auto hanging = folder.write("hang.stl", test::asciiStl());
+    const auto note = folder.path("hang.stl.pid");
+    std::string process;
+    options.progress = [&](double) { // asked while nothing comes from the reader, too
+        process = test::fileBytes(note);
+        return process.empty();
+    };
+    QCOMPARE(meshio::readMesh(hanging, options).status().code(), StatusCode::Cancelled);
+    QVERIFY(isGone(static_cast<pid_t>(std::stol(process))));
+}
+
+void ImportServer::manyAtOnceAndNothingLeft()
+{
+    const test::Folder folder;
+    for (int i = 0; i < 40; ++i) {
+        (void)folder.write(std::string("f").append(std::to_string(i)).append(".stl"), test::asciiStl());
+    }
+    (void)folder.write("segv.stl", test::asciiStl());
+    const std::size_t before = openDescriptors();
+    const auto scene = meshio::loadScene(folder.path("")); // on two threads
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    QCOMPARE(scene.value().structures.size(), std::size_t{40});
+    QCOMPARE(scene.value().losses.size(), std::size_t{1});
+    QVERIFY(scene.value().losses[0].starts_with("segv.stl: "));
+    QCOMPARE(openDescriptors(), before);
+}
+
+void ImportServer::outcomeComesBackWhole()
+{
+    const Wire wire;
+    QVERIFY(writeOutcome(wire.file(), twoStructures()));
+    const auto file = wire.taken();
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    const meshio::MeshFile whole = twoStructures();
+    QCOMPARE(file.value().format, whole.format);
+    QCOMPARE(file.value().frame, whole.frame);
+    QVERIFY(file.value().notes == whole.notes);
+    QCOMPARE(file.value().structures.size(), std::size_t{2});
+    for (std::size_t i = 0; i < 2; ++i) {
+        QCOMPARE(file.value().structures[i].name, whole.structures[i].name);
+        QVERIFY(file.value().structures[i].colour == whole.structures[i].colour);
+        QVERIFY(file.value().structures[i].mesh.vertices == whole.structures[i].mesh.vertices);
+        QVERIFY(file.value().structures[i].mesh.triangles == whole.structures[i].mesh.triangles);
+    }
+}
+
+void ImportServer::errorComesBackAsOneLine()
+{
+    const Wire wire;
+    QVERIFY(writeOutcome(wire.file(), core::Status(StatusCode::OutOfRange, "two\nlines")));
+    QCOMPARE(wire.taken().status().code(), StatusCode::OutOfRange);
+    QCOMPARE(wire.taken().status().message(), std::string("a.stl: two lines"));
+}
+
+void ImportServer::liesAreRefused_data()
+{
+    QTest::addColumn<std::string>("bytes");
+    const auto row = [](const char* name, meshio::MeshFile file, auto&& change) {
+        change(file);
+        const Wire wire;
+        QVERIFY(writeOutcome(wire.file(), std::move(file)));
+        QTest::newRow(name) << wire.bytes();
+    };
+    const auto p = [](meshio::MeshFile& f) -> core::Vec3& { return f.structures[1].mesh.vertices[3]; };
+    row("index", twoStructures(), [](auto& f) { f.structures[1].mesh.triangles[3][2] = 4; });
+    row("not a number", twoStructures(), [&](auto& f) { p(f).y() = std::nan(""); });
+    row("infinite", twoStructures(), [&](auto& f) { p(f).x() = std::numeric_limits<double>::infinity(); });
+    row("far", twoStructures(), [&](auto& f) { p(f).z() = -1.1e7; });
+    row("colour", twoStructures(), [](auto& f) { f.structures[1].colour = {0.0, 1.5, 0.0}; });
+    row("frame", twoStructures(), [](auto& f) { f.frame = static_cast<meshio::FileFrame>(3); });
+    row("no structure", twoStructures(), [](auto& f) { f.structures.clear(); });
+    row("no triangle", twoStructures(), [](auto& f) { f.structures[0].mesh.triangles.clear(); });
+    const Wire wire;
+    QVERIFY(writeOutcome(wire.file(), twoStructures()));
+    const std::string whole = wire.bytes();
+    QTest::newRow("nothing") << std::string();
+    QTest::newRow("cut") << whole.substr(0, whole.size() - 1);
+    QTest::newRow("longer") << whole + 'a';
+    QTest::newRow("head alone") << std::string(8, '\xff');
+    QTest::newRow("ok without a mesh") << std::string(8, '\0');
+}
+
+void ImportServer::liesAreRefused()
+{
+    QFETCH(std::string, bytes);
+    const Wire wire;
+    wire.set(bytes);
+    const auto file = wire.taken();
+    QVERIFY(!file.isOk());
+    QCOMPARE(file.status().code(), StatusCode::Internal);
+    QVERIFY(file.status().message().starts_with("a.stl: the import process handed back "));
+}
+
+void ImportServer::anyByteMayBeWrong()
+{
+    const Wire whole;
+    QVERIFY(writeOutcome(whole.file(), twoStructures()));
+    const std::string bytes = whole.bytes();
+    const Wire wire;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        for (const char flip : {'\x01', '\x80', '\xff'}) {
+            std::string damaged = bytes;
+            damaged[i] = static_cast<char>(damaged[i] ^ flip);
+            wire.set(damaged);
+            const auto file = wire.taken();
+            if (file.isOk()) {
+                for (const auto& structure : file.value().structures) {
+                    for (const auto& triangle : structure.mesh.triangles) {
+                        QVERIFY(*std::max_element(triangle.begin(), triangle.end()) < structure.mesh.vertices.size());
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The server is forked before anything else of the program begins, so this is a program of its own.
+int main(int argc, char** argv)
+{
+    meshio::ImportLimits limits;
+    limits.memory_bytes = std::uint64_t{1} << 29;
+    limits.cpu_s = 1.0;
+    limits.wall_s = 4.0;
+    if (!meshio::internal::startImportServer(limits, misbehave).isOk()) {
+        return 1;
+    }
+    const QCoreApplication application(argc, argv);
+    ImportServer tests;
+    return QTest::qExec(&tests, argc, argv);
+}
+
+#include "tst_ImportServer.moc"
