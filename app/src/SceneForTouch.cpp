@@ -1,66 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneForTouch.h"
 
-#include <palpate/session/GeometryHash.h>
+#include "RecordedScene.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <string>
+#include <palpate/session/GeometryHash.h>
+#include <palpate/session/RecordingReader.h>
+
 #include <utility>
 
 namespace palpate::app {
 
-using core::Status;
-using core::StatusCode;
-
-namespace {
-
-bool isMeshName(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    static constexpr std::array<std::string_view, 4> kExtensions{".stl", ".vtp", ".obj", ".ply"};
-    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
-} // namespace
-
 core::Result<meshio::LoadedScene> loadSceneOrFolder(const std::filesystem::path& path,
                                                     const meshio::ReadOptions& options)
 {
-    std::error_code error;
-    if (!std::filesystem::is_directory(path, error)) {
-        return meshio::loadScene(path, options);
-    }
-    std::vector<std::filesystem::path> files;
-    for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
-        if (isMeshName(entry->path()) && entry->is_regular_file()) {
-            files.push_back(entry->path());
-        }
-    }
-    if (error) {
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be read: " + error.message());
-    }
-    if (files.empty()) {
-        return Status(StatusCode::Empty,
-                      path.string() + ": found a folder without meshes, expected STL, VTP, OBJ or PLY files in it");
-    }
-    std::sort(files.begin(), files.end());
-    meshio::LoadedScene all;
-    for (const auto& file : files) {
-        auto one = meshio::loadScene(file, options);
-        if (!one.isOk()) {
-            return one.status();
-        }
-        meshio::LoadedScene& loaded = one.value();
-        std::move(loaded.structures.begin(), loaded.structures.end(), std::back_inserter(all.structures));
-        std::move(loaded.scene.structures.begin(), loaded.scene.structures.end(),
-                  std::back_inserter(all.scene.structures));
-        std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(all.warnings));
-    }
-    return all;
+    return session::isRecordingFile(path) ? sceneOfRecording(path) : meshio::loadScene(path, options);
 }
 
 haptics::HapticStructure structureForTouch(const meshio::LoadedStructure& structure)

@@ -14,8 +14,7 @@
 
 namespace palpate::app {
 
-/// Opens a scene file, a mesh file or a folder of mesh files (each a structure or several, in the order of their
-/// names).
+/// Opens a scene file, a mesh file, a folder of mesh files, or a recording that holds its surfaces itself.
 [[nodiscard]] core::Result<meshio::LoadedScene> loadSceneOrFolder(const std::filesystem::path& path,
                                                                   const meshio::ReadOptions& options = {});
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
-#include "SceneForTouch.h"
+#include "RecordedScene.h"
 #include "SessionReport.h"
 
 #include <palpate/session/AtomicFile.h>
 #include <palpate/session/Measures.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
 #include <palpate/session/TickCsv.h>
 
@@ -26,7 +27,7 @@ namespace {
 
 struct SessionOptions
 {
-    std::filesystem::path file, scene, csv, json;
+    std::filesystem::path file, scene, csv, json, out;
 };
 
 constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min();
@@ -42,24 +43,6 @@ int runInfo(const SessionOptions& options)
     return kDone;
 }
 
-/// Loads what the recording was made on, once from where it says, or from `--scene`.
-core::Result<meshio::LoadedScene> loadRecordedScene(const RecordingReader& reader, const std::filesystem::path& given)
-{
-    const std::filesystem::path path = given.empty() ? std::filesystem::path(reader.info().scene) : given;
-    if (path.empty()) {
-        return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
-    }
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        return Status(StatusCode::NotFound, path.string() + ": no such file");
-    }
-    meshio::ReadOptions readOptions;
-    if (!reader.scenes().empty() && !reader.scenes().front().structures.empty()) {
-        readOptions.unit_mm = reader.scenes().front().structures.front().source.unit_mm;
-    }
-    return loadSceneOrFolder(path, readOptions);
-}
-
 int runVerify(const SessionOptions& options)
 {
     const auto opened = RecordingReader::open(options.file);
@@ -73,16 +56,15 @@ int runVerify(const SessionOptions& options)
     }
     print("%s: database sound, checksums of %s ticks right\n", options.file.string().c_str(),
           grouped(reader.extent().ticks).c_str());
-    const auto loaded = loadRecordedScene(reader, options.scene);
-    if (!loaded.isOk()) {
+    const auto surfaces = recordedSurfaces(reader, options.scene);
+    if (!surfaces.isOk()) {
         if (!options.scene.empty()) {
-            return report(loaded.status());
+            return report(surfaces.status());
         }
-        printError("not computed again: " + loaded.status().message() + "; say where the scene is with --scene");
+        printError("not computed again: " + surfaces.status().message() + "; say where the scene is with --scene");
         return kSomeLost;
     }
-    const auto scene = sceneForTouch(loaded.value());
-    const auto result = session::resimulate(reader, surfacesByHash(*scene, structureSources(loaded.value())));
+    const auto result = session::resimulate(reader, indexed(surfaces.value()));
     if (!result.isOk()) {
         return report({result.status().code(), options.file.string() + ": " + result.status().message()});
     }
@@ -99,6 +81,22 @@ int runVerify(const SessionOptions& options)
         return kSomeLost;
     }
     return kDone;
+}
+
+int runRecover(const SessionOptions& options)
+{
+    if (const Status status = checkOutputs({options.file}, {options.out}); !status.isOk()) {
+        return report(status);
+    }
+    const auto recovered = session::recoverRecording(options.file, options.out);
+    if (!recovered.isOk()) {
+        return report(recovered.status());
+    }
+    print("%s: %s ticks recovered\n", options.out.string().c_str(), grouped(recovered.value().ticks).c_str());
+    for (const std::string& loss : recovered.value().losses) {
+        printError(options.file.string() + ": missing in the copy: " + loss);
+    }
+    return recovered.value().losses.empty() ? kDone : kSomeLost;
 }
 
 int runMeasure(const SessionOptions& options)
@@ -175,6 +173,9 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     add("info", "Say what it holds", runInfo);
     add("verify", "Check every bit, then compute it again and compare", runVerify)
         ->add_option("--scene", options->scene, "Where the scene is that it was made on");
+    add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover)
+        ->add_option("--out", options->out, "Where the copy goes")
+        ->required();
     add("measure", "Say what the hand did, in numbers", runMeasure)
         ->add_option("--json", options->json, "Write the measures as JSON");
     add("export", "Write its ticks in another form", runExport)

@@ -269,6 +269,43 @@ class CommandLine : public QObject
         QCOMPARE(rows("t.csv").size(), 1000);
     }
 
+    void aRecordingWithItsSurfacesNeedsNoOtherFile()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate", "--embed"}).exitCode, 0);
+        QVERIFY(QFile::remove(file("box.stl")));
+        const Outcome verified = run({"session", "verify", "r.palpate"});
+        QCOMPARE(verified.error, QByteArray());
+        QCOMPARE(verified.exitCode, 0);
+        QVERIFY(verified.out.contains("the same bit for bit"));
+        const Outcome again = run({"replay", "r.palpate", "--motion", "r.palpate", "--out", "t.csv"});
+        QCOMPARE(again.exitCode, 0);
+        QVERIFY(again.out.contains("the same bit for bit"));
+        QCOMPARE(rows("t.csv").size(), 1000);
+        QCOMPARE(run({"replay", "r.palpate", "--motion", "m.csv", "--embed"}).exitCode, 2); // embed into what?
+    }
+
+    void recoverSaysWhatIsMissing()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        const Outcome whole = run({"session", "recover", "r.palpate", "--out", "copy.palpate"});
+        QCOMPARE(whole.error, QByteArray());
+        QCOMPARE(whole.exitCode, 0);
+        QByteArray bytes = read("r.palpate");
+        const double stored = QByteArray::number(3.0 * 500 * 1e-3, 'g', 17).toDouble();
+        QByteArray pattern(8, '\0'); // the HIP of tick 500 as SQLite keeps it: big-endian
+        std::memcpy(pattern.data(), &stored, 8);
+        std::reverse(pattern.begin(), pattern.end());
+        bytes[bytes.indexOf(pattern) + 7] ^= 1;
+        write("r.palpate", bytes);
+        const Outcome damaged = run({"session", "recover", "r.palpate", "--out", "copy.palpate"});
+        QCOMPARE(damaged.exitCode, 3);
+        QVERIFY2(damaged.error.contains("r.palpate: missing in the copy: ticks 500 to 749: left out"),
+                 damaged.error.constData());
+        QVERIFY(damaged.out.contains("750 ticks recovered"));
+        QCOMPARE(run({"session", "verify", "copy.palpate"}).exitCode, 3); // ticks are missing
+        QCOMPARE(run({"session", "recover", "r.palpate", "--out", "r.palpate"}).exitCode, 2);
+    }
+
     void liveGivesTheSameTicks()
     {
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv"}).exitCode, 0);
@@ -315,8 +352,7 @@ class CommandLine : public QObject
         row("scene missing", {"replay", "no.stl", "--motion", "m.csv", "--out", "t.csv"}, "no.stl");
         row("motion missing", {"replay", "box.stl", "--motion", "no.csv", "--out", "t.csv"}, "no.csv");
         row("motion is a folder", {"replay", "box.stl", "--motion", ".", "--out", "t.csv"}, "directory");
-        row("empty folder", {"replay", "empty", "--motion", "m.csv", "--out", "t.csv"},
-            "empty: found a folder without");
+        row("empty folder", {"replay", "empty", "--motion", "m.csv", "--out", "t.csv"}, "empty: a folder without");
         row("column missing", {"replay", "box.stl", "--motion", "two.csv", "--out", "t.csv"}, "two.csv: line 1");
         row("not a number", {"replay", "box.stl", "--motion", "word.csv", "--out", "t.csv"},
             "word.csv: line 3, column y: found \"abc\", expected a number");

@@ -159,7 +159,7 @@ class CrashSafety : public QObject
         QVERIFY(reader.value()->extent().isComplete);
         QVERIFY(reader.value()->extent().ticks > 400);
         QCOMPARE(reader.value()->extent().dropped, std::int64_t{0});
-        QCOMPARE(reader.value()->events().size(), std::size_t{3}); // two scenes and the note
+        QCOMPARE(reader.value()->events().size(), std::size_t{4}); // two scenes, the change of tissue and the note
         const auto result = session::resimulate(*reader.value(), test::boxSurfaces());
         QVERIFY2(result.isOk(), result.status().message().c_str());
         QVERIFY2(result.value().isSame(), result.value().difference.c_str());

@@ -153,8 +153,8 @@ class Recording : public QObject
         QTest::newRow("lost row") << "DELETE FROM ticks WHERE tick = 700"
                                   << "ticks 500 to 749";
         QTest::newRow("lost block") << "DELETE FROM ticks WHERE tick BETWEEN 500 AND 749;"
-                                       "DELETE FROM checks WHERE first_tick = 500"
-                                    << "ticks 750 to 999";
+                                       "DELETE FROM checks WHERE first = 500"
+                                    << "a part of the recording was taken out";
         QTest::newRow("added row")
             << "INSERT INTO ticks SELECT 5000, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
                "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
@@ -162,7 +162,25 @@ class Recording : public QObject
             << "ticks 2000 to 5000";
         QTest::newRow("start state") << "UPDATE meta SET value = zeroblob(length(value)) WHERE key = 'start';"
                                         "UPDATE meta SET value = 'x' WHERE key = 'device_name'"
-                                     << "metadata or ticks 0 to 249";
+                                     << "metadata: found other bits";
+        QTest::newRow("tissue") << "UPDATE structures SET stiffness_N_per_mm = 0.6 WHERE generation = 2"
+                                << "scene 2: found other bits";
+        QTest::newRow("name of a mesh") << "UPDATE meshes SET path = 'bow.stl'"
+                                        << "scene 1: found other bits";
+        QTest::newRow("lost structure") << "DELETE FROM structures WHERE generation = 1"
+                                        << "scene 1: found 0 rows, expected 1";
+        QTest::newRow("lost scene") << "DELETE FROM scenes WHERE generation = 2"
+                                    << "scene 2: found 0 rows, expected 1";
+        QTest::newRow("added scene") << "INSERT INTO scenes VALUES(3, 0)"
+                                     << "scene 3: found without a checksum";
+        QTest::newRow("event") << "UPDATE events SET tick = tick + 1 WHERE kind = 'clutch'"
+                               << "events 2 to ";
+        QTest::newRow("added event") << "INSERT INTO events VALUES(99, 5, 'note', '{}')"
+                                     << "event 99: found without a checksum";
+        QTest::newRow("a line of the checks") << "DELETE FROM checks WHERE id = 4"
+                                              << "a part of the recording was taken out";
+        QTest::newRow("a hash") << "UPDATE checks SET sha256 = zeroblob(32) WHERE first = 500"
+                                << "ticks 500 to 749: found other bits";
     }
 
     void findsAChangedTickAndNamesItsRange()
@@ -217,8 +235,8 @@ class Recording : public QObject
     {
         QTest::addColumn<QString>("sql");
         QTest::addColumn<QString>("message");
-        QTest::newRow("newer") << "PRAGMA user_version = 2"
-                               << "found a recording of version 2, expected at most 1";
+        QTest::newRow("newer") << "PRAGMA user_version = 3"
+                               << "found a recording of version 3, expected at most 2";
         QTest::newRow("another program's") << "PRAGMA application_id = 7"
                                            << "found another program's SQLite database";
         QTest::newRow("no meta") << "DROP TABLE meta"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Packing.h"
 
+#include "MetaTable.h"
+
 #include <QCryptographicHash>
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace palpate::session::internal {
 
@@ -22,12 +25,23 @@ void put(std::string& out, T value)
     out.append(bytes, sizeof value);
 }
 
+void putNumber(std::string& out, double value)
+{
+    // NULL stands for every NaN in a table, so that its bits cannot count.
+    put(out, std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
+}
+
 void put(std::string& out, const core::Vec3& v)
 {
     for (const double value : v) {
-        // NULL stands for every NaN in the table, so that its bits cannot count.
-        put(out, std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
+        putNumber(out, value);
     }
+}
+
+void putText(std::string& out, std::string_view text)
+{
+    put(out, static_cast<std::uint64_t>(text.size()));
+    out += text;
 }
 
 template<class T>
@@ -73,6 +87,47 @@ void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firs
     put(out, tick.iterations);
     put(out, tick.flags);
     put(out, tick.constraints);
+}
+
+void packScene(std::string& out, const SceneRecord& scene)
+{
+    put(out, scene.generation);
+    put(out, static_cast<std::uint64_t>(scene.structures.size()));
+    for (const StructureRecord& structure : scene.structures) {
+        putText(out, structure.name);
+        putText(out, structure.source.mesh);
+        putText(out, structure.source.part);
+        putNumber(out, structure.source.unit_mm);
+        put(out, static_cast<std::uint8_t>(structure.source.flipped));
+        putText(out, poseText(structure.source.X_WM));
+        putText(out, structure.source.sha256);
+        putNumber(out, structure.tissue.stiffness_N_per_mm + 0.0); // a REAL column keeps no sign of a zero
+        putNumber(out, structure.tissue.damping_Ns_per_mm + 0.0);
+        put(out, structure.layer);
+        put(out, static_cast<std::uint8_t>(structure.palpable));
+    }
+}
+
+void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event)
+{
+    put(out, id);
+    put(out, event.tick);
+    putText(out, event.kind);
+    putText(out, event.json);
+}
+
+std::string embeddedHash(const geometry::RepairedMesh& surface)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const auto add = [&hash](const auto& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        hash.addData(QByteArrayView(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())));
+    };
+    add(surface.mesh.vertices);
+    add(surface.mesh.triangles);
+    add(surface.twoSided);
+    add(surface.source);
+    return hash.result().toStdString();
 }
 
 std::string packState(const haptics::PalpatorState& state)
@@ -137,10 +192,8 @@ std::string metaHash(const std::vector<std::pair<std::string, std::string>>& met
 {
     std::string bytes;
     for (const auto& [key, value] : meta) {
-        for (const std::string* text : {&key, &value}) {
-            put(bytes, static_cast<std::uint64_t>(text->size()));
-            bytes += *text;
-        }
+        putText(bytes, key);
+        putText(bytes, value);
     }
     return sha256(bytes);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/session/Recording.h"
+
 #include <palpate/core/Types.h>
 #include <palpate/haptics/Palpator.h>
 #include <palpate/servo/TickRecord.h>
@@ -19,6 +21,13 @@ namespace palpate::session::internal {
 
 /// Appends what a checksum covers of a tick, as resources/docs/recording.md lists it.
 void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firstTime_ns);
+
+/// What the checksum of a scene covers.
+void packScene(std::string& out, const SceneRecord& scene);
+/// What the checksum of events covers.
+void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
+/// What the checksum of an embedded surface covers: all its arrays.
+[[nodiscard]] std::string embeddedHash(const geometry::RepairedMesh& surface);
 
 [[nodiscard]] std::string packState(const haptics::PalpatorState& state);
 /// @return nothing when `bytes` has another length or a number out of range.

@@ -3,7 +3,8 @@
 
 #include "Database.h"
 #include "MetaTable.h"
-#include "Packing.h"
+#include "RecordingSurvey.h"
+#include "RecordingTables.h"
 #include "Schema.h"
 
 #include <sqlite3.h>
@@ -27,51 +28,6 @@ namespace {
 
 constexpr std::string_view kSqliteMagic{"SQLite format 3", 16}; // with the zero at its end
 
-core::Vec3 vector(const Statement& row, int column)
-{
-    return {row.real(column), row.real(column + 1), row.real(column + 2)};
-}
-
-/// A vector whose NULLs stand for `implied`.
-core::Vec3 vector(const Statement& row, int column, const core::Vec3& implied)
-{
-    return row.isNull(column) ? implied : vector(row, column);
-}
-
-servo::TickRecord readTick(const Statement& row)
-{
-    using namespace internal;
-    servo::TickRecord tick;
-    tick.tick = row.integer(kTick);
-    tick.time_ns = row.integer(kTime);
-    tick.p_WH = vector(row, kHip);
-    tick.p_WG = vector(row, kGod, tick.p_WH);
-    tick.f_W = vector(row, kForce, core::Vec3::Zero());
-    tick.fSent_W = vector(row, kSent, tick.f_W);
-    if (!row.isNull(kStructure)) {
-        tick.structure = static_cast<std::int32_t>(row.integer(kStructure));
-        tick.triangle = static_cast<std::uint32_t>(row.integer(kTriangle));
-        const core::Vec3 push = tick.p_WG - tick.p_WH;
-        if (const double depth = push.norm(); depth > 0.0) {
-            tick.n_W = push / depth;
-        }
-    }
-    tick.constraints = static_cast<std::uint8_t>(row.integer(kConstraints));
-    tick.scene = static_cast<std::uint32_t>(row.integer(kScene));
-    tick.buttons = static_cast<std::uint32_t>(row.integer(kButtons));
-    tick.solve_ns = static_cast<std::uint32_t>(row.integer(kSolve));
-    tick.iterations = static_cast<std::uint32_t>(row.integer(kIterations));
-    tick.flags = static_cast<std::uint16_t>(row.integer(kFlags));
-    return tick;
-}
-
-/// What one line of the table `checks` says.
-struct Check
-{
-    std::int64_t first = 0, last = 0, ticks = 0;
-    std::string hash;
-};
-
 } // namespace
 
 struct RecordingReader::Private
@@ -86,15 +42,16 @@ struct RecordingReader::Private
     Status wrong(StatusCode code, const std::string& what) const { return {code, path.string() + ": " + what}; }
     Status readHead();
     Status readMeta();
-    Status readScenes();
+    Status readScenes() { return tables.readScenes(scenes); }
     Status readEvents();
     Status readExtent();
 
     Database database;
+    internal::RecordingTables tables{database};
     std::filesystem::path path;
     RecordingInfo info;
     RecordingExtent extent;
-    std::string metaHash;
+    internal::MetaTable meta;
     std::vector<SceneRecord> scenes;
     std::vector<RecordingEvent> events;
 };
@@ -107,106 +64,61 @@ Status RecordingReader::Private::readHead()
         return damaged();
     }
     head.reset();
-    if (database.integer("PRAGMA application_id") != kRecordingApplicationId) {
-        return wrong(StatusCode::BadFormat, "found another program's SQLite database, expected a Palpate recording");
-    }
-    info.version = static_cast<int>(database.integer("PRAGMA user_version"));
-    if (info.version > kRecordingVersion || info.version < 1) {
-        return wrong(StatusCode::Mismatch, "found a recording of version " + std::to_string(info.version) +
-                                               ", expected at most " + std::to_string(kRecordingVersion) +
-                                               ": a newer Palpate made it");
-    }
-    return {};
+    const Status status = tables.readVersion();
+    return status.isOk() ? status : wrong(status.code(), status.message());
 }
 
 Status RecordingReader::Private::readMeta()
 {
-    Statement row = database.prepare("SELECT key, value FROM meta");
-    internal::MetaTable meta;
-    Step step = row.step();
-    for (; step == Step::Row; step = row.step()) {
-        meta[row.bytes(0)] = row.bytes(1);
-    }
-    if (step == Step::Failed) {
-        return damaged();
+    if (Status status = tables.readMeta(meta); !status.isOk()) {
+        return status;
     }
     auto read = internal::fromMeta(meta);
     if (!read.isOk()) {
         return wrong(read.status().code(), read.status().message());
     }
-    const int version = info.version;
     info = std::move(read).value();
-    info.version = version;
+    info.version = tables.version();
     extent.isComplete = meta.contains(internal::kComplete);
-    metaHash = internal::metaHash(internal::hashedPairs(meta));
     return {};
-}
-
-Status RecordingReader::Private::readScenes()
-{
-    Statement generations = database.prepare("SELECT generation FROM scenes ORDER BY generation");
-    Step step = generations.step();
-    for (; step == Step::Row; step = generations.step()) {
-        scenes.emplace_back().generation = static_cast<std::uint32_t>(generations.integer(0));
-    }
-    if (step == Step::Failed) {
-        return damaged();
-    }
-    Statement rows = database.prepare(
-        "SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, stiffness_N_per_mm, damping_Ns_per_mm, "
-        "layer, palpable FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number");
-    for (step = rows.step(); step == Step::Row; step = rows.step()) {
-        const auto generation = static_cast<std::uint32_t>(rows.integer(0));
-        const auto found = std::lower_bound(scenes.begin(), scenes.end(), generation,
-                                            [](const SceneRecord& s, std::uint32_t g) { return s.generation < g; });
-        if (found == scenes.end() || found->generation != generation) {
-            continue;
-        }
-        StructureRecord& structure = found->structures.emplace_back();
-        structure.name = rows.bytes(1);
-        structure.source.mesh = rows.bytes(2);
-        structure.source.part = rows.bytes(3);
-        structure.source.unit_mm = rows.real(4);
-        structure.source.flipped = rows.integer(5) != 0;
-        structure.source.sha256 = rows.bytes(6);
-        structure.source.X_WM = internal::parsePose(rows.bytes(7));
-        structure.tissue.stiffness_N_per_mm = rows.real(8);
-        structure.tissue.damping_Ns_per_mm = rows.real(9);
-        structure.layer = static_cast<std::uint32_t>(rows.integer(10));
-        structure.palpable = rows.integer(11) != 0;
-    }
-    return step == Step::Failed ? damaged() : Status();
 }
 
 Status RecordingReader::Private::readEvents()
 {
-    Statement row = database.prepare("SELECT tick, kind, json FROM events ORDER BY tick, id");
-    Step step = row.step();
-    for (; step == Step::Row; step = row.step()) {
-        events.push_back({row.integer(0), row.bytes(1), row.bytes(2)});
+    std::vector<std::pair<std::int64_t, RecordingEvent>> read;
+    const Status status = tables.readEvents(read);
+    for (auto& [id, event] : read) {
+        events.push_back(std::move(event));
     }
-    return step == Step::Failed ? damaged() : Status();
+    return status;
 }
 
 Status RecordingReader::Private::readExtent()
 {
     // From the checks: counting the rows would read the whole file.
-    Statement checks = database.prepare("SELECT min(first_tick), max(last_tick), sum(ticks) FROM checks");
-    Statement times = database.prepare("SELECT time_ns FROM ticks WHERE tick = ?");
-    if (checks.step() != Step::Row || !times.isPrepared()) {
-        return damaged();
+    std::vector<internal::Check> checks;
+    if (Status status = tables.readChecks(checks); !status.isOk()) {
+        return status;
     }
-    if (checks.isNull(0)) {
+    std::erase_if(checks, [](const internal::Check& check) { return check.kind != internal::kTicksCheck; });
+    if (checks.empty()) {
         return {};
     }
-    extent.firstTick = checks.integer(0);
-    extent.lastTick = checks.integer(1);
-    extent.ticks = checks.integer(2);
+    extent.firstTick = checks.front().first;
+    extent.lastTick = checks.back().last;
+    for (const internal::Check& check : checks) {
+        extent.ticks += check.rows;
+    }
     if (extent.lastTick < extent.firstTick || extent.firstTick < 0 || extent.ticks < 0) {
-        return wrong(StatusCode::BadFormat, "found checks of ticks " + std::to_string(extent.firstTick) + " to " +
-                                                std::to_string(extent.lastTick) + ", expected an ascending range");
+        return wrong(StatusCode::BadFormat, "found checks of " +
+                                                internal::tickRange(extent.firstTick, extent.lastTick) +
+                                                ", expected an ascending range");
     }
     extent.dropped = std::max<std::int64_t>(0, extent.lastTick - extent.firstTick + 1 - extent.ticks);
+    Statement times = database.prepare("SELECT time_ns FROM ticks WHERE tick = ?");
+    if (!times.isPrepared()) {
+        return damaged();
+    }
     times.bind(0, extent.lastTick);
     if (const Step step = times.step(); step == Step::Row) {
         extent.duration_s = static_cast<double>(times.integer(0)) * 1e-9 + info.dt_s;
@@ -297,25 +209,23 @@ std::string RecordingReader::structureName(const servo::TickRecord& tick) const
 Status RecordingReader::forEach(std::int64_t first, std::int64_t last,
                                 const std::function<bool(const servo::TickRecord&)>& sink) const
 {
-    static const std::string kSql = std::string(internal::kSelectTicks) + "WHERE tick BETWEEN ? AND ? ORDER BY tick";
-    Statement row = m_d->database.prepare(kSql.c_str());
-    row.bind(0, first);
-    row.bind(1, last);
-    Step step = row.step();
-    for (; step == Step::Row; step = row.step()) {
-        if (!sink(readTick(row))) {
-            return {};
-        }
-    }
-    return step == Step::Failed ? m_d->damaged() : Status();
+    return m_d->tables.readTicks(first, last, sink);
 }
 
 std::optional<servo::TickRecord> RecordingReader::at(std::int64_t tick) const
 {
-    static const std::string kSql = std::string(internal::kSelectTicks) + "WHERE tick <= ? ORDER BY tick DESC LIMIT 1";
-    Statement row = m_d->database.prepare(kSql.c_str());
-    row.bind(0, tick);
-    return row.step() == Step::Row ? std::optional(readTick(row)) : std::nullopt;
+    return m_d->tables.tickAt(tick);
+}
+
+std::vector<std::string> RecordingReader::embeddedHashes() const
+{
+    return m_d->tables.embeddedHashes();
+}
+
+core::Result<geometry::RepairedMesh> RecordingReader::embedded(const std::string& sha256) const
+{
+    auto read = m_d->tables.readEmbedded(sha256);
+    return read.isOk() ? std::move(read) : m_d->wrong(read.status().code(), read.status().message());
 }
 
 core::Result<Motion> RecordingReader::motion() const
@@ -348,52 +258,17 @@ core::Result<Motion> RecordingReader::motion() const
 
 Status RecordingReader::verify() const
 {
+    const internal::Survey found = internal::survey(m_d->tables, m_d->meta);
+    if (!found.faults.empty()) {
+        const std::string more = found.faults.size() > 1
+                                     ? " (and " + std::to_string(found.faults.size() - 1) + " more places)"
+                                     : std::string();
+        return m_d->wrong(StatusCode::Mismatch, found.faults.front() + more);
+    }
     Statement integrity = m_d->database.prepare("PRAGMA integrity_check(1)");
     if (integrity.step() != Step::Row || integrity.bytes(0) != "ok") {
         const std::string what = integrity.isPrepared() ? integrity.bytes(0) : std::string();
         return what.empty() ? m_d->damaged() : m_d->wrong(StatusCode::BadFormat, "damaged: " + what);
-    }
-    std::vector<Check> checks;
-    Statement row =
-        m_d->database.prepare("SELECT first_tick, last_tick, ticks, sha256 FROM checks ORDER BY first_tick");
-    Step step = row.step();
-    for (; step == Step::Row; step = row.step()) {
-        checks.push_back({row.integer(0), row.integer(1), row.integer(2), row.bytes(3)});
-    }
-    if (step == Step::Failed) {
-        return m_d->damaged();
-    }
-    std::string chain = m_d->metaHash;
-    std::int64_t expected = std::numeric_limits<std::int64_t>::min(); // no tick may lie between two checks
-    const auto name = [](std::int64_t first, std::int64_t last) {
-        return "ticks " + std::to_string(first) + " to " + std::to_string(last);
-    };
-    for (const Check& check : checks) {
-        std::string covered = chain;
-        std::int64_t ticks = 0;
-        const Status status = forEach(expected, check.last, [&](const servo::TickRecord& tick) {
-            internal::packTick(covered, tick, 0);
-            ++ticks;
-            return true;
-        });
-        if (!status.isOk()) {
-            return status;
-        }
-        if (ticks != check.ticks) {
-            return m_d->wrong(StatusCode::Mismatch, name(check.first, check.last) + ": found " + std::to_string(ticks) +
-                                                        " rows, expected " + std::to_string(check.ticks));
-        }
-        if (internal::sha256(covered) != check.hash) {
-            const std::string where = &check == checks.data() ? "metadata or " : "";
-            return m_d->wrong(StatusCode::Mismatch, where + name(check.first, check.last) +
-                                                        ": found other bits than were written (checksum)");
-        }
-        chain = check.hash;
-        expected = check.last + 1;
-    }
-    const auto after = at(std::numeric_limits<std::int64_t>::max());
-    if (after && after->tick >= expected) {
-        return m_d->wrong(StatusCode::Mismatch, name(expected, after->tick) + ": found rows without a checksum");
     }
     return {};
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/RecordingWriter.h"
 
-#include "Database.h"
 #include "MetaTable.h"
-#include "Packing.h"
-#include "Schema.h"
+#include "RecordingStore.h"
+#include "SceneChanges.h"
 
 #include <QDateTime>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,43 +20,11 @@ namespace palpate::session {
 
 using core::Status;
 using core::StatusCode;
-using internal::Database;
-using internal::Statement;
 
 namespace {
 
 constexpr double kCommitInterval_s = 0.25;
 constexpr double kKept_s = 60.0; // of ticks, while the disk cannot take them
-
-/// The three columns of a vector; NULLs when it equals what they stand for.
-void bindVector(Statement& row, int column, const core::Vec3& v, const core::Vec3& implied)
-{
-    const bool isImplied = internal::sameBits(v, implied);
-    for (int i = 0; i < 3; ++i) {
-        isImplied ? row.bindNull(column + i) : row.bind(column + i, v[i]);
-    }
-}
-
-Status makeFile(const std::filesystem::path& path, const internal::MetaTable& meta)
-{
-    auto opened = Database::open(path, Database::Mode::Create);
-    if (!opened.isOk()) {
-        return opened.status();
-    }
-    Database& database = opened.value();
-    Status status =
-        database.execute("PRAGMA application_id=" + std::to_string(kRecordingApplicationId) +
-                         "; PRAGMA user_version=" + std::to_string(kRecordingVersion) + "; BEGIN;" + internal::kSchema);
-    Statement insert = database.prepare("INSERT INTO meta VALUES(?, ?)");
-    for (auto pair = meta.begin(); status.isOk() && pair != meta.end(); ++pair) {
-        insert.bind(0, pair->first);
-        pair->first == "start" ? insert.bindBlob(1, pair->second) : insert.bind(1, pair->second);
-        if (insert.step() != Statement::Step::Done) {
-            status = database.error("cannot be written");
-        }
-    }
-    return status.isOk() ? database.execute("COMMIT") : status;
-}
 
 void removeSideFiles(const std::filesystem::path& path)
 {
@@ -72,150 +40,72 @@ void removeSideFiles(const std::filesystem::path& path)
 
 struct RecordingWriter::Private
 {
-    explicit Private(Database opened)
-        : database(std::move(opened))
-    {
-    }
-
     Status store();
-    Status storeScene(const SceneRecord& scene);
-    Status storeTicks();
-    bool storeTick(const servo::TickRecord& tick);
-    Status failed() const { return database.error("cannot be written"); }
+    void deriveEvents(const servo::TickRecord& tick);
+    void findChanges();
 
-    Database database;
-    Statement insertTick, insertCheck, insertEvent, insertScene, insertMesh, insertStructure;
+    std::unique_ptr<internal::RecordingStore> file;
+    internal::RecordingBatch pending; ///< not yet committed
     std::size_t ticksPerCommit = 250;
     std::size_t mostPending = 60000;
-    std::string chain; ///< hash of the last stored check
-    std::int64_t firstTime_ns = 0;
     std::int64_t written = 0;
     std::uint64_t dropped = 0;
     std::optional<std::int64_t> lastTick;
     std::optional<std::uint32_t> sceneSeen;
+    bool isHandGone = false;
+    Events derive = Events::Derived;
     bool dropsPending = false; ///< the next tick must say that some before it are missing
     bool isFinished = false;
-    std::vector<servo::TickRecord> ticks;
-    std::vector<SceneRecord> scenes;
-    std::vector<RecordingEvent> events;
+    std::set<std::string> embedded;             ///< hashes of the surfaces that are stored or pending
+    std::map<std::uint32_t, SceneRecord> known; ///< scenes told of, without their surfaces
+    struct Change
+    {
+        std::int64_t tick;
+        std::uint32_t before, after;
+    };
+    std::vector<Change> changes; ///< of scene, until both are known
 };
 
-Status RecordingWriter::Private::storeScene(const SceneRecord& scene)
+void RecordingWriter::Private::deriveEvents(const servo::TickRecord& tick)
 {
-    insertScene.bind(0, std::int64_t{scene.generation});
-    insertScene.bind(1, static_cast<std::int64_t>(scene.structures.size()));
-    if (insertScene.step() != Statement::Step::Done) {
-        return failed();
-    }
-    std::int64_t number = 0;
-    for (const StructureRecord& structure : scene.structures) {
-        const StructureSource& source = structure.source;
-        const std::string pose = internal::poseText(source.X_WM);
-        for (Statement* statement : {&insertMesh, &insertStructure}) {
-            statement->bind(0, source.mesh);
-            statement->bind(1, source.part);
-            statement->bind(2, source.unit_mm);
-            statement->bind(3, std::int64_t{source.flipped});
-            statement->bind(4, pose);
-            statement->bind(5, source.sha256);
+    if (sceneSeen != tick.scene) {
+        if (sceneSeen) {
+            changes.push_back({tick.tick, *sceneSeen, tick.scene});
         }
-        insertStructure.bind(6, std::int64_t{scene.generation});
-        insertStructure.bind(7, number++);
-        insertStructure.bind(8, structure.name);
-        insertStructure.bind(9, structure.tissue.stiffness_N_per_mm);
-        insertStructure.bind(10, structure.tissue.damping_Ns_per_mm);
-        insertStructure.bind(11, std::int64_t{structure.layer});
-        insertStructure.bind(12, std::int64_t{structure.palpable});
-        if (insertMesh.step() != Statement::Step::Done || insertStructure.step() != Statement::Step::Done) {
-            return failed();
-        }
+        sceneSeen = tick.scene;
+        pending.events.push_back({tick.tick, "scene", "{\"generation\": " + std::to_string(tick.scene) + "}"});
     }
-    return {};
+    const bool isGone = (tick.flags & servo::kNoHand) != 0;
+    if (lastTick && isGone != isHandGone) {
+        pending.events.push_back({tick.tick, "clutch", isGone ? "{\"engaged\": false}" : "{\"engaged\": true}"});
+    }
+    isHandGone = isGone;
 }
 
-bool RecordingWriter::Private::storeTick(const servo::TickRecord& tick)
+/// A tick may come before the description of its scene: what changed is told once both are there.
+void RecordingWriter::Private::findChanges()
 {
-    using namespace internal;
-    Statement& row = insertTick;
-    row.bind(kTick, tick.tick);
-    row.bind(kTime, tick.time_ns - firstTime_ns);
-    for (int i = 0; i < 3; ++i) {
-        row.bind(kHip + i, tick.p_WH[i]);
-    }
-    bindVector(row, kGod, tick.p_WG, tick.p_WH);
-    bindVector(row, kForce, tick.f_W, core::Vec3::Zero());
-    bindVector(row, kSent, tick.fSent_W, tick.f_W);
-    if (tick.structure >= 0) {
-        row.bind(kStructure, std::int64_t{tick.structure});
-        row.bind(kTriangle, std::int64_t{tick.triangle});
-    } else {
-        row.bindNull(kStructure);
-        row.bindNull(kTriangle);
-    }
-    row.bind(kConstraints, std::int64_t{tick.constraints});
-    row.bind(kScene, std::int64_t{tick.scene});
-    row.bind(kButtons, std::int64_t{tick.buttons});
-    row.bind(kSolve, std::int64_t{tick.solve_ns});
-    row.bind(kIterations, std::int64_t{tick.iterations});
-    row.bind(kFlags, std::int64_t{tick.flags});
-    return row.step() == Statement::Step::Done;
-}
-
-Status RecordingWriter::Private::storeTicks()
-{
-    std::string hash = chain;
-    for (std::size_t first = 0; first < ticks.size(); first += ticksPerCommit) {
-        const std::size_t end = std::min(ticks.size(), first + ticksPerCommit);
-        std::string covered = hash;
-        for (std::size_t i = first; i < end; ++i) {
-            if (!storeTick(ticks[i])) {
-                return failed();
-            }
-            internal::packTick(covered, ticks[i], firstTime_ns);
+    std::erase_if(changes, [this](const Change& change) {
+        const auto before = known.find(change.before);
+        const auto after = known.find(change.after);
+        if (before == known.end() || after == known.end()) {
+            return false;
         }
-        hash = internal::sha256(covered);
-        insertCheck.bind(0, ticks[first].tick);
-        insertCheck.bind(1, ticks[end - 1].tick);
-        insertCheck.bind(2, static_cast<std::int64_t>(end - first));
-        insertCheck.bindBlob(3, hash);
-        if (insertCheck.step() != Statement::Step::Done) {
-            return failed();
+        for (RecordingEvent& event : internal::sceneChanges(change.tick, before->second, after->second)) {
+            pending.events.push_back(std::move(event));
         }
-    }
-    if (Status status = database.execute("COMMIT"); !status.isOk()) {
-        return status;
-    }
-    chain = hash;
-    return {};
+        return true;
+    });
 }
 
 Status RecordingWriter::Private::store()
 {
-    Status status = database.execute("BEGIN IMMEDIATE");
-    for (auto scene = scenes.begin(); status.isOk() && scene != scenes.end(); ++scene) {
-        status = storeScene(*scene);
-    }
-    for (auto event = events.begin(); status.isOk() && event != events.end(); ++event) {
-        insertEvent.bind(0, event->tick);
-        insertEvent.bind(1, event->kind);
-        insertEvent.bind(2, event->json);
-        if (insertEvent.step() != Statement::Step::Done) {
-            status = failed();
-        }
-    }
+    findChanges();
+    const Status status = file->store(pending);
     if (status.isOk()) {
-        status = storeTicks();
+        pending.clear();
     }
-    if (!status.isOk()) {
-        if (!database.isIdle()) {
-            (void)database.execute("ROLLBACK"); // what was added stays pending and is tried again
-        }
-        return status;
-    }
-    scenes.clear();
-    events.clear();
-    ticks.clear();
-    return {};
+    return status;
 }
 
 RecordingWriter::RecordingWriter(std::unique_ptr<Private> d)
@@ -230,8 +120,8 @@ RecordingWriter::~RecordingWriter()
     }
 }
 
-core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& path,
-                                                                       const RecordingInfo& info, Sync sync)
+core::Result<std::unique_ptr<RecordingWriter>>
+RecordingWriter::create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync, Events events)
 {
     std::error_code error;
     const auto kind = std::filesystem::status(path, error);
@@ -253,7 +143,7 @@ core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
         temporary += part;
     }
     std::filesystem::remove(temporary, error);
-    if (const Status status = makeFile(temporary, meta); !status.isOk()) {
+    if (const Status status = internal::RecordingStore::makeFile(temporary, meta); !status.isOk()) {
         std::filesystem::remove(temporary, error);
         removeSideFiles(temporary);
         std::string message = status.message();
@@ -270,28 +160,18 @@ core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
         return Status(StatusCode::Unreadable, path.string() + ": cannot be written: " + error.message());
     }
 
-    auto opened = Database::open(path, Database::Mode::ReadWrite);
+    auto d = std::make_unique<Private>();
+    d->ticksPerCommit = static_cast<std::size_t>(std::clamp(kCommitInterval_s * filled.rate_Hz, 1.0, 1e5));
+    d->mostPending = static_cast<std::size_t>(std::clamp(kKept_s * filled.rate_Hz, 1e3, 1e6));
+    auto opened = internal::RecordingStore::open(path, meta, d->ticksPerCommit);
     if (!opened.isOk()) {
         return opened.status();
     }
-    auto d = std::make_unique<Private>(std::move(opened).value());
-    if (Status status =
-            d->database.execute(sync == Sync::EachCommit ? "PRAGMA synchronous=FULL" : "PRAGMA synchronous=OFF");
-        !status.isOk()) {
+    d->file = std::move(opened).value();
+    if (Status status = d->file->waitForDisk(sync == Sync::EachCommit); !status.isOk()) {
         return status;
     }
-    d->insertTick = d->database.prepare(internal::kInsertTick);
-    d->insertCheck = d->database.prepare("INSERT INTO checks VALUES(?, ?, ?, ?)");
-    d->insertEvent = d->database.prepare("INSERT INTO events(tick, kind, json) VALUES(?, ?, ?)");
-    d->insertScene = d->database.prepare("INSERT OR REPLACE INTO scenes VALUES(?, ?)");
-    d->insertMesh = d->database.prepare("INSERT OR IGNORE INTO meshes(path, part, unit_mm, flipped, pose, sha256) "
-                                        "VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
-    d->insertStructure = d->database.prepare(
-        "INSERT OR REPLACE INTO structures SELECT ?7, ?8, ?9, mesh, ?10, ?11, ?12, ?13 FROM meshes "
-        "WHERE path = ?1 AND part = ?2 AND unit_mm = ?3 AND flipped = ?4 AND pose = ?5 AND sha256 = ?6");
-    d->ticksPerCommit = static_cast<std::size_t>(std::clamp(kCommitInterval_s * filled.rate_Hz, 1.0, 1e5));
-    d->mostPending = static_cast<std::size_t>(std::clamp(kKept_s * filled.rate_Hz, 1e3, 1e6));
-    d->chain = internal::metaHash(internal::hashedPairs(meta));
+    d->derive = events;
     return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(d)));
 }
 
@@ -302,58 +182,71 @@ Status RecordingWriter::append(const servo::TickRecord& tick)
         return {StatusCode::OutOfRange, "tick " + std::to_string(tick.tick) + " after tick " +
                                             std::to_string(*d.lastTick) + ": ticks must ascend"};
     }
-    if (d.ticks.size() >= d.mostPending) {
+    if (d.pending.ticks.size() >= d.mostPending) {
         ++d.dropped;
         d.dropsPending = true;
         return {StatusCode::Unreadable, "the disk takes no more: " + std::to_string(d.dropped) + " ticks lost"};
     }
     if (!d.lastTick) {
-        d.firstTime_ns = tick.time_ns;
+        d.file->setFirstTime(tick.time_ns);
     }
-    if (d.sceneSeen != tick.scene) {
-        d.sceneSeen = tick.scene;
-        d.events.push_back({tick.tick, "scene", "{\"generation\": " + std::to_string(tick.scene) + "}"});
+    if (d.derive == Events::Derived) {
+        d.deriveEvents(tick);
     }
     d.lastTick = tick.tick;
-    d.ticks.push_back(tick);
+    d.pending.ticks.push_back(tick);
     if (d.dropsPending) {
-        d.ticks.back().flags |= servo::kDroppedBefore;
+        d.pending.ticks.back().flags |= servo::kDroppedBefore;
         d.dropsPending = false;
     }
     ++d.written;
     // Only at multiples: while the disk fails, not every tick shall try again.
-    return d.ticks.size() % d.ticksPerCommit == 0 ? d.store() : Status();
+    return d.pending.ticks.size() % d.ticksPerCommit == 0 ? d.store() : Status();
 }
 
 Status RecordingWriter::addScene(const SceneRecord& scene)
 {
-    m_d->scenes.push_back(scene);
+    const auto [known, isNew] = m_d->known.emplace(scene.generation, scene);
+    if (!isNew) {
+        return {StatusCode::OutOfRange, "scene " + std::to_string(scene.generation) + " is described already"};
+    }
+    for (StructureRecord& structure : known->second.structures) {
+        structure.source.embed.reset(); // held until it is written, not longer
+    }
+    SceneRecord& stored = m_d->pending.scenes.emplace_back(scene);
+    for (StructureRecord& structure : stored.structures) {
+        StructureSource& source = structure.source;
+        if (source.embed != nullptr && (source.sha256.empty() || !m_d->embedded.insert(source.sha256).second)) {
+            source.embed.reset(); // in the recording already, or about to be
+        }
+    }
     return {};
 }
 
 Status RecordingWriter::addEvent(const RecordingEvent& event)
 {
-    m_d->events.push_back(event);
+    m_d->pending.events.push_back(event);
     return {};
 }
 
 Status RecordingWriter::commit()
 {
-    const Private& d = *m_d;
-    return d.ticks.empty() && d.scenes.empty() && d.events.empty() ? Status() : m_d->store();
+    return m_d->pending.isEmpty() ? Status() : m_d->store();
 }
 
-Status RecordingWriter::finish()
+Status RecordingWriter::finish(Ending ending)
 {
     Private& d = *m_d;
-    if (Status status = d.database.execute("PRAGMA synchronous=FULL"); !status.isOk()) {
+    if (Status status = d.file->waitForDisk(true); !status.isOk()) {
         return status;
     }
     if (Status status = commit(); !status.isOk()) {
         return status;
     }
-    Status status =
-        d.database.execute(std::string("INSERT OR REPLACE INTO meta VALUES('") + internal::kComplete + "', '1')");
+    Status status;
+    if (ending == Ending::Complete) {
+        status = d.file->markComplete();
+    }
     d.isFinished = status.isOk();
     return status;
 }
@@ -370,7 +263,7 @@ std::uint64_t RecordingWriter::ticksDropped() const noexcept
 
 std::size_t RecordingWriter::ticksPending() const noexcept
 {
-    return m_d->ticks.size();
+    return m_d->pending.ticks.size();
 }
 
 } // namespace palpate::session

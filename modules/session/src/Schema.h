@@ -3,7 +3,7 @@
 
 namespace palpate::session::internal {
 
-/// The tables of resources/docs/recording.md, version 1. The columns of ticks have no declared type on purpose: a
+/// The tables of resources/docs/recording.md, version 2. The columns of ticks have no declared type on purpose: a
 /// column declared REAL keeps whole numbers as integers and so loses the sign of a zero.
 inline constexpr const char* kSchema = R"sql(
 CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -17,8 +17,10 @@ CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTE
   stiffness_N_per_mm REAL, damping_Ns_per_mm REAL, layer INTEGER, palpable INTEGER,
   PRIMARY KEY(generation, number)) WITHOUT ROWID;
 CREATE TABLE events(id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, kind TEXT NOT NULL, json TEXT NOT NULL);
-CREATE TABLE checks(first_tick INTEGER PRIMARY KEY, last_tick INTEGER NOT NULL, ticks INTEGER NOT NULL,
+CREATE TABLE checks(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER, last INTEGER, rows INTEGER NOT NULL,
   sha256 BLOB NOT NULL);
+CREATE TABLE embedded(sha256 TEXT PRIMARY KEY, vertices BLOB NOT NULL, triangles BLOB NOT NULL,
+  two_sided BLOB NOT NULL, source BLOB NOT NULL, all_sha256 BLOB NOT NULL);
 CREATE VIEW tick_values AS SELECT tick, time_ns * 1e-9 AS time_s, hip_x, hip_y, hip_z,
   coalesce(god_x, hip_x) AS god_x, coalesce(god_y, hip_y) AS god_y, coalesce(god_z, hip_z) AS god_z,
   coalesce(force_x, 0.0) AS force_x, coalesce(force_y, 0.0) AS force_y, coalesce(force_z, 0.0) AS force_z,
@@ -27,6 +29,12 @@ CREATE VIEW tick_values AS SELECT tick, time_ns * 1e-9 AS time_s, hip_x, hip_y, 
   (SELECT name FROM structures s WHERE s.generation = t.scene AND s.number = t.structure) AS name,
   triangle, constraints, scene, buttons, solve_ns, iterations, flags FROM ticks t;
 )sql";
+
+/// What a line of `checks` covers, as its column `kind` says it.
+inline constexpr const char* kMetaCheck = "meta";
+inline constexpr const char* kSceneCheck = "scene";
+inline constexpr const char* kEventsCheck = "events";
+inline constexpr const char* kTicksCheck = "ticks";
 
 /// Columns of `ticks`, by their place in kSelectTicks and kInsertTick.
 enum TickColumn
@@ -47,6 +55,7 @@ enum TickColumn
     kFlags,
 };
 inline constexpr const char* kInsertTick = "INSERT INTO ticks VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+inline constexpr const char* kInsertCheck = "INSERT INTO checks(kind, first, last, rows, sha256) VALUES(?, ?, ?, ?, ?)";
 inline constexpr const char* kSelectTicks =
     "SELECT tick, time_ns, hip_x, hip_y, hip_z, god_x, god_y, god_z, force_x, force_y, force_z, sent_x, sent_y, "
     "sent_z, structure, triangle, constraints, scene, buttons, solve_ns, iterations, flags FROM ticks ";

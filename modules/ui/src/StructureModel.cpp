@@ -188,7 +188,7 @@ std::vector<session::StructureSource> StructureModel::sources() const
     std::vector<session::StructureSource> sources;
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM});
+        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM, nullptr});
     }
     return sources;
 }

@@ -21,7 +21,7 @@ struct StructureMeasures
     double peakDepth_mm = 0.0; ///< largest distance between god-object and HIP
 };
 
-/// What a session says in numbers; definitions in resources/docs/recording.md.
+/// What a session says in numbers; definitions in resources/docs/measures.md.
 struct Measures
 {
     std::int64_t ticks = 0;

@@ -3,10 +3,12 @@
 
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
+#include <palpate/geometry/MeshReport.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/haptics/Palpator.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,7 +16,7 @@
 namespace palpate::session {
 
 /// Version of the schema in resources/docs/recording.md, kept as the database's `user_version`.
-inline constexpr int kRecordingVersion = 1;
+inline constexpr int kRecordingVersion = 2;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 
@@ -32,6 +34,8 @@ struct StructureSource
     bool flipped = false;
     std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
     core::Transform X_WM = core::Transform::Identity(); ///< pose
+    /// The surface itself, when it shall go into the recording; null: only its name and hash do.
+    std::shared_ptr<const geometry::RepairedMesh> embed;
 };
 
 /// One structure of a recorded scene.
@@ -56,7 +60,9 @@ struct SceneRecord
 [[nodiscard]] SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
                                         std::span<const StructureSource> sources);
 
-/// Something that happened at a tick: "scene", "note", "finding", "clutch", "device-lost", "dropped", "disk".
+/// Something that happened at a tick. The writer adds "scene" (first tick of a generation), "tissue", "hidden",
+/// "shown", "layer" and "structures" (what changed with it), "clutch" (the hand let go or came back); the recorder
+/// "dropped" and "disk"; the window "note", "finding", "device-lost" and "fault"; recovery "recovered".
 struct RecordingEvent
 {
     std::int64_t tick = 0;

@@ -57,7 +57,12 @@ class RecordingReader
     [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
     /// Reads the path of the HIP, one sample a tick at which there was a hand: 24 bytes a tick in memory.
     [[nodiscard]] core::Result<Motion> motion() const;
-    /// Checks the database and every checksum. @return Mismatch naming the first tick range that is not as written
+    /// @return hashes of the surfaces that the recording holds itself.
+    [[nodiscard]] std::vector<std::string> embeddedHashes() const;
+    /// Gives a surface that the recording holds itself. @param sha256  its geometryHash, as a scene's source says it
+    [[nodiscard]] core::Result<geometry::RepairedMesh> embedded(const std::string& sha256) const;
+    /// Checks every checksum and the database. @return Mismatch naming the first part that is not as written, such as
+    ///         a range of ticks
     [[nodiscard]] core::Status verify() const;
 
   private:

@@ -26,10 +26,24 @@ class RecordingWriter
         AtEnd,      ///< nothing until `finish`: survives a killed program only; for writing as fast as possible
     };
 
+    /// Where events come from.
+    enum class Events
+    {
+        Derived, ///< change of scene and clutch are told from the ticks, beside those that are added
+        AsGiven, ///< only those that are added: for a copy
+    };
+    enum class Ending
+    {
+        Complete, ///< the session ended here
+        CutOff,   ///< it went on, but this is all there is
+    };
+
     /// Makes the file, replacing what is there, with its schema and `info`.
     /// @return one line that names the file when it cannot be written
-    [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
-    create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit);
+    [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& path,
+                                                                               const RecordingInfo& info,
+                                                                               Sync sync = Sync::EachCommit,
+                                                                               Events events = Events::Derived);
     ~RecordingWriter(); ///< commits what is left
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
@@ -38,13 +52,13 @@ class RecordingWriter
     /// @return the disk's error. The tick is kept and written by the next commit that succeeds, up to a minute of
     ///         ticks; after that it is lost and counted, and the next one carries `kDroppedBefore`.
     core::Status append(const servo::TickRecord& tick);
-    /// Describes a scene generation; before or after its first tick.
+    /// Describes a scene generation, once; before or after its first tick. Surfaces to be embedded go in with it.
     core::Status addScene(const SceneRecord& scene);
     core::Status addEvent(const RecordingEvent& event);
     /// Ends the transaction: what was added until now survives a crash. @return the disk's error; nothing is lost by it
     core::Status commit();
-    /// Commits, marks the recording as complete. Once; nothing may be added after it.
-    core::Status finish();
+    /// Commits and waits for the disk. Once; nothing may be added after it.
+    core::Status finish(Ending ending = Ending::Complete);
 
     [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or about to be
     [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk took nothing for too long

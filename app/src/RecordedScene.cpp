@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RecordedScene.h"
+
+#include "SceneForTouch.h"
+
+#include <palpate/session/GeometryHash.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::app {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using session::RecordingReader;
+
+namespace {
+
+/// @return hashes of all surfaces that were felt.
+std::vector<std::string> feltHashes(const RecordingReader& reader)
+{
+    std::vector<std::string> hashes;
+    for (const session::SceneRecord& scene : reader.scenes()) {
+        for (const session::StructureRecord& structure : scene.structures) {
+            if (structure.palpable) {
+                hashes.push_back(structure.source.sha256);
+            }
+        }
+    }
+    return hashes;
+}
+
+} // namespace
+
+Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::filesystem::path& scene)
+{
+    MeshesByHash meshes;
+    for (const std::string& hash : reader.embeddedHashes()) {
+        auto surface = reader.embedded(hash);
+        if (!surface.isOk()) {
+            return surface.status();
+        }
+        meshes[hash] = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
+    }
+    const std::vector<std::string> felt = feltHashes(reader);
+    const bool isWhole =
+        std::all_of(felt.begin(), felt.end(), [&](const std::string& hash) { return meshes.contains(hash); });
+    if (scene.empty() && isWhole && !meshes.empty()) {
+        return meshes;
+    }
+    // One scene file, or the mesh files that were opened one by one.
+    std::vector<std::filesystem::path> files;
+    if (!scene.empty() || !reader.info().scene.empty()) {
+        files.push_back(scene.empty() ? std::filesystem::path(reader.info().scene) : scene);
+    } else if (!reader.scenes().empty()) {
+        for (const session::StructureRecord& structure : reader.scenes().front().structures) {
+            if (const std::filesystem::path file = structure.source.mesh;
+                !file.empty() && std::find(files.begin(), files.end(), file) == files.end()) {
+                files.push_back(file);
+            }
+        }
+    }
+    if (files.empty()) {
+        return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
+    }
+    meshio::ReadOptions options;
+    if (!reader.scenes().empty() && !reader.scenes().front().structures.empty()) {
+        options.unit_mm = reader.scenes().front().structures.front().source.unit_mm;
+    }
+    for (const std::filesystem::path& file : files) {
+        std::error_code error;
+        if (!std::filesystem::exists(file, error)) {
+            return Status(StatusCode::NotFound, file.string() + ": no such file");
+        }
+        const auto loaded = loadSceneOrFolder(file, options);
+        if (!loaded.isOk()) {
+            return loaded.status();
+        }
+        for (const meshio::LoadedStructure& structure : loaded.value().structures) {
+            meshes[session::geometryHash(structure.surface->mesh)] = structure.surface;
+        }
+    }
+    return meshes;
+}
+
+session::SurfacesByHash indexed(const MeshesByHash& meshes)
+{
+    session::SurfacesByHash surfaces;
+    for (const auto& [hash, mesh] : meshes) {
+        surfaces[hash] = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*mesh));
+    }
+    return surfaces;
+}
+
+Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& recording)
+{
+    const auto opened = RecordingReader::open(recording);
+    if (!opened.isOk()) {
+        return opened.status();
+    }
+    const RecordingReader& reader = *opened.value();
+    meshio::LoadedScene out;
+    const auto structures =
+        reader.scenes().empty() ? std::vector<session::StructureRecord>() : reader.scenes().front().structures;
+    for (const session::StructureRecord& structure : structures) {
+        auto surface = reader.embedded(structure.source.sha256);
+        if (!surface.isOk()) {
+            out.losses.push_back(structure.name + ": " + surface.status().message());
+            continue;
+        }
+        meshio::LoadedStructure& loaded = out.structures.emplace_back();
+        meshio::SceneStructure& description = loaded.description;
+        description.mesh = structure.source.mesh;
+        description.part = structure.source.part;
+        description.unit_mm = structure.source.unit_mm;
+        description.flipped = structure.source.flipped;
+        description.X_WM = structure.source.X_WM;
+        description.name = structure.name;
+        description.stiffness_N_per_mm = structure.tissue.stiffness_N_per_mm;
+        description.damping_Ns_per_mm = structure.tissue.damping_Ns_per_mm;
+        description.layer = structure.layer;
+        description.palpable = structure.palpable;
+        loaded.frame = meshio::FileFrame::Lps;
+        loaded.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
+        out.scene.structures.push_back(description);
+    }
+    if (out.structures.empty()) {
+        return Status(StatusCode::NotFound,
+                      recording.string() + ": found no embedded surface, expected a recording made with --embed");
+    }
+    return out;
+}
+
+} // namespace palpate::app

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReplayRun.h"
+
+#include "Console.h"
+#include "LiveReplay.h"
+#include "SceneForTouch.h"
+#include "SessionReport.h"
+
+#include <palpate/device/PlaybackDevice.h>
+
+#include <chrono>
+#include <utility>
+
+namespace palpate::app {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+double seconds(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+int ReplayRun::run()
+{
+    for (const auto step : {&ReplayRun::checkOptions, &ReplayRun::openOutputs, &ReplayRun::loadMotion,
+                            &ReplayRun::loadScene, &ReplayRun::feel, &ReplayRun::finish}) {
+        if (const Status status = (this->*step)(); !status.isOk()) {
+            return report(status);
+        }
+    }
+    m_summary->print();
+    if (m_resimulation && !m_resimulation->isSame()) {
+        printError(m_options.motion.string() + ": " + m_resimulation->difference +
+                   builtDifferently(m_recording->info()));
+        return kFailed;
+    }
+    for (const std::string& loss : m_losses) {
+        printError(loss);
+    }
+    return m_losses.empty() ? kDone : kSomeLost;
+}
+
+Status ReplayRun::checkOptions()
+{
+    const auto unit = unitOption(m_options.unit);
+    if (!unit.isOk()) {
+        return unit.status();
+    }
+    m_unit_mm = unit.value();
+    const auto number = [](std::string_view option, const std::string& text, bool isAbove, std::optional<double>& out) {
+        if (text.empty()) {
+            return Status();
+        }
+        const auto value = numberOption(option, text, 0.0, isAbove);
+        if (value.isOk()) {
+            out = value.value();
+        }
+        return value.status();
+    };
+    if (Status status = number("--stiffness", m_options.stiffness, true, m_stiffness); !status.isOk()) {
+        return status;
+    }
+    if (Status status = number("--damping", m_options.damping, false, m_damping); !status.isOk()) {
+        return status;
+    }
+    std::vector<fs::path> outputs;
+    for (const fs::path* path : {&m_options.out, &m_options.json, &m_options.record}) {
+        if (!path->empty()) {
+            outputs.push_back(*path);
+        }
+    }
+    std::error_code error;
+    for (const fs::path* path : {&m_options.scene, &m_options.motion}) {
+        if (!fs::exists(*path, error)) {
+            return {StatusCode::NotFound, path->string() + ": no such file, expected a " +
+                                              (path == &m_options.scene ? "mesh, a scene or a folder of meshes"
+                                                                        : "motion CSV or a recording")};
+        }
+    }
+    return checkOutputs({m_options.scene, m_options.motion}, outputs);
+}
+
+Status ReplayRun::openOutputs()
+{
+    if (!m_options.out.empty()) {
+        auto csv = session::TickCsv::create(m_options.out);
+        if (!csv.isOk()) {
+            return csv.status();
+        }
+        m_csv = std::move(csv).value();
+    }
+    if (!m_options.json.empty()) {
+        auto file = session::AtomicFile::create(m_options.json);
+        if (!file.isOk()) {
+            return file.status();
+        }
+        m_json = std::move(file).value();
+    }
+    // A recording is made once the scene is known; whether it can be is said before the work.
+    return m_options.record.empty() ? Status() : session::AtomicFile::create(m_options.record).status();
+}
+
+Status ReplayRun::loadMotion()
+{
+    if (!session::isRecordingFile(m_options.motion)) {
+        auto motion = session::readMotion(m_options.motion);
+        if (motion.isOk()) {
+            m_motion = std::move(motion).value();
+        }
+        return motion.status();
+    }
+    auto recording = session::RecordingReader::open(m_options.motion);
+    if (!recording.isOk()) {
+        return recording.status();
+    }
+    m_recording = std::move(recording).value();
+    auto motion = m_recording->motion();
+    if (motion.isOk()) {
+        m_motion = std::move(motion).value();
+    }
+    return motion.status();
+}
+
+Status ReplayRun::loadScene()
+{
+    auto start = std::chrono::steady_clock::now();
+    meshio::ReadOptions readOptions;
+    readOptions.unit_mm = m_unit_mm;
+    const auto loaded = loadSceneOrFolder(m_options.scene, readOptions);
+    if (!loaded.isOk()) {
+        return loaded.status();
+    }
+    m_cost.load_s = seconds(start);
+    start = std::chrono::steady_clock::now();
+    m_scene = sceneForTouch(loaded.value());
+    m_cost.index_s = seconds(start);
+    m_cost.name = m_options.scene.filename().string();
+    m_cost.structures = m_scene->structures().size();
+    m_cost.triangles = triangleCount(*m_scene);
+    m_cost.bytes = m_scene->byteSize();
+    if (m_cost.triangles == 0) {
+        return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
+    }
+    m_losses = loaded.value().losses;
+    if (m_stiffness || m_damping) {
+        m_scene = std::make_shared<haptics::HapticScene>(session::withTissue(*m_scene, m_stiffness, m_damping));
+    }
+    if (m_recording || !m_options.record.empty()) {
+        m_sources = structureSources(loaded.value());
+        for (std::size_t i = 0; m_options.embeds && i < m_sources.size(); ++i) {
+            m_sources[i].embed = loaded.value().structures[i].surface;
+        }
+    }
+    m_summary.emplace(m_cost, m_motion.dt_s);
+    m_summary->reserve(m_motion.p_WH.size());
+    return {};
+}
+
+Status ReplayRun::startRecording(const session::RecordingInfo& info)
+{
+    if (m_options.record.empty()) {
+        return {};
+    }
+    const auto sync =
+        m_options.isLive ? session::RecordingWriter::Sync::EachCommit : session::RecordingWriter::Sync::AtEnd;
+    auto writer = session::RecordingWriter::create(m_options.record, info, sync);
+    if (!writer.isOk()) {
+        return writer.status();
+    }
+    m_recordGuard.watch(m_options.record);
+    m_writer = std::move(writer).value();
+    return m_writer->addScene(session::describeScene(1, *m_scene, m_sources));
+}
+
+bool ReplayRun::take(const servo::TickRecord& tick, std::string_view structure)
+{
+    m_summary->add(tick, structure);
+    if (m_csv) {
+        m_csv->write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, structure, tick.solve_ns});
+    }
+    if (m_writer) {
+        m_writeStatus = m_writer->append(tick);
+    }
+    return m_writeStatus.isOk();
+}
+
+Status ReplayRun::checkSameGeometry() const
+{
+    const session::SurfacesByHash surfaces = surfacesByHash(*m_scene, m_sources);
+    for (const session::SceneRecord& record : m_recording->scenes()) {
+        if (const auto built = session::rebuildScene(record, surfaces); !built.isOk()) {
+            return {built.status().code(), m_options.scene.string() + ": " + built.status().message() +
+                                               "; expected the scene that was recorded, or --force"};
+        }
+    }
+    return {};
+}
+
+Status ReplayRun::feel()
+{
+    if (m_recording && !m_options.isForced) {
+        if (Status status = checkSameGeometry(); !status.isOk()) {
+            return status;
+        }
+        if (!m_stiffness && !m_damping && !m_options.isLive && m_options.record.empty()) {
+            return feelRecording();
+        }
+    }
+    if (m_options.isLive) {
+        return feelLive();
+    }
+    session::RecordingInfo info;
+    info.scene = m_options.scene.string();
+    info.device.id = "replay";
+    info.device.name = "Replay of " + m_options.motion.filename().string();
+    info.dt_s = m_motion.dt_s;
+    info.rate_Hz = 1.0 / m_motion.dt_s;
+    info.firstGeneration = 1;
+    if (Status status = startRecording(info); !status.isOk()) {
+        return status;
+    }
+    session::replay(*m_scene, m_motion,
+                    [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); });
+    return m_writeStatus;
+}
+
+Status ReplayRun::feelRecording()
+{
+    const auto result =
+        session::resimulate(*m_recording, surfacesByHash(*m_scene, m_sources), [this](const servo::TickRecord& tick) {
+            return (tick.flags & servo::kNoHand) != 0 || take(tick, m_recording->structureName(tick));
+        });
+    if (!result.isOk()) {
+        return {result.status().code(), m_options.motion.string() + ": " + result.status().message()};
+    }
+    m_resimulation = result.value();
+    m_summary->setResimulation(*m_resimulation);
+    if (m_resimulation->unverified > 0) {
+        m_losses.push_back(m_options.motion.string() + ": " + std::to_string(m_resimulation->unverified) +
+                           " ticks skipped: ticks before them are missing in the recording");
+    }
+    return {};
+}
+
+Status ReplayRun::feelLive()
+{
+    const auto begin = [this](const servo::RecordingStart& start) {
+        session::RecordingInfo info;
+        info.scene = m_options.scene.string();
+        info.device = device::PlaybackDevice(m_motion.p_WH).info();
+        info.dt_s = m_motion.dt_s;
+        info.rate_Hz = 1.0 / m_motion.dt_s;
+        info.firstGeneration = start.scene;
+        info.start = start.state;
+        return startRecording(info);
+    };
+    auto lastCommit = std::chrono::steady_clock::now();
+    const auto idle = [this, &lastCommit] {
+        constexpr double kCommitInterval_s = 0.25;
+        if (m_writer && seconds(lastCommit) > kCommitInterval_s) {
+            lastCommit = std::chrono::steady_clock::now();
+            m_writeStatus = m_writer->commit();
+        }
+    };
+    const auto result = replayLive(
+        m_scene, m_motion, begin, [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); },
+        idle);
+    if (!result.isOk()) {
+        return result.status();
+    }
+    if (!m_writeStatus.isOk()) {
+        return m_writeStatus;
+    }
+    m_summary->setLive(result.value().lost, result.value().overruns);
+    if (result.value().lost != 0) {
+        m_losses.push_back(m_options.motion.string() + ": " + std::to_string(result.value().lost) + " of " +
+                           std::to_string(m_motion.p_WH.size()) + " ticks were lost");
+    }
+    if (!result.value().fault.empty()) {
+        m_losses.push_back("the safety gate took the force away: " + result.value().fault);
+    }
+    return {};
+}
+
+Status ReplayRun::finish()
+{
+    if (m_writer) {
+        if (Status status = m_writer->finish(); !status.isOk()) {
+            return status;
+        }
+        m_writer.reset();
+        m_recordGuard.keep();
+    }
+    if (m_csv) {
+        if (Status status = m_csv->finish(); !status.isOk()) {
+            return status;
+        }
+    }
+    if (m_json) {
+        m_json->write(m_summary->json());
+        return m_json->finish();
+    }
+    return {};
+}
+
+} // namespace palpate::app

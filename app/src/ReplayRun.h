@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ReplaySummary.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/haptics/HapticScene.h>
+#include <palpate/session/AtomicFile.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/session/Replay.h>
+#include <palpate/session/TickCsv.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::app {
+
+/// What the command line asks of a replay.
+struct ReplayOptions
+{
+    std::filesystem::path scene, motion, out, json, record;
+    std::string unit = "mm", stiffness, damping;
+    bool isLive = false;
+    bool isForced = false;
+    bool embeds = false;
+};
+
+/// Deletes a file unless told that it is whole.
+class FileGuard
+{
+  public:
+    void watch(const std::filesystem::path& path) { m_path = path; }
+    void keep() { m_path.clear(); }
+    ~FileGuard()
+    {
+        std::error_code ignored;
+        if (!m_path.empty()) {
+            std::filesystem::remove(m_path, ignored);
+        }
+    }
+
+  private:
+    std::filesystem::path m_path;
+};
+
+/// One replay, from the command line to its outputs.
+class ReplayRun
+{
+  public:
+    explicit ReplayRun(const ReplayOptions& options)
+        : m_options(options)
+    {
+    }
+
+    ///  m_options;return the exit code
+    int run();
+
+  private:
+    core::Status checkOptions();
+    core::Status openOutputs();
+    core::Status loadMotion();
+    core::Status loadScene();
+    core::Status feel();
+    core::Status checkSameGeometry() const;
+    core::Status feelRecording();
+    core::Status feelLive();
+    core::Status finish();
+
+    core::Status startRecording(const session::RecordingInfo& info);
+    bool take(const servo::TickRecord& tick, std::string_view structure);
+    std::string_view name(std::int32_t structure) const
+    {
+        return structure < 0 ? std::string_view() : m_scene->structures()[static_cast<std::size_t>(structure)].name;
+    }
+
+    const ReplayOptions& m_options;
+    double m_unit_mm = 1.0;
+    std::optional<double> m_stiffness, m_damping;
+    session::Motion m_motion;
+    std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
+    std::shared_ptr<const haptics::HapticScene> m_scene;
+    std::vector<session::StructureSource> m_sources; ///< when hashes are needed
+    SceneCost m_cost;
+    std::optional<ReplaySummary> m_summary;
+    std::optional<session::Resimulation> m_resimulation;
+    std::vector<std::string> m_losses; ///< what was lost, one line each
+    core::Status m_writeStatus;
+    std::optional<session::TickCsv> m_csv;
+    std::optional<session::AtomicFile> m_json;
+    FileGuard m_recordGuard; // before the writer: it must be closed first
+    std::unique_ptr<session::RecordingWriter> m_writer;
+};
+
+} // namespace palpate::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Database.h"
+#include "MetaTable.h"
+#include "palpate/session/Recording.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::session::internal {
+
+/// What goes into a recording in one transaction.
+struct RecordingBatch
+{
+    std::vector<servo::TickRecord> ticks;
+    std::vector<SceneRecord> scenes;
+    std::vector<RecordingEvent> events;
+    void clear() noexcept { ticks.clear(), scenes.clear(), events.clear(); }
+    [[nodiscard]] bool isEmpty() const noexcept { return ticks.empty() && scenes.empty() && events.empty(); }
+};
+
+/// The tables of a recording, written: rows and the chain of checksums over them.
+class RecordingStore
+{
+  public:
+    /// Makes a file with the schema and the metadata.
+    static core::Status makeFile(const std::filesystem::path& path, const MetaTable& meta);
+    /// Opens a file just made. @param ticksPerCheck  what one line of `checks` covers
+    static core::Result<std::unique_ptr<RecordingStore>> open(const std::filesystem::path& path, const MetaTable& meta,
+                                                              std::size_t ticksPerCheck);
+
+    /// Whether each transaction waits until the disk has it.
+    core::Status waitForDisk(bool isWaiting);
+    /// Time of the recording's first tick, from which times count. [ns]
+    void setFirstTime(std::int64_t time_ns) noexcept { m_firstTime_ns = time_ns; }
+    /// Stores all of a batch or, with an error, nothing.
+    core::Status store(const RecordingBatch& batch);
+    core::Status markComplete();
+
+  private:
+    explicit RecordingStore(Database database);
+    core::Status storeScenes(const RecordingBatch& batch, std::string& hash);
+    core::Status storeScene(const SceneRecord& scene);
+    core::Status storeEmbedded(const StructureSource& source);
+    core::Status storeEvents(const RecordingBatch& batch, std::string& hash);
+    core::Status storeTicks(const RecordingBatch& batch, std::string& hash);
+    bool storeTick(const servo::TickRecord& tick);
+    core::Status storeCheck(const char* kind, std::int64_t first, std::int64_t last, std::size_t rows,
+                            const std::string& content, std::string& hash);
+    [[nodiscard]] core::Status failed() const { return m_database.error("cannot be written"); }
+
+    Database m_database;
+    Statement m_insertTick, m_insertCheck, m_insertEvent, m_insertScene, m_insertMesh, m_insertStructure,
+        m_insertEmbedded;
+    std::size_t m_ticksPerCheck = 250;
+    std::string m_chain; ///< hash of the last stored check
+    std::int64_t m_firstTime_ns = 0;
+    std::int64_t m_nextEvent = 1; ///< id
+};
+
+} // namespace palpate::session::internal

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RecordingTables.h"
+
+#include "Packing.h"
+#include "Schema.h"
+#include "palpate/session/GeometryHash.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace palpate::session::internal {
+
+using core::Status;
+using core::StatusCode;
+using Step = Statement::Step;
+
+namespace {
+
+core::Vec3 vector(const Statement& row, int column)
+{
+    return {row.real(column), row.real(column + 1), row.real(column + 2)};
+}
+
+/// A vector whose NULLs stand for `implied`.
+core::Vec3 vector(const Statement& row, int column, const core::Vec3& implied)
+{
+    return row.isNull(column) ? implied : vector(row, column);
+}
+
+servo::TickRecord readTick(const Statement& row)
+{
+    servo::TickRecord tick;
+    tick.tick = row.integer(kTick);
+    tick.time_ns = row.integer(kTime);
+    tick.p_WH = vector(row, kHip);
+    tick.p_WG = vector(row, kGod, tick.p_WH);
+    tick.f_W = vector(row, kForce, core::Vec3::Zero());
+    tick.fSent_W = vector(row, kSent, tick.f_W);
+    if (!row.isNull(kStructure)) {
+        tick.structure = static_cast<std::int32_t>(row.integer(kStructure));
+        tick.triangle = static_cast<std::uint32_t>(row.integer(kTriangle));
+        const core::Vec3 push = tick.p_WG - tick.p_WH;
+        if (const double depth = push.norm(); depth > 0.0) {
+            tick.n_W = push / depth;
+        }
+    }
+    tick.constraints = static_cast<std::uint8_t>(row.integer(kConstraints));
+    tick.scene = static_cast<std::uint32_t>(row.integer(kScene));
+    tick.buttons = static_cast<std::uint32_t>(row.integer(kButtons));
+    tick.solve_ns = static_cast<std::uint32_t>(row.integer(kSolve));
+    tick.iterations = static_cast<std::uint32_t>(row.integer(kIterations));
+    tick.flags = static_cast<std::uint16_t>(row.integer(kFlags));
+    return tick;
+}
+
+/// Copies a blob into numbers. @return false when its length is no whole number of them
+template<class T>
+bool copyBlob(const std::string& bytes, std::vector<T>& out)
+{
+    out.resize(bytes.size() / sizeof(T));
+    std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
+    return bytes.size() % sizeof(T) == 0;
+}
+
+} // namespace
+
+Status RecordingTables::readVersion()
+{
+    if (m_database.integer("PRAGMA application_id") != kRecordingApplicationId) {
+        return {StatusCode::BadFormat, "found another program's SQLite database, expected a Palpate recording"};
+    }
+    m_version = static_cast<int>(m_database.integer("PRAGMA user_version"));
+    if (m_version > kRecordingVersion || m_version < 1) {
+        return {StatusCode::Mismatch, "found a recording of version " + std::to_string(m_version) +
+                                          ", expected at most " + std::to_string(kRecordingVersion) +
+                                          ": a newer Palpate made it"};
+    }
+    return {};
+}
+
+Status RecordingTables::readMeta(MetaTable& out) const
+{
+    Statement row = m_database.prepare("SELECT key, value FROM meta");
+    Step step = row.step();
+    for (; step == Step::Row; step = row.step()) {
+        out[row.bytes(0)] = row.bytes(1);
+    }
+    return step == Step::Failed ? damaged() : Status();
+}
+
+Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
+{
+    Statement generations = m_database.prepare("SELECT generation FROM scenes ORDER BY generation");
+    Step step = generations.step();
+    for (; step == Step::Row; step = generations.step()) {
+        out.emplace_back().generation = static_cast<std::uint32_t>(generations.integer(0));
+    }
+    const Status status = step == Step::Failed ? damaged() : Status();
+    Statement rows = m_database.prepare(
+        "SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, stiffness_N_per_mm, damping_Ns_per_mm, "
+        "layer, palpable FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number");
+    for (step = rows.step(); step == Step::Row; step = rows.step()) {
+        const auto generation = static_cast<std::uint32_t>(rows.integer(0));
+        const auto found = std::lower_bound(out.begin(), out.end(), generation,
+                                            [](const SceneRecord& s, std::uint32_t g) { return s.generation < g; });
+        if (found == out.end() || found->generation != generation) {
+            continue;
+        }
+        StructureRecord& structure = found->structures.emplace_back();
+        structure.name = rows.bytes(1);
+        structure.source.mesh = rows.bytes(2);
+        structure.source.part = rows.bytes(3);
+        structure.source.unit_mm = rows.real(4);
+        structure.source.flipped = rows.integer(5) != 0;
+        structure.source.sha256 = rows.bytes(6);
+        structure.source.X_WM = parsePose(rows.bytes(7));
+        structure.tissue.stiffness_N_per_mm = rows.real(8);
+        structure.tissue.damping_Ns_per_mm = rows.real(9);
+        structure.layer = static_cast<std::uint32_t>(rows.integer(10));
+        structure.palpable = rows.integer(11) != 0;
+    }
+    return step == Step::Failed ? damaged() : status;
+}
+
+Status RecordingTables::readEvents(std::vector<std::pair<std::int64_t, RecordingEvent>>& out) const
+{
+    Statement row = m_database.prepare("SELECT id, tick, kind, json FROM events ORDER BY tick, id");
+    Step step = row.step();
+    for (; step == Step::Row; step = row.step()) {
+        out.push_back({row.integer(0), {row.integer(1), row.bytes(2), row.bytes(3)}});
+    }
+    return step == Step::Failed ? damaged() : Status();
+}
+
+Status RecordingTables::readChecks(std::vector<Check>& out) const
+{
+    // Version 1 had checks of ticks alone.
+    Statement row = m_database.prepare(
+        m_version >= 2
+            ? "SELECT id, kind, first, last, rows, sha256 FROM checks ORDER BY id"
+            : "SELECT first_tick, 'ticks', first_tick, last_tick, ticks, sha256 FROM checks ORDER BY first_tick");
+    Step step = row.step();
+    for (; step == Step::Row; step = row.step()) {
+        out.push_back({row.integer(0), row.bytes(1), row.integer(2), row.integer(3), row.integer(4), row.bytes(5)});
+    }
+    return step == Step::Failed ? damaged() : Status();
+}
+
+Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
+                                  const std::function<bool(const servo::TickRecord&)>& sink) const
+{
+    static const std::string kSql = std::string(kSelectTicks) + "WHERE tick BETWEEN ? AND ? ORDER BY tick";
+    Statement row = m_database.prepare(kSql.c_str());
+    row.bind(0, first);
+    row.bind(1, last);
+    Step step = row.step();
+    for (; step == Step::Row; step = row.step()) {
+        if (!sink(readTick(row))) {
+            return {};
+        }
+    }
+    return step == Step::Failed ? damaged() : Status();
+}
+
+std::optional<servo::TickRecord> RecordingTables::tickAt(std::int64_t tick) const
+{
+    static const std::string kSql = std::string(kSelectTicks) + "WHERE tick <= ? ORDER BY tick DESC LIMIT 1";
+    Statement row = m_database.prepare(kSql.c_str());
+    row.bind(0, tick);
+    return row.step() == Step::Row ? std::optional(readTick(row)) : std::nullopt;
+}
+
+std::vector<std::string> RecordingTables::embeddedHashes() const
+{
+    std::vector<std::string> hashes;
+    if (m_version >= 2) {
+        Statement row = m_database.prepare("SELECT sha256 FROM embedded ORDER BY sha256");
+        while (row.step() == Step::Row) {
+            hashes.push_back(row.bytes(0));
+        }
+    }
+    return hashes;
+}
+
+core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::string& sha256) const
+{
+    const std::string name = "embedded surface " + sha256.substr(0, 12) + "...";
+    Statement row = m_version < 2 ? Statement()
+                                  : m_database.prepare("SELECT vertices, triangles, two_sided, source, all_sha256 "
+                                                       "FROM embedded WHERE sha256 = ?");
+    if (row.isPrepared()) {
+        row.bind(0, std::string_view(sha256));
+    }
+    if (row.step() != Step::Row) {
+        return Status(StatusCode::NotFound, name + ": is not in the recording");
+    }
+    geometry::RepairedMesh surface;
+    const bool isWhole = copyBlob(row.bytes(0), surface.mesh.vertices) &&
+                         copyBlob(row.bytes(1), surface.mesh.triangles) && copyBlob(row.bytes(2), surface.twoSided) &&
+                         copyBlob(row.bytes(3), surface.source);
+    if (!isWhole || embeddedHash(surface) != row.bytes(4) || geometryHash(surface.mesh) != sha256) {
+        return Status(StatusCode::Mismatch, name + ": found other bits than were written (checksum)");
+    }
+    // The hash is no signature: what a hostile file says must not become an index out of range.
+    const std::size_t triangles = surface.mesh.triangles.size();
+    bool isInRange = surface.twoSided.size() == triangles && surface.source.size() == triangles;
+    for (const geometry::Triangle& triangle : surface.mesh.triangles) {
+        for (const std::uint32_t corner : triangle) {
+            isInRange = isInRange && corner < surface.mesh.vertices.size();
+        }
+    }
+    for (const core::Vec3& p : surface.mesh.vertices) {
+        isInRange = isInRange && p.allFinite();
+    }
+    if (!isInRange || triangles == 0) {
+        return Status(StatusCode::BadFormat, name + ": found indices or coordinates out of range");
+    }
+    surface.report.bounds = surface.mesh.bounds();
+    surface.report.vertices = surface.report.inputVertices = surface.mesh.vertices.size();
+    surface.report.triangles = surface.report.inputTriangles = triangles;
+    return surface;
+}
+
+} // namespace palpate::session::internal

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Database.h"
+#include "MetaTable.h"
+#include "palpate/session/Recording.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpate::session::internal {
+
+/// One line of the table `checks`.
+struct Check
+{
+    std::int64_t id = 0;
+    std::string kind;
+    std::int64_t first = 0, last = 0, rows = 0;
+    std::string hash;
+};
+
+/// The tables of a recording, read one by one and as far as they can be read: what came before an error is given.
+/// Tables of an older version come in the form of this one.
+class RecordingTables
+{
+  public:
+    /// @param database  must outlive this
+    explicit RecordingTables(const Database& database)
+        : m_database(database)
+    {
+    }
+
+    /// Looks whose database it is and of which version. @return BadFormat or Mismatch without the file's name
+    core::Status readVersion();
+    [[nodiscard]] int version() const noexcept { return m_version; }
+
+    core::Status readMeta(MetaTable& out) const;
+    core::Status readScenes(std::vector<SceneRecord>& out) const; ///< by generation
+    /// By tick; the first of each pair is the row's id.
+    core::Status readEvents(std::vector<std::pair<std::int64_t, RecordingEvent>>& out) const;
+    core::Status readChecks(std::vector<Check>& out) const;
+    /// Gives the ticks first … last in order, until `sink` returns false.
+    core::Status readTicks(std::int64_t first, std::int64_t last,
+                           const std::function<bool(const servo::TickRecord&)>& sink) const;
+    /// @return the newest tick at or before `tick`.
+    [[nodiscard]] std::optional<servo::TickRecord> tickAt(std::int64_t tick) const;
+    /// @return hashes of the surfaces that the recording holds itself.
+    [[nodiscard]] std::vector<std::string> embeddedHashes() const;
+    /// @return NotFound, or Mismatch when its bits are not those that were written; without the file's name
+    [[nodiscard]] core::Result<geometry::RepairedMesh> readEmbedded(const std::string& sha256) const;
+
+  private:
+    [[nodiscard]] core::Status damaged() const { return m_database.error("cannot be read"); }
+
+    const Database& m_database;
+    int m_version = kRecordingVersion;
+};
+
+} // namespace palpate::session::internal

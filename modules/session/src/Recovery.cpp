@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/session/Recovery.h"
+
+#include "RecordingSurvey.h"
+#include "Schema.h"
+#include "palpate/session/RecordingReader.h"
+#include "palpate/session/RecordingWriter.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <unistd.h>
+
+namespace palpate::session {
+
+using core::Status;
+using core::StatusCode;
+using internal::Database;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path with(const fs::path& path, const std::string& suffix)
+{
+    fs::path out = path;
+    out += suffix;
+    return out;
+}
+
+/// A file of our own beside the copy, with its journal; gone at the end.
+class WorkFile
+{
+  public:
+    WorkFile(const fs::path& beside, const std::string& what)
+        : m_path(with(beside, what + std::to_string(::getpid())))
+    {
+    }
+    ~WorkFile()
+    {
+        std::error_code ignored;
+        fs::remove(m_path, ignored);
+        fs::remove(with(m_path, "-journal"), ignored);
+    }
+    WorkFile(const WorkFile&) = delete;
+    WorkFile& operator=(const WorkFile&) = delete;
+    const fs::path& path() const { return m_path; }
+
+  private:
+    fs::path m_path;
+};
+
+class Rescue
+{
+  public:
+    Rescue(const fs::path& from, const fs::path& to)
+        : m_from(from)
+        , m_to(to)
+        , m_source(to, "-source")
+        , m_copy(to, "-part")
+    {
+    }
+
+    core::Result<Recovery> run()
+    {
+        for (const auto step :
+             {&Rescue::openSource, &Rescue::readHead, &Rescue::makeCopy, &Rescue::copyTicks, &Rescue::finish}) {
+            if (Status status = (this->*step)(); !status.isOk()) {
+                return status;
+            }
+        }
+        return std::move(m_result);
+    }
+
+  private:
+    Status wrong(StatusCode code, const fs::path& path, const std::string& what) const
+    {
+        return {code, path.string() + ": " + what};
+    }
+    void lose(std::string line)
+    {
+        // SQLite names our own copy of the file.
+        for (auto at = line.find(m_source.path().string()); at != std::string::npos;
+             at = line.find(m_source.path().string())) {
+            line.replace(at, m_source.path().string().size(), m_from.filename().string());
+        }
+        m_result.losses.push_back(std::move(line));
+    }
+
+    /// SQLite rolls a journal back by writing: into our copy, never into what is all there is.
+    Status openSource()
+    {
+        std::error_code error;
+        if (!fs::exists(m_from, error)) {
+            return wrong(StatusCode::NotFound, m_from, "no such file, expected a recording");
+        }
+        if (fs::equivalent(m_from, m_to, error)) {
+            return wrong(StatusCode::BadCommandLine, m_to, "is the recording itself, expected another name");
+        }
+        if (!isRecordingFile(m_from)) {
+            return wrong(StatusCode::BadFormat, m_from, "found no SQLite database, expected a recording");
+        }
+        error.clear();
+        fs::copy_file(m_from, m_source.path(), fs::copy_options::overwrite_existing, error);
+        const fs::path journal = with(m_from, "-journal");
+        std::error_code none;
+        if (!error && fs::exists(journal, none)) {
+            fs::copy_file(journal, with(m_source.path(), "-journal"), fs::copy_options::overwrite_existing, error);
+        }
+        if (error) {
+            return wrong(StatusCode::Unreadable, m_to, "cannot be written: " + error.message());
+        }
+        fs::permissions(m_source.path(), fs::perms::owner_read | fs::perms::owner_write, error);
+        auto opened = Database::open(m_source.path(), Database::Mode::ReadWrite);
+        if (!opened.isOk()) {
+            return opened.status();
+        }
+        m_database.emplace(std::move(opened).value());
+        m_tables.emplace(*m_database);
+        return {};
+    }
+
+    Status readHead()
+    {
+        internal::Statement head = m_database->prepare("SELECT count(*) FROM sqlite_master");
+        if (head.step() != internal::Statement::Step::Row) {
+            return wrong(StatusCode::BadFormat, m_from, "its first page is damaged: nothing can be recovered");
+        }
+        head.reset();
+        if (Status status = m_tables->readVersion(); !status.isOk()) {
+            return wrong(status.code(), m_from, status.message());
+        }
+        if (Status status = m_tables->readMeta(m_meta); !status.isOk()) {
+            lose(status.message());
+        }
+        m_survey = internal::survey(*m_tables, m_meta);
+        for (const std::string& fault : m_survey.faults) {
+            lose(fault);
+        }
+        readInfo();
+        return {};
+    }
+
+    /// Takes each value that makes sense; the others get what a new recording has.
+    void readInfo()
+    {
+        if (auto whole = internal::fromMeta(m_meta); whole.isOk()) {
+            m_info = std::move(whole).value();
+            return;
+        }
+        internal::MetaTable good = internal::toMeta(RecordingInfo{});
+        std::string lost;
+        bool hasStart = false;
+        for (auto& [key, value] : good) {
+            const auto found = m_meta.find(key);
+            const std::string before = value;
+            if (found != m_meta.end()) {
+                value = found->second;
+            }
+            const bool isTaken = found != m_meta.end() && internal::fromMeta(good).isOk();
+            if (!isTaken) {
+                value = before;
+                lost += (lost.empty() ? "" : ", ") + key;
+            }
+            hasStart = hasStart || (isTaken && key == "start");
+        }
+        lose("metadata: " + lost + " cannot be read; set to their defaults");
+        m_info = internal::fromMeta(good).value();
+        if (!hasStart) {
+            --m_info.firstTick; // so that a replay knows: the state before the first tick is not known
+        }
+    }
+
+    Status makeCopy()
+    {
+        auto made = RecordingWriter::create(m_copy.path(), m_info, RecordingWriter::Sync::AtEnd,
+                                            RecordingWriter::Events::AsGiven);
+        if (!made.isOk()) {
+            return made.status();
+        }
+        m_writer = std::move(made).value();
+        std::vector<SceneRecord> scenes;
+        (void)m_tables->readScenes(scenes); // what is wrong with it was said
+        for (SceneRecord& scene : scenes) {
+            if (!m_survey.scenes.contains(scene.generation)) {
+                lose("scene " + std::to_string(scene.generation) + ": left out");
+                continue;
+            }
+            for (StructureRecord& structure : scene.structures) {
+                const std::string& hash = structure.source.sha256;
+                if (std::binary_search(m_survey.embedded.begin(), m_survey.embedded.end(), hash)) {
+                    if (auto surface = m_tables->readEmbedded(hash); surface.isOk()) {
+                        structure.source.embed =
+                            std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
+                    }
+                }
+            }
+            if (Status status = m_writer->addScene(scene); !status.isOk()) {
+                return status;
+            }
+        }
+        std::vector<std::pair<std::int64_t, RecordingEvent>> events;
+        (void)m_tables->readEvents(events);
+        for (const auto& [id, event] : events) {
+            if (m_survey.events.contains(id)) {
+                (void)m_writer->addEvent(event);
+            }
+        }
+        return m_writer->commit();
+    }
+
+    /// Copies a range, as far as it can be read. @return the status of the copy
+    Status copyRange(std::int64_t first, std::int64_t last, std::int64_t& copied)
+    {
+        Status written;
+        const Status read = m_tables->readTicks(first, last, [&](const servo::TickRecord& tick) {
+            written = m_writer->append(tick);
+            copied += written.isOk() ? 1 : 0;
+            m_last = tick.tick;
+            return written.isOk();
+        });
+        if (!read.isOk()) {
+            lose(internal::tickRange(first, last) + ": " + read.message());
+        }
+        return written;
+    }
+
+    Status copyTicks()
+    {
+        std::vector<internal::Check> checks;
+        (void)m_tables->readChecks(checks);
+        std::erase_if(checks, [](const internal::Check& check) { return check.kind != internal::kTicksCheck; });
+        std::int64_t next = std::numeric_limits<std::int64_t>::min();
+        const auto copyUnchecked = [&](std::int64_t last) {
+            const std::int64_t before = m_result.ticks;
+            const Status status = last < next ? Status() : copyRange(next, last, m_result.ticks);
+            if (m_result.ticks > before) {
+                lose("up to tick " + std::to_string(m_last) + ": " + std::to_string(m_result.ticks - before) +
+                     " ticks kept without a checksum to hold them against");
+            }
+            return status;
+        };
+        for (const internal::Check& check : checks) {
+            if (check.first < next) {
+                continue; // a line out of order: its ticks are copied already
+            }
+            if (check.first > std::numeric_limits<std::int64_t>::min()) {
+                if (Status status = copyUnchecked(check.first - 1); !status.isOk()) {
+                    return status;
+                }
+            }
+            const bool isGood = std::any_of(m_survey.blocks.begin(), m_survey.blocks.end(),
+                                            [&](const internal::Check& good) { return good.id == check.id; });
+            if (isGood) {
+                if (Status status = copyRange(check.first, check.last, m_result.ticks); !status.isOk()) {
+                    return status;
+                }
+            } else {
+                lose(internal::tickRange(check.first, check.last) + ": left out");
+            }
+            next = std::max(check.last, check.first) + 1;
+        }
+        return copyUnchecked(std::numeric_limits<std::int64_t>::max());
+    }
+
+    Status finish()
+    {
+        const bool isComplete = m_meta.contains(internal::kComplete);
+        if (!isComplete) {
+            lose("the end: the recording was cut off; nothing is known after tick " + std::to_string(m_last));
+        }
+        QJsonArray missing;
+        for (const std::string& loss : m_result.losses) {
+            missing.append(QString::fromStdString(loss));
+        }
+        const QJsonObject json{{"from", QString::fromStdString(m_from.filename().string())}, {"missing", missing}};
+        if (!missing.isEmpty()) {
+            (void)m_writer->addEvent({std::max<std::int64_t>(m_last, 0), "recovered",
+                                      QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()});
+        }
+        const Status status =
+            m_writer->finish(isComplete ? RecordingWriter::Ending::Complete : RecordingWriter::Ending::CutOff);
+        if (!status.isOk()) {
+            return status;
+        }
+        m_writer.reset();
+        std::error_code error;
+        fs::remove(with(m_to, "-journal"), error); // an old one would be rolled back into the copy
+        fs::rename(m_copy.path(), m_to, error);
+        return error ? wrong(StatusCode::Unreadable, m_to, "cannot be written: " + error.message()) : Status();
+    }
+
+    const fs::path m_from;
+    const fs::path m_to;
+    const WorkFile m_source;
+    const WorkFile m_copy;
+    std::optional<Database> m_database;
+    std::optional<internal::RecordingTables> m_tables;
+    internal::MetaTable m_meta;
+    internal::Survey m_survey;
+    RecordingInfo m_info;
+    std::unique_ptr<RecordingWriter> m_writer;
+    std::int64_t m_last = -1; ///< newest tick in the copy
+    Recovery m_result;
+};
+
+} // namespace
+
+core::Result<Recovery> recoverRecording(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    return Rescue(from, to).run();
+}
+
+} // namespace palpate::session

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../support/Shapes.h"
+#include "Sessions.h"
+#include "TestRunner.h"
+
+#include <palpate/session/GeometryHash.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/session/Recovery.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <limits>
+#include <map>
+
+using namespace palpate;
+using session::RecordingReader;
+
+class Recovery : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+
+    QByteArray bytes(const char* name) const
+    {
+        QFile file(m_folder.filePath(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    void write(const char* name, const QByteArray& content) const
+    {
+        QFile file(m_folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+
+    static bool says(const session::Recovery& recovery, const char* text)
+    {
+        return std::any_of(recovery.losses.begin(), recovery.losses.end(),
+                           [&](const std::string& line) { return line.find(text) != std::string::npos; });
+    }
+
+    /// Every tick of the copy is one of those recorded, bit for bit, but for its time: that counts from the copy's
+    /// first tick.
+    static int foreignTicks(const RecordingReader& copy, const std::vector<servo::TickRecord>& recorded)
+    {
+        int foreign = 0;
+        std::optional<std::int64_t> shift_ns;
+        (void)copy.forEach(0, std::numeric_limits<std::int64_t>::max(), [&](servo::TickRecord tick) {
+            if (tick.tick >= static_cast<std::int64_t>(recorded.size())) {
+                ++foreign;
+                return true;
+            }
+            const servo::TickRecord& was = recorded[static_cast<std::size_t>(tick.tick)];
+            shift_ns = shift_ns.value_or(was.time_ns - tick.time_ns);
+            tick.time_ns += *shift_ns;
+            foreign += test::isSameTick(tick, was) ? 0 : 1;
+            return true;
+        });
+        return foreign;
+    }
+
+  private slots:
+    void ofASoundRecordingLosesNothing()
+    {
+        const auto ticks = test::palpationTicks(1100);
+        QVERIFY(test::writeRecording(path("a.palpate"), ticks));
+        const auto result = session::recoverRecording(path("a.palpate"), path("b.palpate"));
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY2(result.value().losses.empty(), result.value().losses.empty() ? "" : result.value().losses[0].c_str());
+        QCOMPARE(result.value().ticks, std::int64_t{1100});
+        const auto from = RecordingReader::open(path("a.palpate"));
+        const auto to = RecordingReader::open(path("b.palpate"));
+        QVERIFY2(to.isOk(), to.status().message().c_str());
+        QVERIFY(to.value()->extent().isComplete);
+        QVERIFY2(to.value()->verify().isOk(), to.value()->verify().message().c_str());
+        QCOMPARE(foreignTicks(*to.value(), ticks), 0);
+        QCOMPARE(to.value()->info().startedUtc, from.value()->info().startedUtc);
+        QCOMPARE(to.value()->events().size(), from.value()->events().size());
+        QVERIFY(session::resimulate(*to.value(), test::boxSurfaces()).value().isSame());
+        QVERIFY(!session::recoverRecording(path("a.palpate"), path("a.palpate")).isOk());
+        QVERIFY(!session::recoverRecording(path("none.palpate"), path("b.palpate")).isOk());
+    }
+
+    void ofACutOffOneSaysThatTheEndIsMissing()
+    {
+        QVERIFY(test::writeRecording(path("c.palpate"), test::palpationTicks(700), false));
+        const auto result = session::recoverRecording(path("c.palpate"), path("d.palpate"));
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QCOMPARE(result.value().losses.size(), std::size_t{1});
+        QVERIFY(says(result.value(), "nothing is known after tick 699"));
+        const auto copy = RecordingReader::open(path("d.palpate"));
+        QVERIFY(!copy.value()->extent().isComplete);
+        QCOMPARE(copy.value()->events().back().kind, std::string("recovered"));
+        QVERIFY(copy.value()->verify().isOk());
+    }
+
+    void leavesOutWhatIsNotAsItWasWritten()
+    {
+        const auto ticks = test::palpationTicks(2000);
+        QVERIFY(test::writeRecording(path("e.palpate"), ticks));
+        QVERIFY(test::runSql(path("e.palpate"), "UPDATE ticks SET hip_x = hip_x + 1e-9 WHERE tick = 1234;"
+                                                "UPDATE meta SET value = 'nonsense' WHERE key = 'dt_s'"));
+        const QByteArray before = bytes("e.palpate");
+        const auto result = session::recoverRecording(path("e.palpate"), path("f.palpate"));
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY(says(result.value(), "ticks 1000 to 1249: left out"));
+        QVERIFY(says(result.value(), "dt_s cannot be read"));
+        QCOMPARE(result.value().ticks, std::int64_t{1750});
+        QCOMPARE(bytes("e.palpate"), before);
+        const auto copy = RecordingReader::open(path("f.palpate"));
+        QVERIFY2(copy.isOk(), copy.status().message().c_str());
+        QCOMPARE(copy.value()->extent().dropped, std::int64_t{250});
+        QCOMPARE(foreignTicks(*copy.value(), ticks), 0);
+        const auto again = session::resimulate(*copy.value(), test::boxSurfaces());
+        QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? "" : again.status().message().c_str());
+        QVERIFY(again.value().compared > 1000);
+    }
+
+    /// One page after the other is overwritten: nothing that is not as recorded comes out, whatever is hit.
+    void savesWhatADamagedPageLeaves()
+    {
+        const auto ticks = test::palpationTicks(1500);
+        QVERIFY(test::writeRecording(path("g.palpate"), ticks));
+        const QByteArray good = bytes("g.palpate");
+        constexpr qsizetype kPage = 4096;
+        int pages = 0;
+        int refused = 0;
+        std::int64_t saved = 0;
+        std::int64_t least = 1500;
+        for (qsizetype page = 0; page * kPage < good.size(); ++page) {
+            QByteArray bad = good;
+            for (qsizetype i = page * kPage; i < std::min(bad.size(), (page + 1) * kPage); ++i) {
+                bad[i] = static_cast<char>(bad[i] ^ static_cast<char>(37 * i + 11));
+            }
+            write("h.palpate", bad);
+            QFile::remove(m_folder.filePath("i.palpate"));
+            ++pages;
+            const auto result = session::recoverRecording(path("h.palpate"), path("i.palpate"));
+            if (!result.isOk()) {
+                QVERIFY(result.status().message().find('\n') == std::string::npos);
+                QVERIFY(!QFile::exists(m_folder.filePath("i.palpate")));
+                ++refused;
+                continue;
+            }
+            const auto copy = RecordingReader::open(path("i.palpate"));
+            QVERIFY2(copy.isOk(), copy.status().message().c_str());
+            QVERIFY2(copy.value()->verify().isOk(), copy.value()->verify().message().c_str());
+            QCOMPARE(foreignTicks(*copy.value(), ticks), 0);
+            QCOMPARE(copy.value()->extent().ticks, result.value().ticks);
+            QVERIFY2(result.value().ticks == 1500 || !result.value().losses.empty(), qPrintable(QString::number(page)));
+            saved += result.value().ticks;
+            least = std::min(least, result.value().ticks);
+        }
+        QCOMPARE(QDir(m_folder.path()).entryList({"*-part*", "*-source*"}, QDir::Files).size(), 0);
+        qInfo("%d pages damaged one by one: %d leave nothing to read, the others %.1f %% of the ticks, at least %lld",
+              pages, refused, 100.0 * double(saved) / (1500.0 * (pages - refused)), static_cast<long long>(least));
+        QVERIFY(refused <= 3);
+    }
+
+    void keepsEmbeddedSurfaces()
+    {
+        const geometry::RepairedMesh box =
+            geometry::repair(test::box(core::Vec3(-20, -20, -20), core::Vec3(20, 20, 20), 4));
+        const std::string hash = session::geometryHash(box.mesh);
+        auto scene = test::palpationScenes()[0];
+        scene.structures[0].source.sha256 = hash;
+        scene.structures[0].source.embed = std::make_shared<const geometry::RepairedMesh>(box);
+        {
+            auto writer = session::RecordingWriter::create(path("j.palpate"), {});
+            QVERIFY(writer.value()->addScene(scene).isOk());
+            QVERIFY(!writer.value()->addScene(scene).isOk()); // described already
+            scene.generation = 2;                             // the same surface again
+            QVERIFY(writer.value()->addScene(scene).isOk());
+            QVERIFY(writer.value()->finish().isOk());
+        }
+        QVERIFY(session::recoverRecording(path("j.palpate"), path("k.palpate")).value().losses.empty());
+        for (const char* name : {"j.palpate", "k.palpate"}) {
+            const auto reader = RecordingReader::open(path(name));
+            QCOMPARE(reader.value()->embeddedHashes(), std::vector<std::string>{hash});
+            const auto surface = reader.value()->embedded(hash);
+            QVERIFY2(surface.isOk(), surface.status().message().c_str());
+            QVERIFY(surface.value().mesh.vertices == box.mesh.vertices);
+            QVERIFY(surface.value().mesh.triangles == box.mesh.triangles);
+            QCOMPARE(surface.value().source, box.source);
+            QCOMPARE(surface.value().twoSided, box.twoSided);
+            QCOMPARE(reader.value()->embedded("none").status().code(), core::StatusCode::NotFound);
+        }
+        QVERIFY(test::runSql(path("j.palpate"), "UPDATE embedded SET two_sided = zeroblob(length(two_sided) - 1)"));
+        const auto reader = RecordingReader::open(path("j.palpate"));
+        QCOMPARE(reader.value()->embedded(hash).status().code(), core::StatusCode::Mismatch);
+        QVERIFY(reader.value()->verify().message().find("embedded surface") != std::string::npos);
+        QVERIFY(says(session::recoverRecording(path("j.palpate"), path("k.palpate")).value(), "embedded surface"));
+    }
+
+    /// What changed is told with its tick, whether the scene is described before or after it is felt.
+    void eventsSayWhatChangedAndWhen()
+    {
+        QVERIFY(test::writeRecording(path("l.palpate"), test::palpationTicks(600)));
+        const auto reader = RecordingReader::open(path("l.palpate"));
+        std::multimap<std::string, std::int64_t> events;
+        for (const auto& event : reader.value()->events()) {
+            events.emplace(event.kind, event.tick);
+        }
+        QCOMPARE(events.count("scene"), std::size_t{2});
+        QCOMPARE(events.find("tissue")->second, std::int64_t{250});
+        QCOMPARE(events.count("clutch"), std::size_t{2});
+        QCOMPARE(events.find("clutch")->second, std::int64_t{400});
+
+        auto scenes = test::palpationScenes();
+        scenes[1].structures[0].palpable = false;
+        scenes[1].structures[0].layer = 2;
+        auto writer = session::RecordingWriter::create(path("m.palpate"), {});
+        servo::TickRecord tick;
+        for (tick.tick = 0; tick.tick < 6; ++tick.tick) {
+            tick.scene = tick.tick < 3 ? 1 : 2;
+            QVERIFY(writer.value()->append(tick).isOk());
+        }
+        QVERIFY(writer.value()->commit().isOk());
+        QVERIFY(writer.value()->addScene(scenes[1]).isOk());
+        QVERIFY(writer.value()->addScene(scenes[0]).isOk());
+        QVERIFY(writer.value()->finish().isOk());
+        QStringList kinds;
+        const auto late = RecordingReader::open(path("m.palpate"));
+        for (const auto& event : late.value()->events()) {
+            kinds << QString("%1@%2").arg(QString::fromStdString(event.kind)).arg(event.tick);
+        }
+        QCOMPARE(kinds, (QStringList{"scene@0", "scene@3", "hidden@3", "tissue@3", "layer@3"}));
+    }
+};
+
+PALPATE_TEST(Recovery)
+#include "tst_Recovery.moc"
