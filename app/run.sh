@@ -9,13 +9,13 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 ensure_packages "${palpate_build_packages[@]}"
 ensure_configured release
-build release palpate_app
+build release palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse
 
 palpate=$palpate_root/build/release/bin/palpate
 phantom=$palpate_root/data/phantom
 
 case ${1:-} in
-    info | replay | evaluate | session | stability | -h | --help | --version) exec "$palpate" "$@" ;;
+    devices | info | replay | evaluate | session | stability | -h | --help | --version) exec "$palpate" "$@" ;;
 esac
 [[ $# -gt 0 ]] || set -- "$phantom/phantom.palpate.json" "$phantom/palpation.palpate"
 [[ -z ${DISPLAY:-} ]] || exec "$palpate" "$@"

@@ -12,6 +12,7 @@ using Chosen = std::function<int()>;
 
 /// Each adds its subcommand; when that is given on the command line, `chosen` becomes what it does. The subcommand's
 /// options live as long as `app`.
+void addDevicesCommand(CLI::App& app, Chosen& chosen);
 void addEvaluateCommand(CLI::App& app, Chosen& chosen);
 void addInfoCommand(CLI::App& app, Chosen& chosen);
 void addReplayCommand(CLI::App& app, Chosen& chosen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "Devices.h"
 #ifdef PALPATE_HAS_WINDOW
 #include "Window.h"
 #endif
@@ -73,11 +74,15 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
 
 int run(int argc, char** argv)
 {
+    if (argc == 3 && argv[1] == app::kProbeWord) {
+        return app::probe(argv[2]);
+    }
     CLI::App cli("Palpate: feel segmented anatomy. Research, training and planning rehearsal; not a medical device.",
                  "palpate");
     cli.set_version_flag("--version", "palpate " + session::palpateVersion() + " (" + session::buildId() + ")");
     cli.require_subcommand(0, 1);
     app::Chosen chosen;
+    app::addDevicesCommand(cli, chosen);
     app::addEvaluateCommand(cli, chosen);
     app::addInfoCommand(cli, chosen);
     app::addReplayCommand(cli, chosen);

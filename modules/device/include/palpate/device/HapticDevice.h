@@ -3,6 +3,7 @@
 
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
+#include <palpate/core/TimingHistogram.h>
 #include <palpate/core/Types.h>
 
 #include <cstdint>
@@ -40,6 +41,25 @@ struct DeviceState
 };
 static_assert(std::is_trivially_destructible_v<DeviceState>); // crosses threads in a PlainCopy
 
+/// Whether a started device can be felt with.
+enum class DeviceCondition : std::uint8_t
+{
+    Working,
+    NeedsCalibration, ///< its sensors count, but not from a known pose; no hand is reported until `calibrate`
+    Lost,             ///< does not answer; works on by itself when it comes back
+};
+
+/// How a device is doing, for a person.
+struct DeviceReport
+{
+    DeviceCondition condition = DeviceCondition::Working;
+    std::string text;            ///< one line: what is the matter and what to do; empty: nothing to tell
+    core::TimingSummary latency; ///< from a state received to the force that answers it written; count 0: not measured
+    std::uint64_t states = 0;    ///< received
+    std::uint64_t refused = 0;   ///< received, but not to be believed
+    std::uint64_t losses = 0;    ///< times that it was lost
+};
+
 /// A device that senses a hand and may push back. A driver whose I/O can block runs a thread of its own behind this
 /// interface and only exchanges its newest state and force here.
 class HapticDevice
@@ -60,6 +80,12 @@ class HapticDevice
     /// Takes the force on the hand in frame D, already bounded by the safety gate [N].
     /// @par Real-time Wait-free. Servo thread, once a tick, after `read`.
     virtual void write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING = 0;
+
+    /// Tells how the device is doing. Any thread but the servo thread.
+    [[nodiscard]] virtual DeviceReport report() const { return {}; }
+    /// Takes the pose that the device is in now as its calibration pose. Any thread but the servo thread; returns at
+    /// once, `report` tells when it is done.
+    virtual core::Status calibrate() { return {core::StatusCode::Unsupported, "this device has nothing to calibrate"}; }
 
     HapticDevice() = default;
     HapticDevice(const HapticDevice&) = delete;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/device/OtherDevices.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace palpate::device {
+
+namespace {
+
+struct Known
+{
+    std::string_view vendor;  ///< four hexadecimal digits; empty: any
+    std::string_view product; ///< the same
+    std::string_view stated;  ///< part of the manufacturer's or product's name; empty: any
+    std::string_view name;
+    std::string_view needs;
+};
+
+constexpr std::string_view kTouchNeeds =
+    "its maker's Touch driver and OpenHaptics, which are closed: Palpate would need a plugin that is built on them";
+constexpr std::string_view kFalconNeeds =
+    "a plugin that speaks to its FTDI chip and loads its firmware at each start, as libnifalcon does";
+constexpr std::string_view kInverseNeeds =
+    "the Haply Inverse service running, and a plugin that speaks its JSON over a WebSocket on port 10001";
+constexpr std::string_view kForceDimensionNeeds = "a plugin that is built on its maker's Force Dimension SDK";
+
+constexpr Known kKnown[] = {
+    {"2988", "", "", "3D Systems Touch", kTouchNeeds},
+    {"0301", "2988", "", "3D Systems Touch", kTouchNeeds},
+    {"", "", "3D Systems", "3D Systems Touch", kTouchNeeds},
+    {"", "", "SensAble", "SensAble PHANToM", kTouchNeeds},
+    {"0403", "cb48", "", "Novint Falcon", kFalconNeeds},
+    {"", "", "Haply", "Haply Inverse3", kInverseNeeds},
+    {"", "", "Inverse3", "Haply Inverse3", kInverseNeeds},
+    {"1451", "", "", "Force Dimension", kForceDimensionNeeds},
+    {"", "", "Force Dimension", "Force Dimension", kForceDimensionNeeds},
+};
+
+std::string firstLine(const std::filesystem::path& file)
+{
+    std::string line;
+    std::ifstream stream(file);
+    std::getline(stream, line);
+    return line;
+}
+
+} // namespace
+
+std::vector<OtherDevice> recogniseOtherDevices(const std::filesystem::path& usb)
+{
+    std::vector<std::filesystem::path> places;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(usb, error), end; !error && it != end; it.increment(error)) {
+        places.push_back(it->path());
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<OtherDevice> found;
+    for (const std::filesystem::path& place : places) {
+        const std::string vendor = firstLine(place / "idVendor");
+        if (vendor.empty()) {
+            continue; // an interface or a hub's port
+        }
+        const std::string product = firstLine(place / "idProduct");
+        const std::string stated = firstLine(place / "manufacturer") + '\n' + firstLine(place / "product");
+        for (const Known& known : kKnown) {
+            if ((known.vendor.empty() || known.vendor == vendor) &&
+                (known.product.empty() || known.product == product) &&
+                (known.stated.empty() || stated.find(known.stated) != std::string::npos)) {
+                found.push_back({std::string(known.name), std::string(known.needs)});
+                break;
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace palpate::device

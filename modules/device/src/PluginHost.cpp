@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/device/PluginHost.h"
+
+#include "PluginProbe.h"
+
+#include <QJsonObject>
+#include <QPluginLoader>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+namespace palpate::device {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+constexpr std::string_view kBuiltIn[] = {"mouse", "simulated", "playback"};
+
+std::filesystem::path toPath(const QString& text)
+{
+    return std::filesystem::path(text.toStdU16String());
+}
+
+bool isPlainId(const std::string& id)
+{
+    return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+PluginEntry readEntry(const std::filesystem::path& file)
+{
+    PluginEntry entry;
+    entry.file = file;
+    const auto refuse = [&](StatusCode code, const std::string& why) {
+        entry.status = Status(code, file.string() + ": skipped, " + why);
+        return entry;
+    };
+    // Reads a section of the file; no code of it runs.
+    const QJsonObject all = QPluginLoader(QString::fromStdU16String(file.u16string())).metaData();
+    if (all.isEmpty()) {
+        return refuse(StatusCode::BadFormat, "it is no Qt plugin");
+    }
+    const QString iid = all.value(QLatin1String("IID")).toString();
+    const QJsonObject own = all.value(QLatin1String("MetaData")).toObject();
+    const auto text = [&own](const char* key) { return own.value(QLatin1String(key)).toString().toStdString(); };
+    entry.info = {text("id"),      text("name"),   text("version"),
+                  text("license"), text("drives"), own.value(QLatin1String("apiVersion")).toInt()};
+    const QString family = QStringLiteral(PALPATE_DEVICE_PLUGIN_IID).section(QLatin1Char('/'), 0, 0);
+    if (iid.section(QLatin1Char('/'), 0, 0) != family) {
+        return refuse(StatusCode::Mismatch, "it is a plugin for something else: found \"" + iid.toStdString() +
+                                                "\", expected \"" PALPATE_DEVICE_PLUGIN_IID "\"");
+    }
+    if (entry.info.apiVersion != kDeviceApiVersion || iid != QLatin1String(PALPATE_DEVICE_PLUGIN_IID)) {
+        return refuse(StatusCode::Mismatch, "it was built for device API " + std::to_string(entry.info.apiVersion) +
+                                                ", this program has " + std::to_string(kDeviceApiVersion) +
+                                                "; build it anew against this version");
+    }
+    if (!isPlainId(entry.info.id)) {
+        return refuse(StatusCode::BadFormat,
+                      "its metadata's id is \"" + entry.info.id + "\", expected small letters, digits and dashes");
+    }
+    if (std::find(std::begin(kBuiltIn), std::end(kBuiltIn), entry.info.id) != std::end(kBuiltIn)) {
+        return refuse(StatusCode::Mismatch, "its id \"" + entry.info.id + "\" is that of a built-in device");
+    }
+    for (const char* key : {"name", "version", "license", "drives"}) {
+        if (text(key).empty()) {
+            return refuse(StatusCode::BadFormat, std::string("its metadata has no ") + key);
+        }
+    }
+    return entry;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesystem::path>& named,
+                                                 const std::filesystem::path& program)
+{
+    std::vector<std::filesystem::path> folders = named;
+    const QString user = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    if (!user.isEmpty()) {
+        folders.push_back(toPath(user) / "Palpate/plugins");
+    }
+    folders.push_back(program / "plugins");                    // in a build, or where someone put them
+    folders.push_back(program / ".." / PALPATE_PLUGIN_FOLDER); // installed
+    return folders;
+}
+
+std::vector<std::filesystem::path> deviceSettingsFolders()
+{
+    std::vector<std::filesystem::path> folders;
+    const QString settings = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
+    if (!settings.isEmpty()) {
+        folders.push_back(toPath(settings) / "Palpate");
+    }
+    const QString home = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+    if (!home.isEmpty()) {
+        folders.push_back(toPath(home));
+    }
+    return folders;
+}
+
+PluginHost::PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe)
+    : m_probe(std::move(probe))
+    , m_services{m_bus, deviceSettingsFolders()}
+{
+    std::vector<std::filesystem::path> seen;
+    for (const std::filesystem::path& folder : folders) {
+        std::vector<std::filesystem::path> files;
+        std::error_code error;
+        const std::filesystem::path real = std::filesystem::canonical(folder, error);
+        if (error || std::find(seen.begin(), seen.end(), real) != seen.end()) {
+            continue;
+        }
+        seen.push_back(real);
+        for (std::filesystem::directory_iterator it(real, error), end; !error && it != end; it.increment(error)) {
+            if (it->path().extension() == ".so") {
+                files.push_back(it->path());
+            }
+        }
+        std::sort(files.begin(), files.end());
+        for (const std::filesystem::path& file : files) {
+            PluginEntry entry = readEntry(file);
+            const auto same = std::find_if(m_plugins.begin(), m_plugins.end(), [&](const PluginEntry& other) {
+                return other.status.isOk() && other.info.id == entry.info.id;
+            });
+            if (entry.status.isOk() && same != m_plugins.end()) {
+                entry.status =
+                    Status(StatusCode::Mismatch, file.string() + ": skipped, " + same->file.string() + " comes first");
+            }
+            m_plugins.push_back(std::move(entry));
+        }
+    }
+    m_loaded.resize(m_plugins.size(), nullptr);
+}
+
+core::Result<DevicePlugin*> PluginHost::load(std::string_view id)
+{
+    const PluginEntry* skipped = nullptr;
+    for (std::size_t i = 0; i < m_plugins.size(); ++i) {
+        PluginEntry& entry = m_plugins[i];
+        if (entry.info.id != id) {
+            continue;
+        }
+        if (!entry.status.isOk()) {
+            skipped = skipped == nullptr ? &entry : skipped;
+            continue;
+        }
+        if (m_loaded[i] == nullptr) {
+            if (!m_probe.empty()) {
+                entry.status = runProbe(m_probe, entry.file);
+            }
+            if (entry.status.isOk()) {
+                auto loaded = loadPlugin(entry.file);
+                entry.status = loaded.status();
+                m_loaded[i] = loaded.isOk() ? loaded.value() : nullptr;
+            }
+        }
+        if (m_loaded[i] != nullptr) {
+            return m_loaded[i];
+        }
+        return entry.status;
+    }
+    if (skipped != nullptr) {
+        return skipped->status;
+    }
+    return Status(StatusCode::NotFound, "no device plugin is called \"" + std::string(id) + '"');
+}
+
+core::Result<std::vector<FoundDevice>> PluginHost::find(std::string_view id)
+{
+    const auto plugin = load(id);
+    if (!plugin.isOk()) {
+        return plugin.status();
+    }
+    try {
+        return plugin.value()->find(m_services);
+    } catch (const std::exception& error) {
+        return Status(StatusCode::Internal, std::string(id) + ": " + error.what());
+    }
+}
+
+core::Result<std::unique_ptr<HapticDevice>> PluginHost::make(std::string_view id, const std::string& address)
+{
+    const auto plugin = load(id);
+    if (!plugin.isOk()) {
+        return plugin.status();
+    }
+    try {
+        return plugin.value()->make(m_services, address);
+    } catch (const std::exception& error) {
+        return Status(StatusCode::Internal, std::string(id) + ": " + error.what());
+    }
+}
+
+} // namespace palpate::device

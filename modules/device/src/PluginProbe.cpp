@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PluginProbe.h"
+
+#include <QObject>
+#include <QPluginLoader>
+#include <QProcess>
+
+#include <exception>
+#include <system_error>
+
+namespace palpate::device {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+constexpr int kProbeTimeout_ms = 10'000; // a machine may be busy; a healthy plugin takes a fraction of a second
+
+} // namespace
+
+core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file)
+{
+    std::error_code error; // the loader would look a relative name up in Qt's own folders
+    QPluginLoader loader(QString::fromStdU16String(std::filesystem::absolute(file, error).u16string()));
+    QObject* root = loader.instance();
+    if (root == nullptr) {
+        return Status(StatusCode::Unreadable, file.string() + ": " + loader.errorString().toStdString());
+    }
+    auto* plugin = qobject_cast<DevicePlugin*>(root);
+    if (plugin == nullptr) {
+        return Status(StatusCode::BadFormat, file.string() + ": its root object is no device plugin");
+    }
+    return plugin;
+}
+
+Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file)
+{
+    QStringList arguments;
+    for (std::size_t i = 1; i < command.size(); ++i) {
+        arguments << QString::fromStdString(command[i]);
+    }
+    arguments << QString::fromStdU16String(file.u16string());
+    QProcess process;
+    process.start(QString::fromStdString(command.front()), arguments, QIODevice::ReadOnly);
+    if (!process.waitForFinished(kProbeTimeout_ms)) {
+        const bool hasStarted = process.error() == QProcess::Timedout;
+        process.kill();
+        process.waitForFinished(1000);
+        return hasStarted ? Status(StatusCode::Unsupported, file.string() + ": skipped, it hung when it was started")
+                          : Status(StatusCode::Internal, file.string() + ": could not be tried: " + command.front() +
+                                                             ": " + process.errorString().toStdString());
+    }
+    if (process.exitStatus() == QProcess::CrashExit) {
+        return {StatusCode::Unsupported, file.string() + ": skipped, it crashed when it was started (signal " +
+                                             std::to_string(process.exitCode()) + ')'};
+    }
+    if (process.exitCode() != 0) {
+        const std::string said = process.readAllStandardError().trimmed().toStdString();
+        return {StatusCode::Unsupported,
+                said.empty() ? file.string() + ": skipped, it ended the process when it was started" : said};
+    }
+    return {};
+}
+
+Status probePlugin(const std::filesystem::path& file)
+{
+    std::mutex bus;
+    const PluginServices services{bus, deviceSettingsFolders()};
+    try {
+        const auto plugin = loadPlugin(file);
+        if (!plugin.isOk()) {
+            return plugin.status();
+        }
+        (void)plugin.value()->find(services);
+    } catch (const std::exception& error) {
+        return {StatusCode::Unsupported, file.string() + ": skipped, it failed when it was started: " + error.what()};
+    } catch (...) {
+        return {StatusCode::Unsupported, file.string() + ": skipped, it failed when it was started"};
+    }
+    return {};
+}
+
+} // namespace palpate::device

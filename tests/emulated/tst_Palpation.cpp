@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shipping plugin against the emulated arm, with the servo loop of the product, in virtual time.
+#include "EmulatedArm.h"
+#include "TestRunner.h"
+
+#include <palpate/servo/ServoLoop.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace palpate;
+using namespace palpate::test;
+
+class Palpation : public QObject
+{
+    Q_OBJECT
+
+  private:
+    std::unique_ptr<EmulatedBench> m_bench;
+    std::unique_ptr<device::PluginHost> m_host;
+
+  private slots:
+    void initTestCase()
+    {
+        m_bench = std::make_unique<EmulatedBench>();
+        m_host = shippingPlugins();
+        standin_makeTimeVirtual();
+    }
+
+    void forceFollowsTheSpringWithinQuantisation_data()
+    {
+        QTest::addColumn<int>("protocol");
+        QTest::addColumn<double>("stiffness");
+        QTest::newRow("protocol 2, soft") << 2 << 0.2;
+        QTest::newRow("protocol 2, hard") << 2 << 0.8;
+        QTest::newRow("protocol 1") << 1 << 0.5;
+    }
+
+    void forceFollowsTheSpringWithinQuantisation()
+    {
+        QFETCH(const int, protocol);
+        QFETCH(const double, stiffness);
+        m_bench->with([&](standin::Bench& b) {
+            b.arm = {};
+            b.arm.unit.protocol = protocol;
+            b.arm.q = standin::restPose(b.arm.unit);
+        });
+        // Down into the block, along it, and out again.
+        m_bench->moveHand(
+            {{1.0, {0, 0, 20}}, {2.0, {0, 0, 5}}, {3.0, {0, 0, -6}}, {4.5, {30, 20, -8}}, {5.5, {30, 20, 10}}});
+        auto made = m_host->make("woodenhaptics");
+        QVERIFY2(made.isOk(), made.status().message().c_str());
+        const std::unique_ptr<device::HapticDevice> arm = std::move(made).value();
+        servo::ServoLoop loop;
+        loop.setScene(blockScene(stiffness));
+        const core::Status started = loop.start(*arm, {.askRealtime = false});
+        QVERIFY2(started.isOk(), started.message().c_str());
+        pass(6.0);
+        const servo::FaultReport fault = loop.fault();
+        const device::DeviceReport report = arm->report();
+        loop.stop();
+        QVERIFY2(!fault.isFaulted(), fault.message);
+
+        std::vector<standin::Taken> all;
+        standin::ArmUnit unit;
+        m_bench->with([&](standin::Bench& b) {
+            QVERIFY(b.arm.takenCount < b.arm.taken.size() * 2);
+            const std::uint64_t first =
+                b.arm.takenCount > b.arm.taken.size() ? b.arm.takenCount - b.arm.taken.size() : 0;
+            for (std::uint64_t i = first; i < b.arm.takenCount; ++i) {
+                all.push_back(b.arm.taken[i % b.arm.taken.size()]);
+            }
+            unit = b.arm.unit;
+        });
+        // The answer to a report is a fixed number of reports late; the bound is what counts and milliamperes cannot
+        // say.
+        double best = 1e9;
+        std::size_t lateness = 0;
+        int compared = 0;
+        double deepest = 0.0;
+        double bound = 0.0;
+        for (std::size_t late = 0; late < 4; ++late) {
+            double worst = 0.0;
+            compared = 0;
+            for (std::size_t i = 4; i < all.size(); ++i) {
+                const standin::V3& p = all[i - late].sampled_mm;
+                if (p[2] > -1.0) {
+                    continue; // deep enough for the force to have been eased in and the contact to be old
+                }
+                ++compared;
+                deepest = std::min(deepest, p[2]);
+                const standin::V3& f = all[i].f_D;
+                worst = std::max(worst, std::hypot(f[0], f[1], f[2] + stiffness * p[2]));
+                const auto& step = all[i].countStep_mm;
+                bound = std::max(bound, stiffness * 0.5 * (step[0] + step[1] + step[2]));
+            }
+            if (worst < best) {
+                best = worst;
+                lateness = late;
+            }
+        }
+        // Half a milliampere in each motor, and the turn of the arm while the answer is under way (2 ms at 30 mm/s).
+        const double currents_N = 0.5e-3 * unit.torqueConstant[0] * 16.0 / 0.15 * 2.0 + 2.0 * 0.06 / 200.0;
+        qInfo(
+            "%d answers in contact, deepest %.2f mm; force within %.4f N of k (g - p), bound %.4f N; %zu reports late; "
+            "latency p50 %.2f ms, p99 %.2f ms, max %.2f ms",
+            compared, -deepest, best, bound + currents_N, lateness, static_cast<double>(report.latency.p50_ns) * 1e-6,
+            static_cast<double>(report.latency.p99_ns) * 1e-6, static_cast<double>(report.latency.max_ns) * 1e-6);
+        QVERIFY(compared > 1000);
+        QVERIFY(deepest < -2.0);
+        QVERIFY2(best <= bound + currents_N,
+                 qPrintable(QStringLiteral("%1 N against %2 N").arg(best).arg(bound + currents_N)));
+        QVERIFY(report.refused < 5);
+        QCOMPARE(report.losses, std::uint64_t{0});
+        m_bench->with([&](standin::Bench& b) { // stopped: the motors are off
+            QCOMPARE(b.arm.amps, (standin::V3{0, 0, 0}));
+        });
+    }
+};
+
+PALPATE_TEST(Palpation)
+#include "tst_Palpation.moc"
