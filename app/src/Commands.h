@@ -17,5 +17,6 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen);
 void addInfoCommand(CLI::App& app, Chosen& chosen);
 void addReplayCommand(CLI::App& app, Chosen& chosen);
 void addSessionCommand(CLI::App& app, Chosen& chosen);
+void addStabilityCommand(CLI::App& app, Chosen& chosen);
 
 } // namespace palpate::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "ProgressLine.h"
 #include "SceneForTouch.h"
 
 #include <palpate/evaluation/Report.h>
@@ -10,13 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
-
-#include <unistd.h>
 
 namespace palpate::app {
 
@@ -36,41 +33,6 @@ struct EvaluateOptions
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
-};
-
-/// One line on stderr that is written over, at most ten times a second; a line for every tenth where nobody watches.
-class ProgressLine
-{
-  public:
-    bool show(double share, const std::string& what)
-    {
-        if (!m_isTerminal) {
-            if (share >= m_nextTenth) {
-                std::fprintf(stderr, "%3.0f %%  %s\n", 100.0 * share, what.c_str());
-                m_nextTenth = share + 0.1;
-            }
-            return true;
-        }
-        const auto now = std::chrono::steady_clock::now();
-        if (now - m_last >= std::chrono::milliseconds(100)) {
-            m_last = now;
-            std::fprintf(stderr, "\r%3.0f %%  %-66.66s", 100.0 * share, what.c_str());
-            m_isShown = true;
-        }
-        return true;
-    }
-    ~ProgressLine()
-    {
-        if (m_isShown) {
-            std::fprintf(stderr, "\r%-73s\r", "");
-        }
-    }
-
-  private:
-    std::chrono::steady_clock::time_point m_last;
-    bool m_isTerminal = isatty(STDERR_FILENO) == 1;
-    bool m_isShown = false;
-    double m_nextTenth = 0.1;
 };
 
 core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm)

@@ -87,6 +87,7 @@ int run(int argc, char** argv)
     app::addInfoCommand(cli, chosen);
     app::addReplayCommand(cli, chosen);
     app::addSessionCommand(cli, chosen);
+    app::addStabilityCommand(cli, chosen);
 #ifdef PALPATE_HAS_WINDOW
     WindowCommandLine window;
     addWindowOptions(cli, window);

@@ -44,6 +44,8 @@ Status SimulatedHand::start()
                   {"gripStiffness_N_per_mm", m_options.gripStiffness_N_per_mm, 0.0},
                   {"gripDamping_Ns_per_mm", m_options.gripDamping_Ns_per_mm, 0.0},
                   {"deviceDamping_Ns_per_mm", m_options.deviceDamping_Ns_per_mm, 0.0},
+                  {"friction_N", m_options.friction_N, 0.0},
+                  {"delayTicks", static_cast<double>(m_options.delayTicks), 0.0},
                   {"resolution_mm", m_options.resolution_mm, 0.0},
                   {"maxForce_N", m_options.preset.maxForce_N, 0.0},
                   {"subSteps", static_cast<double>(m_options.subSteps), 1.0}};
@@ -54,6 +56,11 @@ Status SimulatedHand::start()
                                                 std::to_string(check.smallest)};
         }
     }
+    if (static_cast<std::size_t>(m_options.delayTicks) > kLongestDelay) {
+        return {StatusCode::OutOfRange, "simulated hand: delayTicks is " + std::to_string(m_options.delayTicks) +
+                                            ", expected at most " + std::to_string(kLongestDelay)};
+    }
+    m_waiting.fill(Vec3::Zero());
     m_tick = 0;
     m_p_W = m_script.at(0.0).p_W;
     m_v_W.setZero();
@@ -84,6 +91,11 @@ void SimulatedHand::advance() noexcept PALPATE_NONBLOCKING
                          m_options.gripDamping_Ns_per_mm * (target.v_W - m_v_W) -
                          m_options.deviceDamping_Ns_per_mm * m_v_W;
         m_v_W += f_W * (kMillimetresPerMetre / m_options.mass_kg * dt_s);
+        if (m_options.friction_N > 0.0) {
+            const double speed = m_v_W.norm();
+            const double lost = m_options.friction_N * (kMillimetresPerMetre / m_options.mass_kg * dt_s);
+            m_v_W = speed > lost ? Vec3(m_v_W * (1.0 - lost / speed)) : Vec3(Vec3::Zero());
+        }
         m_p_W += m_v_W * dt_s;
     }
 }
@@ -113,13 +125,18 @@ void SimulatedHand::write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING
 {
     // Motors saturate; what is not a number moves none.
     const double magnitude_N = f_D.norm();
-    if (!std::isfinite(magnitude_N)) {
-        m_f_W.setZero();
-    } else if (magnitude_N > m_options.preset.maxForce_N) {
-        m_f_W = f_D * (m_options.preset.maxForce_N / magnitude_N);
-    } else {
-        m_f_W = f_D;
+    Vec3 f_W = Vec3::Zero();
+    if (std::isfinite(magnitude_N)) {
+        f_W = magnitude_N > m_options.preset.maxForce_N ? Vec3(f_D * (m_options.preset.maxForce_N / magnitude_N)) : f_D;
     }
+    if (m_options.delayTicks == 0) {
+        m_f_W = f_W;
+        return;
+    }
+    // Written after the read of tick m_tick - 1: what was written delayTicks before acts now.
+    Vec3& slot = m_waiting[static_cast<std::size_t>(m_tick % m_options.delayTicks)];
+    m_f_W = slot;
+    slot = f_W;
 }
 
 } // namespace palpate::device

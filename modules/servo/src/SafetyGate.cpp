@@ -118,6 +118,16 @@ GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_
     return input;
 }
 
+double SafetyGate::nextGain() const noexcept
+{
+    return m_limits.easeIn_s > 0.0 ? std::min(1.0, m_gain + m_dt_s / m_limits.easeIn_s) : 1.0;
+}
+
+Vec3 SafetyGate::eased(const Vec3& f_D) const noexcept PALPATE_NONBLOCKING
+{
+    return nextGain() * shortened(f_D, m_limits.maxForce_N);
+}
+
 Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKING
 {
     const double largestChange_N = m_limits.maxForceRate_N_per_s * m_dt_s;
@@ -141,8 +151,8 @@ Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKI
             --m_rampLeft;
         }
     } else {
-        m_gain = m_limits.easeIn_s > 0.0 ? std::min(1.0, m_gain + m_dt_s / m_limits.easeIn_s) : 1.0;
-        f_D = m_gain * shortened(request.f_D, m_limits.maxForce_N);
+        f_D = eased(request.f_D);
+        m_gain = nextGain();
         if (!isFirstContact) {
             const Vec3 change = f_D - m_sent_D;
             const double change_N = change.norm();

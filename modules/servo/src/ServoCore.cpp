@@ -20,8 +20,9 @@ haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std:
     return palpator.step(p_WH, dt_s);
 }
 
-ServoCore::ServoCore(const GateLimits& limits, double rate_Hz) noexcept
+ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLimits& passivity) noexcept
     : m_gate(limits, 1.0 / rate_Hz)
+    , m_passivity(passivity, 1.0 / rate_Hz)
     , m_dt_s(1.0 / rate_Hz)
 {
 }
@@ -80,7 +81,19 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     request.f_D = felt.f_W;
     request.isInContact = felt.structure >= 0;
     request.isSceneChanged = m_isSceneChanged;
+    if (!input.isPresent || input.isFirst) {
+        m_passivity.reset();
+    }
+    if (input.isPresent) {
+        if (m_isSceneChanged) {
+            m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - input.p_D));
+        }
+        record.fDamping_W = m_passivity.damping(m_gate.eased(felt.f_W), input.p_D, request.isInContact);
+        record.energy_mJ = m_passivity.state().energy_mJ;
+        request.f_D += record.fDamping_W;
+    }
     record.fSent_W = m_gate.release(request);
+    m_passivity.noteSent(record.fSent_W);
     if (record.fSent_W != record.f_W) {
         flags |= kOutputGated;
     }

@@ -68,6 +68,7 @@ struct ServoLoop::Impl
     // Set before the thread starts, read by both.
     device::HapticDevice* device = nullptr;
     GateLimits limits;
+    PassivityLimits passivity;
     RealtimeRequest request;
     std::atomic<double> rate_Hz{0.0};
     std::thread thread;
@@ -138,7 +139,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
 {
     realtime = makeThreadRealtime(request);
     const double rate = rate_Hz.load(std::memory_order_relaxed);
-    ServoCore core(limits, rate);
+    ServoCore core(limits, rate, passivity);
     if (current != nullptr) {
         core.setScene(current->scene.get(), current->generation);
     }
@@ -327,7 +328,10 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         if (Status started = device.start(); !started.isOk()) {
             return started;
         }
-        impl.limits = GateLimits::forDevice(device.info());
+        const device::DeviceInfo info = device.info();
+        impl.limits = GateLimits::forDevice(info);
+        impl.passivity = PassivityLimits::forDevice(info);
+        impl.passivity.isOn = impl.passivity.isOn && options.isPassivityControlled;
         if (impl.ring == nullptr || impl.ring->capacity() < options.ringCapacity ||
             impl.ring->capacity() / 2 >= options.ringCapacity) {
             impl.ring = std::make_unique<core::SpscRing<PlainCopy<TickRecord>>>(options.ringCapacity);

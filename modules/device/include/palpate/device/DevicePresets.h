@@ -12,6 +12,16 @@ namespace palpate::device {
 /// shown stays finite and bounded. The largest of the presets.
 inline constexpr double kShownForceLimit_N = 20.0;
 
+/// What a device's mechanics are like at the tip, without a hand. Little damping and friction is the hard case for
+/// stability, so where a maker states "at most", half of that is taken, and where nothing is stated, little.
+struct DeviceMechanics
+{
+    double mass_kg = 0.0;
+    double damping_Ns_per_mm = 0.0; ///< viscous; a damper to the ground
+    double friction_N = 0.0;        ///< Coulomb
+    double resolution_mm = 0.0;     ///< step of the position sensor
+};
+
 /// Published limits of a kind of device, for the simulated one and for advice about stiffness.
 struct DevicePreset
 {
@@ -21,11 +31,13 @@ struct DevicePreset
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
     double workspaceRadius_mm = 0.0;
+    DeviceMechanics mechanics;
 };
 
 /// All presets: Touch, PHANToM Desktop, PHANToM Premium 1.5, Falcon, omega, delta, WoodenHaptics. Where makers give a
 /// range (Touch), the smaller and so safer end.
-/// @par Source The device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures.
+/// @par Source Limits: the device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures.
+/// Mechanics: resources/docs/stability.md says of each number whether its maker states it or it is assumed.
 [[nodiscard]] std::span<const DevicePreset> devicePresets() noexcept;
 
 /// @return the preset called `id`, or null.

@@ -25,8 +25,9 @@ struct DeviceInfo
     double maxForce_N = 0.0; ///< the safety gate bounds every force by it
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
-    double workspaceRadius_mm = 0.0; ///< about the origin of D; 0: not limited
-    double rate_Hz = 1000.0;         ///< that the device itself works at
+    double ownDamping_Ns_per_mm = 0.0; ///< viscous, of its mechanics without a hand; 0: not known
+    double workspaceRadius_mm = 0.0;   ///< about the origin of D; 0: not limited
+    double rate_Hz = 1000.0;           ///< that the device itself works at
 };
 
 /// The newest state of a device.

@@ -77,6 +77,10 @@ class SafetyGate
     /// @return force for the device in frame D [N]
     [[nodiscard]] Vec3 release(const ForceRequest& request) noexcept PALPATE_NONBLOCKING;
 
+    /// What `release` would make of the model's force before it bounds change and power: eased in, and no longer than
+    /// the device can. [N]
+    [[nodiscard]] Vec3 eased(const Vec3& f_D) const noexcept PALPATE_NONBLOCKING;
+
     /// Counts ticks that ended late, once a tick.
     void noteOverrun(bool isOverrun) noexcept PALPATE_NONBLOCKING;
     /// Latches `kind` unless another fault is; the force ramps to zero.
@@ -95,6 +99,7 @@ class SafetyGate
 
   private:
     void refuse(FaultKind kind) noexcept;
+    [[nodiscard]] double nextGain() const noexcept;
 
     GateLimits m_limits;
     double m_dt_s;

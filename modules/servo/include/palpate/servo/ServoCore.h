@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/servo/PassivityController.h"
 #include "palpate/servo/SafetyGate.h"
 #include "palpate/servo/TickRecord.h"
 
@@ -28,7 +29,7 @@ class ServoCore
 {
   public:
     /// @param rate_Hz  > 0
-    ServoCore(const GateLimits& limits, double rate_Hz) noexcept;
+    ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLimits& passivity = {.isOn = false}) noexcept;
 
     /// Lets the coming ticks feel another scene.
     /// @param scene  only read; must outlive its use here; null = nothing to touch
@@ -55,6 +56,7 @@ class ServoCore
 
     haptics::Palpator m_palpator;
     SafetyGate m_gate;
+    PassivityController m_passivity;
     double m_dt_s;
     std::int64_t m_tick = 0;
     std::uint32_t m_generation = 0;

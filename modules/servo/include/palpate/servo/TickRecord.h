@@ -26,16 +26,18 @@ enum TickFlag : std::uint16_t
 /// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window.
 struct TickRecord
 {
-    std::int64_t tick = 0;       ///< since the servo started
-    std::int64_t time_ns = 0;    ///< monotonic
-    Vec3 p_WH = Vec3::Zero();    ///< HIP that was solved, after the safety gate [mm]
-    Vec3 p_WG = Vec3::Zero();    ///< god-object [mm]
-    Vec3 n_W = Vec3::Zero();     ///< contact direction, unit, zero in free space
-    Vec3 f_W = Vec3::Zero();     ///< force of the model [N]
-    Vec3 fSent_W = Vec3::Zero(); ///< force given to the device, after the safety gate [N]
-    std::int32_t structure = -1; ///< number in the scene, -1 in free space
-    std::uint32_t triangle = 0;  ///< in the structure's mesh as given to `geometry::repair`
-    std::uint32_t scene = 0;     ///< generation number of the scene that was felt, see ServoLoop::setScene
+    std::int64_t tick = 0;          ///< since the servo started
+    std::int64_t time_ns = 0;       ///< monotonic
+    Vec3 p_WH = Vec3::Zero();       ///< HIP that was solved, after the safety gate [mm]
+    Vec3 p_WG = Vec3::Zero();       ///< god-object [mm]
+    Vec3 n_W = Vec3::Zero();        ///< contact direction, unit, zero in free space
+    Vec3 f_W = Vec3::Zero();        ///< force of the model [N]
+    Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate [N]
+    Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for [N]
+    double energy_mJ = 0.0;         ///< that the hand put in since contact began and has not got back; < 0: it got more
+    std::int32_t structure = -1;    ///< number in the scene, -1 in free space
+    std::uint32_t triangle = 0;     ///< in the structure's mesh as given to `geometry::repair`
+    std::uint32_t scene = 0;        ///< generation number of the scene that was felt, see ServoLoop::setScene
     std::uint32_t buttons = 0;
     std::uint32_t solve_ns = 0; ///< time in the solver
     std::uint32_t iterations = 0;

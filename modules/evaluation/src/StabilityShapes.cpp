@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/Shapes.h"
+#include "palpate/evaluation/Stability.h"
+
+#include "StabilityTrial.h"
+
+#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/haptics/Palpator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace palpate::evaluation::stability {
+
+namespace {
+
+haptics::HapticStructure structure(std::string name, const geometry::TriangleMesh& mesh)
+{
+    haptics::HapticStructure out;
+    out.name = std::move(name);
+    out.surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(geometry::repair(mesh)));
+    return out;
+}
+
+Shape single(std::string name, const geometry::TriangleMesh& mesh, const Hold& hold)
+{
+    Shape shape;
+    shape.structures.push_back(structure(name, mesh));
+    shape.share = {1.0};
+    shape.holds = {hold};
+    shape.name = std::move(name);
+    return shape;
+}
+
+/// A hand that comes straight down there touches: nothing lies over it that it would start in.
+bool isReached(const Hold& hold, const haptics::HapticScene& scene)
+{
+    haptics::Palpator palpator;
+    palpator.setScene(&scene);
+    haptics::TickResult felt;
+    for (double depth_mm = -kClearance_mm; depth_mm <= 1.0; depth_mm += 0.1) {
+        felt = palpator.step(hold.p_W + depth_mm * hold.d_W, 0.001);
+    }
+    return felt.structure >= 0 && hold.d_W.allFinite();
+}
+
+/// Three slabs that meet in the origin.
+geometry::TriangleMesh innerCorner()
+{
+    geometry::TriangleMesh mesh = shapes::box(Vec3(-20, -20, -20), Vec3(40, 40, 0));
+    shapes::append(mesh, shapes::box(Vec3(-20, -20, -20), Vec3(0, 40, 40)));
+    shapes::append(mesh, shapes::box(Vec3(-20, -20, -20), Vec3(40, 0, 40)));
+    return mesh;
+}
+
+/// A stiff block let into a soft one, flush: what a lump's border feels like in one layer.
+Shape lump()
+{
+    Shape shape;
+    shape.name = "stiffness step at a lump";
+    shape.structures.push_back(structure("soft", shapes::box(Vec3(-40, -40, -40), Vec3(0, 40, 0))));
+    shape.structures.push_back(structure("lump", shapes::box(Vec3(0, -40, -40), Vec3(40, 40, 0))));
+    shape.share = {0.2, 1.0};
+    shape.holds = {{Vec3::Zero(), -Vec3::UnitZ(), Vec3(-5, 0, 0)}, {Vec3(0.1, 0, 0), -Vec3::UnitZ(), Vec3::Zero()}};
+    return shape;
+}
+
+} // namespace
+
+std::vector<Shape> standardShapes()
+{
+    constexpr double kGroove = 10.0 * std::numbers::pi / 180.0;
+    std::vector<Shape> out;
+    out.push_back(single("wall", shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0)),
+                         {Vec3(0.3, 0.2, 0), -Vec3::UnitZ(), {0, 0, 0}}));
+    out.push_back(single("inner corner", innerCorner(), {Vec3::Zero(), Vec3(-1, -1, -1).normalized(), {0, 0, 0}}));
+    out.push_back(single("edge", shapes::box(Vec3(-30, -30, -30), Vec3(0, 30, 0)),
+                         {Vec3::Zero(), Vec3(-1, 0, -1).normalized(), {0, 0, 0}}));
+    out.push_back(single("10° groove", shapes::groove(kGroove), {Vec3::Zero(), -Vec3::UnitZ(), {0, 0, 0}}));
+    out.push_back(lump());
+    const Vec3 n = Vec3(0.3, 0.4, 0.87).normalized();
+    out.push_back(single("fine sphere", shapes::bumpySphere(128, 30.0, 0.0), {30.0 * n, -n, {0, 0, 0}}));
+    return out;
+}
+
+Shape shapeOf(std::string name, const haptics::HapticScene& scene)
+{
+    constexpr std::uint32_t kHolds = 4; // of each structure
+    Shape shape;
+    shape.name = std::move(name);
+    shape.structures = scene.structures();
+    shape.share.assign(shape.structures.size(), 1.0);
+    for (const haptics::HapticStructure& one : shape.structures) {
+        if (one.surface == nullptr || one.surface->triangleCount() == 0) {
+            continue;
+        }
+        const auto count = static_cast<std::uint32_t>(one.surface->triangleCount());
+        for (std::uint32_t i = 0; i < std::min(kHolds, count); ++i) {
+            const geometry::Triangle t = one.surface->triangle(i * (count / std::min(kHolds, count)));
+            const Vec3& a = one.surface->vertex(t[0]);
+            const Vec3& b = one.surface->vertex(t[1]);
+            const Vec3& c = one.surface->vertex(t[2]);
+            const Hold hold{(a + b + c) / 3.0, -(b - a).cross(c - a).normalized(), Vec3::Zero()};
+            if (isReached(hold, scene)) {
+                shape.holds.push_back(hold);
+            }
+        }
+    }
+    return shape;
+}
+
+} // namespace palpate::evaluation::stability

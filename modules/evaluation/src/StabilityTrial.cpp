@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StabilityTrial.h"
+
+#include <palpate/device/SimulatedHand.h>
+#include <palpate/servo/ServoCore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate::evaluation::stability {
+
+namespace {
+
+constexpr double kEaseIn_s = 0.55; // the gate's, and a bit: pressing begins with all of the force
+constexpr double kSettle_s = 1.0;
+constexpr double kWatch_s = 0.5;
+constexpr double kSlideSpeed_mm_per_s = 50.0;
+
+/// A hand's push when it rests [N]: 3 N, or 40 % of what the device can.
+double push_N(const device::DevicePreset& preset)
+{
+    return std::min(3.0, 0.4 * preset.maxForce_N);
+}
+
+/// A script that comes down at a speed, slides if asked to, and rests.
+std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, double speed_mm_per_s)
+{
+    const Vec3 high = hold.p_W + hold.slideFrom_mm - kClearance_mm * hold.d_W;
+    const Vec3 deep = hold.p_W + hold.slideFrom_mm + depth_mm * hold.d_W;
+    double time_s = kEaseIn_s;
+    std::vector<device::HandTarget> script{{0.0, high}, {time_s, high}};
+    time_s += (depth_mm + kClearance_mm) / speed_mm_per_s;
+    script.push_back({time_s, deep});
+    if (!hold.slideFrom_mm.isZero(0.0)) {
+        time_s += 0.2;
+        script.push_back({time_s, deep});
+        time_s += hold.slideFrom_mm.norm() / kSlideSpeed_mm_per_s;
+        script.push_back({time_s, deep - hold.slideFrom_mm});
+    }
+    script.push_back({time_s + kSettle_s + kWatch_s, script.back().p_W});
+    return script;
+}
+
+} // namespace
+
+const std::vector<Grip>& grips()
+{
+    static const std::vector<Grip> kGrips{{"light", 0.02, 0.15, 0.001}, {"fingertip", 0.006, 0.75, 0.0057}};
+    return kGrips;
+}
+
+std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double stiffness_N_per_mm,
+                                                    double damping_Ns_per_mm)
+{
+    std::vector<haptics::HapticStructure> structures = shape.structures;
+    for (std::size_t i = 0; i < structures.size(); ++i) {
+        structures[i].tissue = {};
+        structures[i].tissue.stiffness_N_per_mm = shape.share[i] * stiffness_N_per_mm;
+        structures[i].tissue.damping_Ns_per_mm = damping_Ns_per_mm;
+    }
+    return std::make_shared<const haptics::HapticScene>(std::move(structures));
+}
+
+void closeLoop(const haptics::HapticScene& scene, const std::vector<device::HandTarget>& script, const Grip& grip,
+               const Setup& setup, const std::function<void(const servo::TickRecord&, const Vec3& tip_W)>& each)
+{
+    const device::DeviceMechanics& mechanics = setup.preset.mechanics;
+    device::SimulatedHandOptions held;
+    held.preset = setup.preset;
+    held.rate_Hz = setup.rate_Hz;
+    held.mass_kg = mechanics.mass_kg + grip.mass_kg;
+    held.gripStiffness_N_per_mm = grip.stiffness_N_per_mm;
+    held.gripDamping_Ns_per_mm = grip.damping_Ns_per_mm;
+    held.deviceDamping_Ns_per_mm = mechanics.damping_Ns_per_mm;
+    held.friction_N = mechanics.friction_N;
+    held.resolution_mm = mechanics.resolution_mm;
+    held.delayTicks = setup.delayTicks;
+    auto made = device::HandScript::make(script);
+    device::SimulatedHand hand(made.isOk() ? std::move(made).value() : device::HandScript(), held);
+    if (!hand.start().isOk()) {
+        return;
+    }
+    device::DeviceInfo info = device::deviceInfo(setup.preset);
+    info.workspaceRadius_mm = 0.0; // the device is taken along, as SimulatedHand says
+    servo::PassivityLimits passivity = servo::PassivityLimits::forDevice(info);
+    passivity.isOn = passivity.isOn && setup.isControlled;
+    servo::ServoCore core(servo::GateLimits::forDevice(info), setup.rate_Hz, passivity);
+    core.setScene(&scene, 1);
+    while (!hand.isFinished()) {
+        const auto now_ns = 1'000'000'000 + std::llround(1e9 * static_cast<double>(core.nextTick()) / setup.rate_Hz);
+        const servo::TickRecord tick = core.tick(hand.read(now_ns), now_ns);
+        hand.write(tick.fSent_W);
+        each(tick, hand.tip_W());
+    }
+}
+
+double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup)
+{
+    const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
+    double worst = 0.0;
+    for (const Grip& grip : grips()) {
+        for (const Hold& hold : shape.holds) {
+            for (const double speed : {30.0, 200.0}) {
+                const auto script = pressing(hold, push_N(setup.preset) / grip.stiffness_N_per_mm, speed);
+                const double from_s = script.back().time_s - kWatch_s;
+                core::Box box;
+                bool isTouching = false;
+                closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3& tip_W) {
+                    isTouching = tick.structure >= 0;
+                    if (static_cast<double>(tick.tick) >= from_s * setup.rate_Hz) {
+                        box.extend(tip_W);
+                    }
+                });
+                if (!isTouching || box.isEmpty()) {
+                    return std::numeric_limits<double>::infinity();
+                }
+                worst = std::max(worst, box.sizes().maxCoeff());
+                if (!(worst < kLimitCycle_mm)) {
+                    return worst; // decided
+                }
+            }
+        }
+    }
+    return worst;
+}
+
+Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& setup)
+{
+    const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
+    std::vector<double> percents;
+    double largest_N = 0.0;
+    std::vector<std::pair<double, double>> ticks; // force of the model, what was added to it
+    for (const Grip& grip : grips()) {
+        for (const Hold& hold : shape.holds) {
+            const double depth_mm = push_N(setup.preset) / grip.stiffness_N_per_mm;
+            auto script = pressing(hold, depth_mm, 100.0);
+            script.back().time_s += kEaseIn_s - kSettle_s; // a slide instead of the rest
+            const Vec3 along = hold.d_W.unitOrthogonal();
+            for (const double side : {10.0, -10.0, 0.0}) {
+                const Vec3 to = hold.p_W + depth_mm * hold.d_W + side * along;
+                const double time_s = (to - script.back().p_W).norm() / 100.0;
+                script.push_back({script.back().time_s + time_s, to});
+            }
+            closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3&) {
+                // Where the gate bounds the force as well, what it takes is not the controller's doing.
+                const double force_N = tick.f_W.norm();
+                if (tick.structure >= 0 &&
+                    force_N<setup.preset.maxForce_N&& static_cast<double>(tick.tick)> kEaseIn_s * setup.rate_Hz) {
+                    ticks.emplace_back(force_N, tick.fDamping_W.norm());
+                    largest_N = std::max(largest_N, force_N);
+                }
+            });
+        }
+    }
+    Cost cost;
+    for (const auto& [force_N, added_N] : ticks) {
+        if (force_N >= 0.02 * largest_N && force_N > 0.0) {
+            percents.push_back(100.0 * added_N / force_N);
+            cost.mean_percent += percents.back();
+        }
+    }
+    if (!percents.empty()) {
+        cost.mean_percent /= static_cast<double>(percents.size());
+        const std::size_t p99 = percents.size() * 99 / 100;
+        std::nth_element(percents.begin(), percents.begin() + static_cast<std::ptrdiff_t>(p99), percents.end());
+        cost.p99_percent = percents[p99];
+    }
+    return cost;
+}
+
+} // namespace palpate::evaluation::stability

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/core/Types.h>
+#include <palpate/device/HapticDevice.h>
+
+#include <array>
+#include <cstddef>
+
+namespace palpate::servo {
+
+using core::Vec3;
+
+/// What the passivity controller may assume of a device and do to it.
+struct PassivityLimits
+{
+    bool isOn = true;                    ///< false: observes, adds nothing
+    double ownDamping_Ns_per_mm = 0.0;   ///< that the device's mechanics are sure to have, without a hand
+    double maxDamping_Ns_per_mm = 0.004; ///< adds no more than this at 1 kHz and above, in proportion below
+    int delayTicks = 1;                  ///< a force acts so many ticks after it was computed, 0 to 4
+
+    /// Of a device; where it states no damping it can take, that of the weakest preset.
+    [[nodiscard]] static PassivityLimits forDevice(const device::DeviceInfo& info) noexcept;
+};
+
+/// What the observer saw.
+struct PassivityState
+{
+    double energy_mJ = 0.0;         ///< that the hand put in since contact began and has not got back; < 0: it got more
+    double excess_mJ = 0.0;         ///< that sampling and delay made and that is not damped away yet, >= 0
+    double damping_Ns_per_mm = 0.0; ///< added in this tick
+};
+
+/// Watches the energy that passes between program and hand, and takes away by damping what should not be there.
+///
+/// A force that is held for a period, and acts a little late, gives a hand that moves back and forth on a spring more
+/// work than it took: a motion of d in a tick makes (1/2 + delay) K d^2 too much, the K T / 2 of the passivity bound
+/// b > K T / 2 + |B|. The observer adds up, tick by tick, the work of the force that really acted, f_sent . dx, less
+/// that of the force that should have, the mean of the model's forces before and after the move. What the device's own
+/// damping takes away, b |dx|^2 / T, is subtracted. The rest, the excess, asks for the damping
+/// alpha = excess / (T v^2), which would take it away in one period. So does what the hand got back beyond all that it
+/// put in since contact began: a model can make energy too, as a border between soft and stiff does for a hand that
+/// presses in on the soft side and comes out on the stiff one.
+/// @par Source Hannaford & Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1, doi:10.1109/70.988969 (observer and
+/// controller in the time domain; alpha). The work of a held force: Ryu, Kim & Hannaford, IEEE Trans. Robotics 20
+/// (2004) 772, doi:10.1109/TRO.2004.829453. Differs: measured against the model's own work, so that energy stored in a
+/// pressed spring does not hide what sampling makes, and the damping is bounded by what the device can take.
+/// @par Real-time Wait-free, no allocation. One thread.
+class PassivityController
+{
+  public:
+    /// @param dt_s  nominal period, > 0 [s]
+    PassivityController(const PassivityLimits& limits, double dt_s) noexcept;
+
+    /// The damping of this tick.
+    /// @param fAsked_W  what would be sent without it: the model's force, eased in and bounded [N]
+    /// @param p_WH  HIP [mm]
+    /// @return force to add to `fAsked_W` [N], against the motion
+    [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING;
+    /// Says what was sent in the tick in the end, after every bound.
+    void noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING;
+    /// Another scene was put under the hand: its springs hold this much without anyone having pressed them. [mJ]
+    void noteStored(double energy_mJ) noexcept PALPATE_NONBLOCKING;
+    /// The hand is new or away: what was observed is over.
+    void reset() noexcept PALPATE_NONBLOCKING;
+
+    [[nodiscard]] const PassivityState& state() const noexcept { return m_state; }
+
+  private:
+    static constexpr std::size_t kSent = 5;
+
+    PassivityLimits m_limits;
+    double m_dt_s;
+    PassivityState m_state;
+    bool m_hasPrevious = false;
+    Vec3 m_p_W = Vec3::Zero();
+    Vec3 m_fAsked_W = Vec3::Zero();
+    std::array<Vec3, kSent> m_sent_W; // newest first
+};
+
+/// The stiffness up to which a sampled spring with a damper is passive whatever the hand does: K = 2 (b - |B|) / T.
+/// @param b_Ns_per_mm  of the device's mechanics; @param B_Ns_per_mm  of the tissue
+/// @par Source Colgate & Schenkel, J. Robotic Systems 14 (1997) 37 (b > K T / 2 + |B|).
+[[nodiscard]] double passiveStiffness_N_per_mm(double b_Ns_per_mm, double B_Ns_per_mm, double dt_s) noexcept;
+
+/// The stiffness up to which a sampled spring that acts `delay_s` late does not oscillate on a mass:
+/// K = (b + B) / (T / 2 + delay), for damping that is small beside mass / T.
+/// @par Source Hulin, Preusche & Hirzinger, IROS 2006, doi:10.1109/IROS.2006.282524 (linear stability condition).
+[[nodiscard]] double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s, double delay_s) noexcept;
+
+/// The stiffness that the program lets a device hold at a rate, one tick of delay taken for granted: what its maker
+/// states, and no more than half of what its damping, with what the controller may add, keeps from oscillating.
+/// Half, because mass bounds how much damping helps; resources/docs/stability.md has what the closed loop really holds.
+/// @return no bound (infinite) for a device without motors, which cannot oscillate
+[[nodiscard]] double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled) noexcept;
+
+} // namespace palpate::servo

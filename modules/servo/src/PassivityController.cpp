@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/servo/PassivityController.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::servo {
+
+PassivityLimits PassivityLimits::forDevice(const device::DeviceInfo& info) noexcept
+{
+    PassivityLimits limits;
+    limits.isOn = info.actuatedAxes > 0;
+    limits.ownDamping_Ns_per_mm = std::max(0.0, info.ownDamping_Ns_per_mm);
+    if (info.maxDamping_Ns_per_mm > 0.0) {
+        limits.maxDamping_Ns_per_mm = info.maxDamping_Ns_per_mm;
+    }
+    return limits;
+}
+
+namespace {
+
+/// What a maker states its device can be damped with is stated for 1 kHz; at longer periods damping itself oscillates.
+double dampingAt(double maxDamping_Ns_per_mm, double dt_s) noexcept
+{
+    constexpr double kStated_s = 0.001;
+    return maxDamping_Ns_per_mm * std::min(1.0, kStated_s / dt_s);
+}
+
+} // namespace
+
+PassivityController::PassivityController(const PassivityLimits& limits, double dt_s) noexcept
+    : m_limits(limits)
+    , m_dt_s(dt_s)
+{
+    m_limits.maxDamping_Ns_per_mm = dampingAt(limits.maxDamping_Ns_per_mm, dt_s);
+    m_limits.delayTicks = std::clamp(limits.delayTicks, 0, static_cast<int>(kSent) - 1);
+    reset();
+}
+
+Vec3 PassivityController::damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING
+{
+    m_state.damping_Ns_per_mm = 0.0;
+    if (!fAsked_W.allFinite() || !p_WH.allFinite()) {
+        reset();
+        return Vec3::Zero();
+    }
+    const Vec3 dx = m_hasPrevious ? Vec3(p_WH - m_p_W) : Vec3(Vec3::Zero());
+    const double work = m_sent_W[static_cast<std::size_t>(m_limits.delayTicks)].dot(dx);
+    const double meant = 0.5 * (m_fAsked_W + fAsked_W).dot(dx);
+    const double d2 = dx.squaredNorm();
+    const double own = m_limits.ownDamping_Ns_per_mm * d2 / m_dt_s;
+    m_state.energy_mJ += own - work;
+    m_state.excess_mJ = std::max(0.0, m_state.excess_mJ + work - meant - own);
+    m_hasPrevious = true;
+    m_p_W = p_WH;
+    m_fAsked_W = fAsked_W;
+    if (!isInContact) {
+        m_state.energy_mJ = 0.0;
+        m_state.excess_mJ = 0.0;
+    }
+    const double tooMuch_mJ = std::max(m_state.excess_mJ, -m_state.energy_mJ);
+    if (!m_limits.isOn || !(tooMuch_mJ > 0.0) || !(d2 > 0.0)) {
+        return Vec3::Zero();
+    }
+    m_state.damping_Ns_per_mm = std::min(tooMuch_mJ * m_dt_s / d2, m_limits.maxDamping_Ns_per_mm);
+    return -m_state.damping_Ns_per_mm / m_dt_s * dx;
+}
+
+void PassivityController::noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING
+{
+    std::copy_backward(m_sent_W.begin(), m_sent_W.end() - 1, m_sent_W.end());
+    m_sent_W[0] = fSent_W;
+}
+
+void PassivityController::noteStored(double energy_mJ) noexcept PALPATE_NONBLOCKING
+{
+    m_state.energy_mJ = std::max(m_state.energy_mJ, energy_mJ);
+}
+
+void PassivityController::reset() noexcept PALPATE_NONBLOCKING
+{
+    m_state = {};
+    m_hasPrevious = false;
+    m_fAsked_W.setZero();
+    m_sent_W.fill(Vec3::Zero());
+}
+
+double passiveStiffness_N_per_mm(double b_Ns_per_mm, double B_Ns_per_mm, double dt_s) noexcept
+{
+    return std::max(0.0, 2.0 * (b_Ns_per_mm - std::abs(B_Ns_per_mm)) / dt_s);
+}
+
+double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s, double delay_s) noexcept
+{
+    return std::max(0.0, damping_Ns_per_mm / (0.5 * dt_s + delay_s));
+}
+
+double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled) noexcept
+{
+    constexpr double kShare = 0.5;
+    if (info.actuatedAxes == 0 || !(rate_Hz > 0.0)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const PassivityLimits limits = PassivityLimits::forDevice(info);
+    const double damping =
+        limits.ownDamping_Ns_per_mm + (isControlled ? dampingAt(limits.maxDamping_Ns_per_mm, 1.0 / rate_Hz) : 0.0);
+    const double held = kShare * stableStiffness_N_per_mm(damping, 1.0 / rate_Hz, limits.delayTicks / rate_Hz);
+    return info.maxStiffness_N_per_mm > 0.0 ? std::min(held, info.maxStiffness_N_per_mm) : held;
+}
+
+} // namespace palpate::servo

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/device/DevicePresets.h>
+#include <palpate/servo/PassivityController.h>
+
+#include <cmath>
+#include <limits>
+
+using palpate::device::DeviceInfo;
+using palpate::servo::PassivityLimits;
+using palpate::servo::Vec3;
+using Controller = palpate::servo::PassivityController;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kStiffness = 2.0; // [N/mm]
+
+PassivityLimits limits(int delayTicks, double own = 0.0)
+{
+    PassivityLimits out;
+    out.delayTicks = delayTicks;
+    out.ownDamping_Ns_per_mm = own;
+    out.maxDamping_Ns_per_mm = 0.1;
+    return out;
+}
+
+/// A wall at x = 0 to its left, without anything between it and the device.
+Vec3 wall(double x)
+{
+    return {x < 0.0 ? -kStiffness * x : 0.0, 0.0, 0.0};
+}
+
+/// A hand at `x(n)` in tick n; the controller's damping is computed but never sent.
+template<class Path>
+double excessAfter(Controller& controller, int ticks, Path x)
+{
+    for (int n = 0; n < ticks; ++n) {
+        const Vec3 f = wall(x(n));
+        static_cast<void>(controller.damping(f, Vec3(x(n), 0, 0), true));
+        controller.noteSent(f);
+    }
+    return controller.state().excess_mJ;
+}
+
+} // namespace
+
+class PassivityController : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void countsWhatSamplingMakesOfASpring_data()
+    {
+        QTest::addColumn<int>("delay");
+        for (const int delay : {0, 1, 2}) {
+            QTest::addRow("%d ticks late", delay) << delay;
+        }
+    }
+    /// Pressing in and coming back by d a tick: (1/2 + delay) K d^2 too much each tick.
+    void countsWhatSamplingMakesOfASpring()
+    {
+        QFETCH(int, delay);
+        constexpr double kMove = 0.01;
+        constexpr int kWay = 200;
+        Controller controller(limits(delay), kDt_s);
+        const double excess = excessAfter(controller, 2 * kWay + 1, [](int n) {
+            return -1.0 - kMove * (n < kWay ? n : 2 * kWay - n); // begins inside: the first tick counts no move
+        });
+        const double expected = 2 * kWay * (0.5 + delay) * kStiffness * kMove * kMove;
+        // The first ticks still feel no force and the turning point moves the other way: a few ticks' worth.
+        QVERIFY2(std::abs(excess - expected) < 0.05 * expected + 2.5 * delay * kStiffness * kMove,
+                 qPrintable(QString("%1, expected %2").arg(excess).arg(expected)));
+    }
+
+    /// b = (1/2 + delay) K T takes it all away: the passivity bound.
+    void theDevicesOwnDampingPaysFirst()
+    {
+        const double enough = 0.5 * kStiffness * kDt_s;
+        const auto path = [](int n) { return -1.0 + 0.5 * std::sin(0.1 * n); };
+        Controller paid(limits(0, 1.001 * enough), kDt_s);
+        static_cast<void>(excessAfter(paid, 50, path));
+        QVERIFY(excessAfter(paid, 500, path) < 1e-9);
+        Controller unpaid(limits(0, 0.9 * enough), kDt_s);
+        QVERIFY(excessAfter(unpaid, 500, path) > 0.01);
+    }
+
+    void restAndSlowTissueCostNothing()
+    {
+        Controller controller(limits(1, 0.001), kDt_s);
+        for (int n = 0; n < 1000; ++n) {
+            const Vec3 f(0.2 * n * 0.01, 0, 0); // 0.2 N/mm: (1/2 + 1) K T is below the device's damping
+            const Vec3 added = controller.damping(f, Vec3(-0.01 * n, 0, 0), true);
+            controller.noteSent(f);
+            QVERIFY(n < 5 || added.isZero(0.0));
+        }
+        const Vec3 f(2.0, 0, 0);
+        static_cast<void>(controller.damping(f, Vec3(-10, 0, 0), true));
+        for (int n = 0; n < 10; ++n) {
+            QVERIFY(controller.damping(f, Vec3(-10, 0, 0), true).isZero(0.0));
+        }
+    }
+
+    void dampsAgainstTheMotionAndNeverBeyondItsBound()
+    {
+        PassivityLimits bounded = limits(1);
+        bounded.maxDamping_Ns_per_mm = 0.003;
+        Controller controller(bounded, kDt_s);
+        double most = 0.0;
+        Vec3 last = Vec3::Zero();
+        for (int n = 0; n < 500; ++n) {
+            const Vec3 p(-1.0 + 0.5 * std::sin(0.3 * n), 0.2 * std::cos(0.2 * n), 0);
+            const Vec3 f = wall(p[0]);
+            const Vec3 added = controller.damping(f, p, true);
+            controller.noteSent(f + added);
+            const Vec3 v = n > 0 ? Vec3((p - last) / kDt_s) : Vec3(Vec3::Zero());
+            QVERIFY((added + controller.state().damping_Ns_per_mm * v).norm() < 1e-12);
+            QVERIFY(controller.state().damping_Ns_per_mm <= 0.003);
+            most = std::max(most, controller.state().damping_Ns_per_mm);
+            last = p;
+        }
+        QCOMPARE(most, 0.003);
+    }
+
+    void dampingThatWasSentPaysTheExcessBack()
+    {
+        const auto path = [](int n) { return -1.0 + 0.1 * std::sin(0.1 * n); };
+        Controller idle(limits(0), kDt_s);
+        const double unpaid = excessAfter(idle, 1000, path);
+        Controller controller(limits(0), kDt_s);
+        double worst = 0.0;
+        for (int n = 0; n < 1000; ++n) {
+            const Vec3 f = wall(path(n)) + controller.damping(wall(path(n)), Vec3(path(n), 0, 0), true);
+            controller.noteSent(f);
+            worst = std::max(worst, controller.state().excess_mJ);
+        }
+        QVERIFY(unpaid > 0.0);
+        QVERIFY2(worst < 0.05 * unpaid, qPrintable(QString("%1 of %2").arg(worst).arg(unpaid)));
+    }
+
+    /// Energy that a model makes: pressed in softly, let out stiffly.
+    void whatTheModelMakesIsDampedToo()
+    {
+        PassivityLimits sure = limits(0, 0.01); // sampling is paid for
+        Controller controller(sure, kDt_s);
+        bool isDamped = false;
+        for (int n = 0; n < 200; ++n) {
+            const bool isOut = n >= 100;
+            const double x = isOut ? -0.99 + 0.01 * (n - 100) : -0.01 * n; // at rest where it stiffens
+            const Vec3 f((isOut ? -10.0 : -1.0) * x, 0, 0);
+            isDamped = !controller.damping(f, Vec3(x, 0, 0), true).isZero(0.0) || isDamped;
+            controller.noteSent(f);
+            QVERIFY(!isDamped || isOut);
+        }
+        QVERIFY(isDamped);
+        QVERIFY(controller.state().energy_mJ < 0.0);
+
+        // Another scene that is stiffer made no energy that anyone has to pay.
+        Controller changed(sure, kDt_s);
+        for (int n = 0; n < 200; ++n) {
+            const bool isOut = n >= 100;
+            const double x = isOut ? -0.99 + 0.01 * (n - 100) : -0.01 * n; // at rest where it stiffens
+            const Vec3 f((isOut ? -10.0 : -1.0) * x, 0, 0);
+            if (n == 100) {
+                changed.noteStored(0.5 * 10.0 * x * x);
+            }
+            QVERIFY(changed.damping(f, Vec3(x, 0, 0), true).isZero(0.0));
+            changed.noteSent(f);
+        }
+    }
+
+    void freeSpaceAndANewHandForget()
+    {
+        Controller controller(limits(1), kDt_s);
+        QVERIFY(excessAfter(controller, 100, [](int n) { return -1.0 + 0.5 * std::sin(0.3 * n); }) > 0.0);
+        static_cast<void>(controller.damping(Vec3::Zero(), Vec3(1, 0, 0), false));
+        QCOMPARE(controller.state().excess_mJ, 0.0);
+        QVERIFY(excessAfter(controller, 100, [](int n) { return -1.0 + 0.5 * std::sin(0.3 * n); }) > 0.0);
+        controller.reset();
+        QCOMPARE(controller.state().excess_mJ, 0.0);
+        QVERIFY(controller.damping(Vec3(5, 0, 0), Vec3(-100, 0, 0), true).isZero(0.0)); // a jump that was none
+    }
+
+    void offItWatchesOnly()
+    {
+        PassivityLimits off = limits(1);
+        off.isOn = false;
+        Controller controller(off, kDt_s);
+        for (int n = 0; n < 200; ++n) {
+            const double x = -1.0 + 0.5 * std::sin(0.3 * n);
+            QVERIFY(controller.damping(wall(x), Vec3(x, 0, 0), true).isZero(0.0));
+            controller.noteSent(wall(x));
+        }
+        QVERIFY(controller.state().excess_mJ > 0.0);
+        QVERIFY(controller.state().energy_mJ != 0.0);
+    }
+
+    void whatIsNoNumberIsForgotten()
+    {
+        Controller controller(limits(1), kDt_s);
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        static_cast<void>(controller.damping(Vec3(1, 0, 0), Vec3::Zero(), true));
+        QVERIFY(controller.damping(Vec3(nan, 0, 0), Vec3(1, 0, 0), true).isZero(0.0));
+        QVERIFY(controller.damping(Vec3(1, 0, 0), Vec3(0, nan, 0), true).isZero(0.0));
+        QVERIFY(controller.damping(Vec3(1, 0, 0), Vec3(-1, 0, 0), true).allFinite());
+        QVERIFY(std::isfinite(controller.state().energy_mJ));
+    }
+
+    void boundsAreThePapers()
+    {
+        using namespace palpate::servo;
+        QCOMPARE(passiveStiffness_N_per_mm(0.0005, 0.0, 0.001), 1.0); // b = 0.5 N s/m at 1 ms: 1 N/mm
+        QCOMPARE(passiveStiffness_N_per_mm(0.0005, -0.0003, 0.001), 0.4);
+        QCOMPARE(passiveStiffness_N_per_mm(0.0005, 0.001, 0.001), 0.0);
+        QCOMPARE(stableStiffness_N_per_mm(0.0015, 0.001, 0.001), 1.0);
+        DeviceInfo touch = palpate::device::deviceInfo(*palpate::device::findDevicePreset("touch"));
+        QCOMPARE(heldStiffness_N_per_mm(touch, 1000.0, true), 0.4);
+        QVERIFY(std::abs(heldStiffness_N_per_mm(touch, 250.0, true) - 0.125) < 1e-12);
+        QVERIFY(heldStiffness_N_per_mm(touch, 1000.0, false) < 0.17);
+        touch.actuatedAxes = 0;
+        QVERIFY(std::isinf(heldStiffness_N_per_mm(touch, 1000.0, true)));
+    }
+};
+
+PALPATE_TEST(PassivityController)
+#include "tst_PassivityController.moc"
