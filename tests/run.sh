@@ -7,7 +7,7 @@
 set -u -o pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../app/setup.sh"
 
-ensure_packages "${palpate_build_packages[@]}"
+ensure_packages "${palpate_build_packages[@]}" locales # whose parts make a German one for a test
 ensure_configured release
 build release
 

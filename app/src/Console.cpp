@@ -37,6 +37,14 @@ int report(const Status& status)
     }
 }
 
+int reportLosses(const std::vector<std::string>& losses)
+{
+    for (const std::string& loss : losses) {
+        printError(loss);
+    }
+    return losses.empty() ? kDone : kSomeLost;
+}
+
 void print(const char* format, ...)
 {
     // The program never calls setlocale before a subcommand ends, so that this is the C locale.

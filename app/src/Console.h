@@ -23,6 +23,8 @@ enum ExitCode : int
 void printError(std::string_view message);
 /// Writes the status to stderr. @return the exit code that belongs to it
 [[nodiscard]] int report(const core::Status& status);
+/// Writes what was lost to stderr, a line each. @return the exit code for a run that was fine but for them
+[[nodiscard]] int reportLosses(const std::vector<std::string>& losses);
 /// Writes to stdout as printf does, always with a decimal point.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
 

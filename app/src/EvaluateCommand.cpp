@@ -35,7 +35,8 @@ struct EvaluateOptions
     bool isStability = false;
 };
 
-core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm)
+/// @param losses  gets what of the scenes could not be opened
+core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm, std::vector<std::string>& losses)
 {
     Subjects subjects;
     for (const fs::path& path : options.scenes) {
@@ -46,6 +47,7 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_
             return loaded.status();
         }
         const fs::path named = path.has_filename() ? path : path.parent_path();
+        losses.insert(losses.end(), loaded.value().losses.begin(), loaded.value().losses.end());
         auto subject = evaluation::subjectOf(named.filename().string(), loaded.value());
         if (subject == nullptr) {
             return Status(StatusCode::Empty, path.string() + ": found nothing palpable, expected a surface to touch");
@@ -125,7 +127,8 @@ int runEvaluate(const EvaluateOptions& options)
         return report(Status(StatusCode::BadCommandLine,
                              "--out: " + options.out.string() + " cannot be made: " + error.message()));
     }
-    const auto subjects = loadSubjects(options, unit.value());
+    std::vector<std::string> losses;
+    const auto subjects = loadSubjects(options, unit.value(), losses);
     if (!subjects.isOk()) {
         return report(subjects.status());
     }
@@ -151,7 +154,7 @@ int runEvaluate(const EvaluateOptions& options)
     }
     print("%zu of %zu hard cases pass\n%s\n", passed, result.hardCases.size(),
           (options.out / "report.html").string().c_str());
-    return kDone;
+    return reportLosses(losses);
 }
 
 } // namespace

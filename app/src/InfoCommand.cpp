@@ -25,6 +25,7 @@ struct InfoOptions
 {
     std::vector<std::filesystem::path> files;
     std::string unit = "mm";
+    bool isPartial = false;
     bool isJson = false;
 };
 
@@ -33,7 +34,7 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-core::Result<FileReport> examine(const std::filesystem::path& file, double unit_mm)
+core::Result<FileReport> examine(const std::filesystem::path& file, const meshio::ReadOptions& options)
 {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -46,8 +47,6 @@ core::Result<FileReport> examine(const std::filesystem::path& file, double unit_
     FileReport report;
     report.path = file;
     auto start = std::chrono::steady_clock::now();
-    meshio::ReadOptions options;
-    options.unit_mm = unit_mm;
     auto loaded = loadSceneOrFolder(file, options);
     if (!loaded.isOk()) {
         return loaded.status();
@@ -57,6 +56,12 @@ core::Result<FileReport> examine(const std::filesystem::path& file, double unit_
     start = std::chrono::steady_clock::now();
     const auto scene = sceneForTouch(report.scene);
     report.index_s = secondsSince(start);
+    start = std::chrono::steady_clock::now();
+    for (const auto& structure : scene->structures()) {
+        report.examined.push_back(structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface))
+                                                               : std::nullopt);
+    }
+    report.examine_s = secondsSince(start);
     report.touchBytes = scene->byteSize();
     report.touchTriangles = triangleCount(*scene);
     return report;
@@ -68,12 +73,18 @@ int runInfo(const InfoOptions& options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    meshio::ReadOptions read;
+    read.unit_mm = unit.value();
+    read.isPartial = options.isPartial;
     QJsonArray all;
+    std::vector<std::string> losses;
     for (const auto& file : options.files) {
-        const auto examined = examine(file, unit.value());
+        const auto examined = examine(file, read);
         if (!examined.isOk()) {
             return report(examined.status());
         }
+        const std::vector<std::string>& lost = examined.value().scene.losses;
+        losses.insert(losses.end(), lost.begin(), lost.end());
         if (options.isJson) {
             all.append(toJson(examined.value()));
         } else {
@@ -83,7 +94,7 @@ int runInfo(const InfoOptions& options)
     if (options.isJson) {
         print("%s", QJsonDocument(all).toJson().constData());
     }
-    return kDone;
+    return reportLosses(losses);
 }
 
 } // namespace
@@ -94,6 +105,8 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
     CLI::App* command = app.add_subcommand("info", "Health report of meshes: what they hold and how they will feel");
     command->add_option("FILE", options->files, "Mesh files, scene files or folders of meshes")->required();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_flag("--partial", options->isPartial,
+                      "Read what is whole of a file that was cut off; exit code 3 then");
     command->add_flag("--json", options->isJson, "Print the report as JSON");
     command->callback([options, &chosen] { chosen = [options] { return runInfo(*options); }; });
 }

@@ -7,14 +7,13 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <vector>
 
 namespace palpate::app {
 
 namespace {
-
-/// A structure smaller than this is more likely measured in metres. [mm]
-constexpr double kSuspiciouslySmall_mm = 2.0;
 
 QString text(const std::string& utf8)
 {
@@ -23,15 +22,28 @@ QString text(const std::string& utf8)
 
 const char* frameName(meshio::FileFrame frame)
 {
-    switch (frame) {
-    case meshio::FileFrame::Lps:
-        return "LPS";
-    case meshio::FileFrame::Ras:
-        return "RAS, converted to LPS";
-    case meshio::FileFrame::Untagged:
-        break;
+    return frame == meshio::FileFrame::Ras ? "RAS" : "LPS";
+}
+
+const char* frameSource(meshio::FileFrame frame)
+{
+    return frame == meshio::FileFrame::Untagged ? "assumed: the file has no SPACE tag" : "the file's SPACE tag";
+}
+
+const char* unitName(double unit_mm)
+{
+    return unit_mm == 1000.0 ? "m" : "mm";
+}
+
+const char* orientation(const geometry::MeshReport& r)
+{
+    if (r.nonOrientableComponents > 0) {
+        return "none";
     }
-    return "untagged, taken as LPS";
+    if (r.insideOutComponents > 0) {
+        return "inside out";
+    }
+    return r.isClosed() ? "outwards" : r.closedComponents > 0 ? "outwards where closed" : "open";
 }
 
 /// What the surface means for touching.
@@ -47,18 +59,41 @@ std::string feeling(const geometry::MeshReport& r)
                                    : "partly open: its open components are touched from both sides";
 }
 
+std::string crossings(const geometry::SurfaceExamination& e, std::size_t triangles)
+{
+    std::string line = e.crossingPairs == 0 ? "no triangles that cross each other"
+                                            : grouped(static_cast<long long>(e.crossingPairs)) +
+                                                  " pairs of triangles cross each other: the tip can catch there";
+    if (e.isCrossingBounded) {
+        line += " (looked at " + grouped(static_cast<long long>(e.examinedTriangles)) + " of " +
+                grouped(static_cast<long long>(triangles)) + " triangles, then gave up)";
+    }
+    return line;
+}
+
+/// What was found about the wall, empty for a surface that has none.
+std::string wall(const geometry::SurfaceExamination& e)
+{
+    if (!e.thinnestWall_mm) {
+        return {};
+    }
+    std::array<char, 200> text = {};
+    std::snprintf(
+        text.data(), text.size(),
+        "thinnest wall found %.3g mm at (%.6g, %.6g, %.6g), of %s rays: a hand pressed in deeper than that is "
+        "beyond the other side",
+        *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(),
+        grouped(static_cast<long long>(e.wallSamples)).c_str());
+    return text.data();
+}
+
 std::vector<std::string> notes(const FileReport& report)
 {
     std::vector<std::string> out = report.scene.warnings;
-    geometry::Box all;
     for (const auto& structure : report.scene.structures) {
         for (const std::string& sentence : structure.surface->report.sentences()) {
             std::erase(out, structure.description.name + ": " + sentence); // said with the structure
         }
-        all.extend(structure.surface->report.bounds);
-    }
-    if (!all.isEmpty() && all.sizes().maxCoeff() < kSuspiciouslySmall_mm) {
-        out.emplace_back("all of it is smaller than 2 mm: if its numbers are metres, say --unit m");
     }
     return out;
 }
@@ -73,11 +108,13 @@ QJsonArray triple(const core::Vec3& v)
 void printReport(const FileReport& report)
 {
     print("%s\n", report.path.string().c_str());
-    for (const auto& structure : report.scene.structures) {
+    for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
+        const meshio::LoadedStructure& structure = report.scene.structures[i];
         const geometry::MeshReport& r = structure.surface->report;
-        print("  %s: %s triangles, %s vertices, frame %s%s\n", structure.description.name.c_str(),
+        print("  %s: %s triangles, %s vertices, frame %s (%s)%s\n", structure.description.name.c_str(),
               grouped(static_cast<long long>(r.triangles)).c_str(), grouped(static_cast<long long>(r.vertices)).c_str(),
-              frameName(structure.frame), structure.description.palpable ? "" : "; not palpable");
+              frameName(structure.frame), frameSource(structure.frame),
+              structure.description.palpable ? "" : "; not palpable");
         if (!r.bounds.isEmpty()) {
             const core::Vec3 size = r.bounds.sizes();
             const core::Vec3 centre = r.bounds.center();
@@ -90,6 +127,12 @@ void printReport(const FileReport& report)
               "reoriented %zu; vertices welded %zu\n",
               r.openEdges, r.nonManifoldEdges, r.inconsistentEdges, r.zeroAreaTriangles, r.duplicateTriangles,
               r.reorientedTriangles, r.weldedVertices);
+        if (const auto& e = report.examined[i]) {
+            print("    %s\n", crossings(*e, r.triangles).c_str());
+            if (const std::string line = wall(*e); !line.empty()) {
+                print("    %s\n", line.c_str());
+            }
+        }
         for (const std::string& sentence : r.sentences()) {
             print("    - %s\n", sentence.c_str());
         }
@@ -97,11 +140,12 @@ void printReport(const FileReport& report)
     for (const std::string& note : notes(report)) {
         print("  note: %s\n", note.c_str());
     }
-    print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms\n",
+    print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms, examined in %.0f "
+          "ms\n",
           grouped(static_cast<long long>(report.touchTriangles)).c_str(),
           grouped(static_cast<long long>(report.touchBytes)).c_str(),
           static_cast<double>(report.touchBytes) / static_cast<double>(std::max<std::size_t>(report.touchTriangles, 1)),
-          report.load_s * 1e3, report.index_s * 1e3);
+          report.load_s * 1e3, report.index_s * 1e3, report.examine_s * 1e3);
 }
 
 QJsonObject toJson(const FileReport& report)
@@ -122,6 +166,7 @@ QJsonObject toJson(const FileReport& report)
             {"part", text(sources[i].part)},
             {"unit_mm", sources[i].unit_mm},
             {"frame", frameName(structure.frame)},
+            {"frame_from", frameSource(structure.frame)},
             {"palpable", structure.description.palpable},
             {"sha256", text(sources[i].sha256)},
             {"input_vertices", count(r.inputVertices)},
@@ -143,12 +188,26 @@ QJsonObject toJson(const FileReport& report)
             {"is_closed", r.isClosed()},
             {"area_mm2", r.area_mm2},
             {"volume_mm3", r.volume_mm3},
+            {"orientation", orientation(r)},
             {"feels", text(feeling(r))},
-            {"findings", sentences},
         };
+        if (const auto& e = report.examined[i]) {
+            sentences.append(text(crossings(*e, r.triangles)));
+            object["crossing_pairs"] = count(e->crossingPairs);
+            object["crossing_examined_triangles"] = count(e->examinedTriangles);
+            object["crossing_bound_hit"] = e->isCrossingBounded;
+            object["wall_samples"] = count(e->wallSamples);
+            object["thinnest_wall_mm"] = e->thinnestWall_mm ? QJsonValue(*e->thinnestWall_mm) : QJsonValue();
+            if (e->thinnestWall_mm) {
+                object["thinnest_wall_at_mm"] = triple(e->thinnestAt);
+                sentences.append(text(wall(*e)));
+            }
+        }
+        object["findings"] = sentences;
         if (!r.bounds.isEmpty()) {
             object["low_mm"] = triple(r.bounds.min());
             object["high_mm"] = triple(r.bounds.max());
+            object["extent_mm"] = triple(r.bounds.sizes());
         }
         structures.append(object);
     }
@@ -156,13 +215,25 @@ QJsonObject toJson(const FileReport& report)
     for (const std::string& note : notes(report)) {
         noteArray.append(text(note));
     }
-    return {{"file", text(report.path.string())},
+    QJsonArray losses;
+    for (const std::string& loss : report.scene.losses) {
+        losses.append(text(loss));
+    }
+    const std::optional<double>& likely = report.scene.likelyUnit_mm;
+    return {{"schema", 1},
+            {"file", text(report.path.string())},
             {"structures", structures},
+            {"unit_guess", likely ? QJsonValue(QJsonObject{{"unit", unitName(*likely)},
+                                                           {"unit_mm", *likely},
+                                                           {"option", QString("--unit ") + unitName(*likely)}})
+                                  : QJsonValue()},
             {"notes", noteArray},
+            {"losses", losses},
             {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
                                   {"bytes", count(report.touchBytes)},
                                   {"load_s", report.load_s},
-                                  {"index_s", report.index_s}}}};
+                                  {"index_s", report.index_s},
+                                  {"examine_s", report.examine_s}}}};
 }
 
 } // namespace palpate::app

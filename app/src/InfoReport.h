@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/geometry/SurfaceExamination.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <QJsonObject>
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 namespace palpate::app {
 
@@ -15,15 +18,17 @@ struct FileReport
 {
     std::filesystem::path path;
     meshio::LoadedScene scene;
-    double load_s = 0.0;  ///< reading and repairing
-    double index_s = 0.0; ///< building the haptic copies
+    double load_s = 0.0;                                               ///< reading and repairing
+    double index_s = 0.0;                                              ///< building the haptic copies
+    std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< one a structure; nothing where not palpable
+    double examine_s = 0.0;
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };
 
 /// Prints the report for a person.
 void printReport(const FileReport& report);
-/// The same as data, with the SHA-256 of each geometry.
+/// The same as data, with the SHA-256 of each geometry; its fields are described in resources/docs/info.md.
 [[nodiscard]] QJsonObject toJson(const FileReport& report);
 
 } // namespace palpate::app

@@ -24,6 +24,8 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_flag("--embed", options->embeds, "Put the surfaces into the recording, so that one file is all")
         ->needs("--record");
     command->add_flag("--live", options->isLive, "In real time, through the servo thread and the safety gate");
+    command->add_flag("--partial", options->isPartial,
+                      "Read what is whole of a mesh that was cut off; exit code 3 then");
     command->add_flag("--force", options->isForced,
                       "Replay a recording's motion on another scene than it was made on, without comparing");
     command->callback([options, &chosen] { chosen = [options] { return ReplayRun(*options).run(); }; });

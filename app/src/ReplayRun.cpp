@@ -41,10 +41,7 @@ int ReplayRun::run()
                    builtDifferently(m_recording->info()));
         return kFailed;
     }
-    for (const std::string& loss : m_losses) {
-        printError(loss);
-    }
-    return m_losses.empty() ? kDone : kSomeLost;
+    return reportLosses(m_losses);
 }
 
 Status ReplayRun::checkOptions()
@@ -133,6 +130,7 @@ Status ReplayRun::loadScene()
     auto start = std::chrono::steady_clock::now();
     meshio::ReadOptions readOptions;
     readOptions.unit_mm = m_unit_mm;
+    readOptions.isPartial = m_options.isPartial;
     const auto loaded = loadSceneOrFolder(m_options.scene, readOptions);
     if (!loaded.isOk()) {
         return loaded.status();

@@ -27,6 +27,7 @@ struct ReplayOptions
     std::string unit = "mm", stiffness, damping;
     bool isLive = false;
     bool isForced = false;
+    bool isPartial = false;
     bool embeds = false;
 };
 
@@ -57,7 +58,7 @@ class ReplayRun
     {
     }
 
-    ///  m_options;return the exit code
+    /// @return the exit code
     int run();
 
   private:

@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -104,6 +105,15 @@ std::size_t openDescriptors()
     return count;
 }
 
+/// A binary STL of 10 million triangles, most of them without area and without a place on the disk.
+std::filesystem::path tenMillion(const test::Folder& folder)
+{
+    constexpr std::uint32_t kCount = 10'000'000;
+    const auto path = folder.write("large.stl", test::binaryStl(kCount, {{0, 0, 0, 25, 0, 0, 0, 15, 0}}));
+    std::filesystem::resize_file(path, 84 + std::uintmax_t{50} * kCount);
+    return path;
+}
+
 bool isGone(pid_t process)
 {
     return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, 5000);
@@ -122,6 +132,8 @@ class ImportServer : public QObject
     void readerThatEndsBadlyIsOneError();
     void noiseOfTheReaderIsNotHeard();
     void progressRisesAndCancelEndsTheReader();
+    void tenMillionTrianglesCanBeCancelled();
+    void tenMillionTrianglesLoad();
     void manyAtOnceAndNothingLeft();
     void outcomeComesBackWhole();
     void errorComesBackAsOneLine();
@@ -235,6 +247,39 @@ void ImportServer::progressRisesAndCancelEndsTheReader()
     };
     QCOMPARE(meshio::readMesh(hanging, options).status().code(), StatusCode::Cancelled);
     QVERIFY(isGone(static_cast<pid_t>(std::stol(process))));
+}
+
+void ImportServer::tenMillionTrianglesCanBeCancelled()
+{
+    const test::Folder folder;
+    const auto path = tenMillion(folder);
+    double last = 0.0;
+    meshio::ReadOptions options;
+    options.progress = [&last](double share) {
+        last = share;
+        return share < 0.1;
+    };
+    QCOMPARE(meshio::readMesh(path, options).status().code(), StatusCode::Cancelled);
+    QVERIFY(last >= 0.1 && last < 0.9);
+}
+
+void ImportServer::tenMillionTrianglesLoad()
+{
+    if (!qEnvironmentVariableIsSet("PALPATE_SLOW_TESTS")) {
+        QSKIP("takes 3 GiB and 10 s: runs as meshio.ImportServer.slow");
+    }
+    const test::Folder folder;
+    const auto path = tenMillion(folder);
+    std::set<int> percents;
+    meshio::ReadOptions options;
+    options.progress = [&percents](double share) {
+        percents.insert(static_cast<int>(100.0 * share));
+        return true;
+    };
+    const auto file = meshio::readMesh(path, options);
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    QCOMPARE(test::triangles(file.value()), std::size_t{10'000'000});
+    QVERIFY(percents.size() > 20);
 }
 
 void ImportServer::manyAtOnceAndNothingLeft()

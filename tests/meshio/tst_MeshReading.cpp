@@ -84,6 +84,10 @@ class MeshReading : public QObject
     void progressRisesAndCancels_data() { readsEachFormat_data(); }
     void progressRisesAndCancels();
     void unitMustBePositive();
+    void partialKeepsWhatIsWhole_data();
+    void partialKeepsWhatIsWhole();
+    void partialTakesNoOtherDamage_data();
+    void partialTakesNoOtherDamage();
 };
 
 void MeshReading::readsEachFormat_data()
@@ -410,6 +414,84 @@ void MeshReading::unitMustBePositive()
     for (const double unit : {0.0, -1.0, std::nan("")}) {
         QCOMPARE(meshio::readMesh(path, {unit, {}}).status().code(), core::StatusCode::BadCommandLine);
     }
+}
+
+void MeshReading::partialKeepsWhatIsWhole_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    QTest::addColumn<std::size_t>("whole"); // triangles; 0: refused all the same
+    QTest::addColumn<std::string>("loss");
+    const auto row = [](const char* title, const char* name, const std::string& bytes, std::size_t whole,
+                        const std::string& loss) {
+        QTest::newRow(title) << std::string(name) << bytes << whole << loss;
+    };
+    const std::string stl = test::binaryStl(3, {3, {0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0}});
+    row("stl in a facet", "a.stl", stl.substr(0, stl.size() - 20), 2,
+        "a.stl: byte 214: the file ends there: 1 of 3 triangles lost");
+    row("stl between facets", "a.stl", stl.substr(0, 84 + 50), 1,
+        "a.stl: byte 134: the file ends there: 2 of 3 triangles lost");
+    row("stl before a facet is whole", "a.stl", stl.substr(0, 84 + 49), 0, "");
+    const std::string two = test::asciiStl() + test::asciiStl("vein", "0 9 0");
+    row("ascii stl in a vertex", "a.stl", two.substr(0, two.rfind("9 0")), 1,
+        "a.stl: line 8: what came after 1 whole triangle lost");
+    row("ascii stl in the first facet", "a.stl", two.substr(0, 60), 0, "");
+    row("obj in a face", "a.obj", test::kObj + "f 3 2", 1,
+        "a.obj: byte 36: the file ends in a line: that line and what came after it lost");
+    row("obj in the first face", "a.obj", test::kObj.substr(0, test::kObj.size() - 3), 0, "");
+    const std::string ply = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2\n3 0 ", 3, 4);
+    row("ply in a face", "a.ply", ply, 1,
+        "a.ply: byte " + std::to_string(ply.size()) + ": the file ends there: 3 of 4 faces lost");
+    row("ply in a vertex", "a.ply", test::asciiPly("0 0 0\n2.5 0 0\n0 ", "", 3, 1), 0, "");
+    const std::string vtp = test::asciiVtp();
+    row("vtp", "a.vtp", vtp.substr(0, vtp.size() - 30), 0, "");
+}
+
+void MeshReading::partialKeepsWhatIsWhole()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    QFETCH(std::size_t, whole);
+    QFETCH(std::string, loss);
+    const test::Folder folder;
+    const auto path = folder.write(name, bytes);
+    const auto strict = meshio::readMesh(path);
+    QVERIFY(!strict.isOk());
+    meshio::ReadOptions options;
+    options.isPartial = true;
+    const auto file = meshio::readMesh(path, options);
+    QCOMPARE(file.isOk(), whole > 0);
+    if (whole == 0) {
+        QCOMPARE(file.status().message(), strict.status().message());
+        return;
+    }
+    QCOMPARE(test::triangles(file.value()), whole);
+    QCOMPARE(file.value().loss, loss);
+    const geometry::TriangleMesh& mesh = file.value().structures[0].mesh;
+    QVERIFY(mesh.vertices[mesh.triangles[0][2]] == Vec3(0, 1.5, 0));
+}
+
+void MeshReading::partialTakesNoOtherDamage_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    const auto row = [](const char* title, const char* name, const std::string& bytes) {
+        QTest::newRow(title) << std::string(name) << bytes;
+    };
+    row("stl longer than it says", "a.stl", test::binaryStl(1, {2, {0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0}}));
+    row("ascii stl with a word", "a.stl", test::asciiStl("a", "0 x 0") + test::asciiStl());
+    row("obj with a wrong index", "a.obj", test::kObj + "f 1 2 9\nf 1 2 3\n");
+    row("ply with a wrong index", "a.ply", test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2\n3 0 1 9\n", 3, 2));
+}
+
+void MeshReading::partialTakesNoOtherDamage()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    const test::Folder folder;
+    meshio::ReadOptions options;
+    options.isPartial = true;
+    QVERIFY(!meshio::readMesh(folder.write(name, bytes), options).isOk());
 }
 
 PALPATE_TEST(MeshReading)

@@ -232,6 +232,7 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.cpu_s = static_cast<std::uint64_t>(std::ceil(budget.cpu_s));
     task.files = server().limits.files;
     task.unit_mm = options.unit_mm;
+    task.isPartial = options.isPartial;
     if (const int error = ask(task, path, {file.descriptor.value(), result.value(), told.value(), keeper.value()});
         error != 0) {
         return unstarted(error);

@@ -51,6 +51,7 @@ Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path,
     try {
         ReadOptions options;
         options.unit_mm = task.unit_mm;
+        options.isPartial = task.isPartial;
         options.progress = [progress = ends.progress, newest = -1](double share) mutable {
             const int step = static_cast<int>(share * (kDoneByte - 1));
             if (step > newest && step < kDoneByte) {
@@ -111,7 +112,6 @@ void prepareHeap(const ImportTask& task)
 /// Starts the reader, waits until it ends or the client hangs up, and tells how it ended.
 [[noreturn]] void beKeeper(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
 {
-    (void)std::signal(SIGCHLD, SIG_DFL);
     int life[2] = {-1, -1}; // the reader alone keeps one end open, so that its end is seen at the other
     int status = -1;
     if (::pipe2(life, O_CLOEXEC) == 0) {
@@ -152,7 +152,6 @@ void serveImports(int socket, ReaderHook hook)
     socket = STDERR_FILENO + 1;
     ::closefrom(socket + 1);
     ::prctl(PR_SET_NAME, "palpate-import");
-    (void)std::signal(SIGCHLD, SIG_IGN); // keepers go without being waited for
     (void)std::signal(SIGINT, SIG_IGN);  // meant for the program, whose end ends this one
     while (true) {
         alignas(ImportTask) char bytes[kMostTask + 1] = {};
@@ -167,10 +166,14 @@ void serveImports(int socket, ReaderHook hook)
         if (got < 0 && errno == EINTR) {
             continue;
         }
+        while (::waitpid(-1, nullptr, WNOHANG) > 0) {
+        }
         const cmsghdr* head = CMSG_FIRSTHDR(&message);
         if (got <= static_cast<ssize_t>(sizeof(ImportTask)) || head == nullptr ||
             head->cmsg_len != CMSG_LEN(sizeof(ImportEnds))) {
-            ::_exit(0); // the client is gone
+            while (::wait(nullptr) > 0) { // the client is gone, and the keepers see it as well
+            }
+            ::_exit(0);
         }
         ImportTask task;
         ImportEnds ends;

@@ -21,6 +21,7 @@ struct ImportTask
     std::uint64_t cpu_s = 0;
     std::uint64_t files = 0;
     double unit_mm = 1.0;
+    bool isPartial = false;
 };
 
 /// The descriptors that go with a task.

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 namespace palpate::meshio {
@@ -131,6 +132,7 @@ void Loader::readSources()
         Source& source = m_sources[i];
         ReadOptions options;
         options.unit_mm = source.unit_mm;
+        options.isPartial = m_options.isPartial;
         // The caller's function is called on the caller's thread only.
         options.progress = [&, isCaller](double share) {
             if (isCaller && m_options.progress &&
@@ -270,20 +272,36 @@ void Loader::noteFrames()
 
 void Loader::noteUnit()
 {
-    constexpr double kSmallest = 2.0; // an organ this many mm wide would be very small
-    if (m_isSceneFile || m_scene.structures.empty() || m_options.unit_mm != 1.0) {
+    constexpr double kSmallest_mm = 2.0; // an organ this wide would be very small
+    constexpr double kLargest_mm = 5000.0;
+    if (m_isSceneFile || m_scene.structures.empty()) {
         return;
     }
     geometry::Box box;
     for (const LoadedStructure& structure : m_scene.structures) {
         box.extend(structure.surface->report.bounds);
     }
-    const double widest = box.sizes().maxCoeff();
-    if (widest < kSmallest) {
+    const double units = box.sizes().maxCoeff() / m_options.unit_mm;
+    const auto isLikely = [units](double unit_mm) {
+        return units * unit_mm >= kSmallest_mm && units * unit_mm <= kLargest_mm;
+    };
+    if (isLikely(m_options.unit_mm)) {
+        return;
+    }
+    const auto take = [this, units](double unit_mm, std::string_view taken, std::string_view likely,
+                                    std::string_view option) {
         std::array<char, 32> text = {};
-        std::snprintf(text.data(), text.size(), "%.3g", widest);
-        m_scene.warnings.push_back(m_sources.front().path.filename().string() + ": only " + text.data() +
-                                   " units wide, taken as mm; looks like metres: open with --unit m");
+        std::snprintf(text.data(), text.size(), "%.3g", units);
+        m_scene.likelyUnit_mm = unit_mm;
+        m_scene.warnings.push_back(m_sources.front().path.filename().string() + ": " +
+                                   (unit_mm > m_options.unit_mm ? "only " : "") + text.data() +
+                                   " units wide, taken as " + std::string(taken) + "; looks like " +
+                                   std::string(likely) + ": open with --unit " + std::string(option));
+    };
+    if (m_options.unit_mm == 1.0 && isLikely(1000.0)) {
+        take(1000.0, "mm", "metres", "m");
+    } else if (m_options.unit_mm != 1.0 && isLikely(1.0)) {
+        take(1.0, m_options.unit_mm == 1000.0 ? "metres" : "larger ones", "millimetres", "mm");
     }
 }
 
@@ -311,6 +329,8 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
         if (!source.file->isOk()) {
             lose(source.file->status().message());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
+        } else if (!source.file->value().loss.empty()) {
+            lose(source.file->value().loss);
         }
     }
     if (m_isSceneFile) {

@@ -150,6 +150,7 @@ Head headOf(const Result<MeshFile>& outcome)
     }
     const MeshFile& file = outcome.value();
     head.put(file.format);
+    head.put(file.loss);
     head.put(static_cast<std::uint8_t>(file.frame));
     head.put(std::uint64_t{file.notes.size()});
     for (const std::string& note : file.notes) {
@@ -232,6 +233,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
     file.path = path;
     file.unit_mm = unit_mm;
     file.format = head.text();
+    file.loss = head.text();
     const auto frame = head.take<std::uint8_t>();
     if (frame > static_cast<std::uint8_t>(FileFrame::Ras)) {
         return nonsense("an unknown frame");

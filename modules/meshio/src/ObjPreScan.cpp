@@ -240,16 +240,29 @@ Result<PreScan> preScanObj(FileImage& image, const ScanContext& context)
     if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
         text.remove_prefix(3);
     }
-    ObjScan scan(text, context);
-    if (Status status = scan.run(); !status.isOk()) {
+    std::optional<ObjScan> scan(std::in_place, text, context);
+    Status status = scan->run();
+    std::string loss;
+    if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && !text.ends_with('\n')) {
+        const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the line that was cut
+        scan.emplace(whole, context);
+        if (!scan->run().isOk()) {
+            return status;
+        }
+        status = {};
+        loss = atByte(whole.size()) + ": the file ends in a line: that line and what came after it lost";
+    }
+    if (!status.isOk()) {
         return status;
     }
-    Result<FileImage> plain = FileImage::copy(scan.plain(), context.file);
+    Result<FileImage> plain = FileImage::copy(scan->plain(), context.file);
     if (!plain.isOk()) {
         return plain.status();
     }
     image = std::move(plain).value();
-    return scan.finish();
+    PreScan found = scan->finish();
+    found.loss = std::move(loss);
+    return found;
 }
 
 } // namespace palpate::meshio::internal

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace palpate::meshio::internal {
 
@@ -127,6 +129,8 @@ class PlyScan
     }
 
     Status run(PreScan& scan);
+    /// Faces before the one in which the file ended, when `run` failed at that.
+    [[nodiscard]] std::uint64_t wholeFaces() const noexcept { return m_wholeFaces; }
     [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
 
   private:
@@ -149,6 +153,7 @@ class PlyScan
     const ScanContext& m_context;
     PlyBody m_body;
     std::vector<double> m_list;
+    std::uint64_t m_wholeFaces = 0;
     std::string m_plain;
 };
 
@@ -198,6 +203,7 @@ Status PlyScan::readElement(const PlyElement& element, std::uint64_t vertices)
         for (const PlyProperty& property : element.properties) {
             const std::optional<double> value = m_body.next(property.isList ? property.countType : property.type);
             const auto cut = [&] {
+                m_wholeFaces = isFace && m_body.isAtEnd() ? i : 0;
                 return wrong(StatusCode::BadFormat,
                              m_body.found() + " in " + element.name + " " + std::to_string(i) + " of " +
                                  grouped(element.count),
@@ -290,7 +296,7 @@ Status PlyScan::run(PreScan& scan)
             return status;
         }
     }
-    if (!m_body.isAtEnd()) {
+    if (scan.loss.empty() && !m_body.isAtEnd()) {
         return wrong(StatusCode::BadFormat, "more data after the last element", "the end of the file");
     }
     return {};
@@ -303,15 +309,28 @@ Result<PreScan> preScanPly(FileImage& image, const ScanContext& context)
     static_assert(std::endian::native == std::endian::little, "the plain PLY is written in the machine's byte order");
     PreScan scan;
     scan.format = "PLY";
-    const Result<PlyHeader> header = readPlyHeader(image.bytes(), context, scan);
+    Result<PlyHeader> header = readPlyHeader(image.bytes(), context, scan);
     if (!header.isOk()) {
         return header.status();
     }
-    PlyScan body(image.bytes(), header.value(), context);
-    if (Status status = body.run(scan); !status.isOk()) {
+    std::optional<PlyScan> body(std::in_place, image.bytes(), header.value(), context);
+    Status status = body->run(scan);
+    if (!status.isOk() && context.isPartial && body->wholeFaces() > 0) {
+        std::vector<PlyElement>& elements = header.value().elements;
+        const auto face = std::find_if(elements.begin(), elements.end(),
+                                       [](const PlyElement& element) { return element.name == "face"; });
+        scan.loss = atByte(image.bytes().size()) +
+                    ": the file ends there: " + grouped(face->count - body->wholeFaces()) + " of " +
+                    counted(face->count, "face") + " lost";
+        face->count = body->wholeFaces();
+        elements.erase(face + 1, elements.end());
+        body.emplace(image.bytes(), header.value(), context);
+        status = body->run(scan);
+    }
+    if (!status.isOk()) {
         return status;
     }
-    Result<FileImage> plain = FileImage::copy(body.plain(), context.file);
+    Result<FileImage> plain = FileImage::copy(body->plain(), context.file);
     if (!plain.isOk()) {
         return plain.status();
     }

@@ -25,13 +25,15 @@ struct PreScan
     std::vector<std::string> partNames;
     std::vector<std::uint32_t> partOfCell;
     std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
+    std::string loss;               ///< what was cut off, "place: what is missing"
 };
 
 /// How a pre-scan names the file and reads its numbers.
 struct ScanContext
 {
-    std::string file;     ///< name in messages
-    double unit_mm = 1.0; ///< for the limit on coordinates
+    std::string file;       ///< name in messages
+    double unit_mm = 1.0;   ///< for the limit on coordinates
+    bool isPartial = false; ///< keep what is whole of a file that was cut off
     /// Told the share of the bytes done; false cancels. May be empty.
     std::function<bool(double)> progress;
 };

@@ -51,6 +51,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     ScanContext context;
     context.file = path.filename().string();
     context.unit_mm = options.unit_mm;
+    context.isPartial = options.isPartial;
     const auto share = [&options](double from, double to) -> std::function<bool(double)> {
         if (!options.progress) {
             return {};
@@ -91,6 +92,9 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.unit_mm = options.unit_mm;
     file.structures = std::move(structures).value();
     file.notes = std::move(scan.notes);
+    if (!scan.loss.empty()) {
+        file.loss = context.file + ": " + scan.loss;
+    }
     return file;
 }
 

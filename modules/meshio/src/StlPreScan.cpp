@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <string>
 
 namespace palpate::meshio::internal {
 
@@ -28,11 +29,24 @@ Status cancelled(const ScanContext& context)
     return {StatusCode::Cancelled, context.file + ": reading was cancelled"};
 }
 
+/// Cuts the image to its first `size` bytes, and puts `end` behind them.
+Status keepWhole(FileImage& image, std::size_t size, std::string_view end, const ScanContext& context)
+{
+    std::string bytes(image.bytes().substr(0, size));
+    Result<FileImage> whole = FileImage::copy(bytes.append(end), context.file);
+    if (whole.isOk()) {
+        image = std::move(whole).value();
+    }
+    return whole.status();
+}
+
+Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context);
+
 } // namespace
 
 Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context)
 {
-    const std::string_view bytes = image.bytes();
+    std::string_view bytes = image.bytes();
     if (bytes.size() < kFirstFacet) {
         return fault(StatusCode::BadFormat, context.file, atByte(bytes.size()), "the file ends in the STL header",
                      "at least 134 bytes");
@@ -40,6 +54,17 @@ Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context)
     std::uint32_t declared = 0;
     std::memcpy(&declared, bytes.data() + kHeader, sizeof(declared));
     const std::uint64_t held = (bytes.size() - kFirstFacet) / kFacet;
+    PreScan scan;
+    if (context.isPartial && held > 0 && held < declared) {
+        scan.loss = atByte(bytes.size()) + ": the file ends there: " + grouped(declared - held) + " of " +
+                    counted(declared, "triangle") + " lost";
+        declared = static_cast<std::uint32_t>(held);
+        if (Status status = keepWhole(image, kFirstFacet + held * kFacet, "", context); !status.isOk()) {
+            return status;
+        }
+        std::memcpy(image.writable().data() + kHeader, &declared, sizeof(declared));
+        bytes = image.bytes();
+    }
     if (kFirstFacet + std::uint64_t{declared} * kFacet != bytes.size()) {
         return fault(StatusCode::BadFormat, context.file, atByte(kHeader),
                      "the binary STL declares " + counted(declared, "triangle") + " but its " +
@@ -50,7 +75,6 @@ Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context)
         return fault(StatusCode::Empty, context.file, atByte(kHeader), "0 triangles", "at least one");
     }
 
-    PreScan scan;
     scan.format = "STL binary";
     scan.cells = declared;
     scan.points = std::uint64_t{declared} * 3;
@@ -93,6 +117,40 @@ Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context)
 }
 
 Result<PreScan> preScanAsciiStl(FileImage& image, const ScanContext& context)
+{
+    Result<PreScan> whole = scanAsciiStl(image, context);
+    if (whole.isOk() || !context.isPartial || whole.status().code() == StatusCode::Cancelled) {
+        return whole;
+    }
+    // Up to the last facet that has an end.
+    LineReader reader(image.bytes());
+    std::size_t end = 0;
+    std::uint64_t lastLine = 0;
+    while (reader.next()) {
+        std::string_view rest = reader.line();
+        if (sameWord(takeWord(rest), "endfacet")) {
+            end = reader.end();
+            lastLine = reader.number();
+        }
+    }
+    if (end == 0) {
+        return whole;
+    }
+    if (Status status = keepWhole(image, end, "\nendsolid\n", context); !status.isOk()) {
+        return status;
+    }
+    Result<PreScan> part = scanAsciiStl(image, context);
+    if (!part.isOk()) { // it was damaged elsewhere
+        return whole;
+    }
+    part.value().loss =
+        atLine(lastLine) + ": what came after " + counted(part.value().cells, "whole triangle") + " lost";
+    return part;
+}
+
+namespace {
+
+Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context)
 {
     // VTK reads lines of up to 254 characters, and takes what follows for the next line.
     constexpr std::size_t kLongest = 254;
@@ -231,5 +289,7 @@ Result<PreScan> preScanAsciiStl(FileImage& image, const ScanContext& context)
     scan.points = scan.cells * 3;
     return scan;
 }
+
+} // namespace
 
 } // namespace palpate::meshio::internal

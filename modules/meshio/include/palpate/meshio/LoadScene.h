@@ -7,6 +7,7 @@
 #include <palpate/geometry/MeshReport.h>
 
 #include <memory>
+#include <optional>
 
 namespace palpate::meshio {
 
@@ -24,7 +25,10 @@ struct LoadedScene
     SceneFile scene; ///< one entry of `scene.structures` for each of `structures`
     std::vector<LoadedStructure> structures;
     std::vector<std::string> warnings; ///< one line each, for a person: repairs, assumed units, an untagged frame
-    std::vector<std::string> losses;   ///< one line each: what the scene names but could not be opened
+    /// What one unit of the mesh files more likely is [mm], when that is not what it was taken for: an organ less than
+    /// 2 mm wide, or a body of more than 5 m. Never applied; a scene file says its own units.
+    std::optional<double> likelyUnit_mm;
+    std::vector<std::string> losses; ///< one line each: what the scene names but could not be opened, or was cut off
 };
 
 /// Opens a scene file, a mesh file, or a folder (all its mesh files, sorted by name). Meshes without a scene file get

@@ -41,6 +41,7 @@ struct MeshFile
     double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
     std::vector<MeshStructure> structures;
     std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
+    std::string loss;               ///< what a file that was cut off has lost, one line with its count; see `isPartial`
 };
 
 struct ReadOptions
@@ -48,6 +49,9 @@ struct ReadOptions
     double unit_mm = 1.0; ///< what one unit of the file's numbers is [mm]: 1000 for metres, 10 for cm
     /// Told the share done, 0 … 1; return false to cancel. Called on the reading thread. May be empty.
     std::function<bool(double)> progress;
+    /// Reads what is whole of an STL, OBJ or PLY that was cut off, instead of refusing it, and says in `loss` what is
+    /// not there. A VTP that was cut off is refused all the same.
+    bool isPartial = false;
 };
 
 /// Reads STL (ASCII, binary), VTP, OBJ or PLY; the kind is told from the content.
