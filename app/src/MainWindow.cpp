@@ -100,6 +100,7 @@ MainWindow::MainWindow()
     makeStatusBar();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_playback = new Playback(*m_viewport, *m_session, *m_touch, this);
+    m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(this);
     connectParts();
     styleView();
@@ -113,7 +114,10 @@ MainWindow::MainWindow()
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    delete m_devices; // it lets go of what the members below the children hold
+}
 
 QAction* MainWindow::makeAction(const QString& text, Symbol symbol, const QKeySequence& key, const QString& tip)
 {
@@ -283,7 +287,7 @@ void MainWindow::connectParts()
     });
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
-    connect(&m_live, &LiveTouch::faulted, this, [this](const QString& line) { say(line); });
+    connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
 }
 
 void MainWindow::styleView()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Pieces.h>
@@ -40,11 +41,17 @@ class MainWindow : public QMainWindow
     [[nodiscard]] palpate::ui::PalpationController& palpation() noexcept { return *m_palpation; }
     [[nodiscard]] palpate::ui::Playback& playback() noexcept { return *m_playback; }
     void setPalpating(bool isPalpating);
+    /// Device plugins to choose from, in a menu of their own. Once, before `chooseDevice`.
+    void setPlugins(std::unique_ptr<palpate::device::PluginHost> plugins);
+    /// The hand's device, as soon as a scene is open. @param id  "mouse", "simulated", "playback" or a plugin's
+    void chooseDevice(const std::string& id);
+    [[nodiscard]] bool usesPointer() const noexcept { return m_live.usesPointer(); }
 
   signals:
     /// The scene is open and drawn; what was asked for besides (a recording) is loaded.
     void ready();
     void openFailed(const QString& line);
+    void deviceRefused(const QString& line);
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -79,6 +86,7 @@ class MainWindow : public QMainWindow
     void showError(const QString& line);
     void styleView();
     void offerMetres();
+    void tellFault(const QString& line);
 
     palpate::ui::StructureModel m_model;
     palpate::ui::LiveTouch m_live{m_model};
@@ -92,6 +100,7 @@ class MainWindow : public QMainWindow
     palpate::ui::SessionPanel* m_session = nullptr;
     palpate::ui::PalpationController* m_palpation = nullptr;
     palpate::ui::Playback* m_playback = nullptr;
+    palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;

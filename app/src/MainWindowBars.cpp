@@ -120,9 +120,10 @@ void MainWindow::showStatus()
             : tr("camera"));
     m_depthChip->setToolTip(
         tr("What the pointer does: it moves the camera, or it presses this deep [mm]; the wheel sets it (P switches)"));
-    m_deviceChip->say(QString::fromStdString(m_live.deviceInfo().name).toLower());
-    m_deviceChip->setToolTip(tr("The hand's device. The mouse feels nothing: its force is shown, up to %1 N.")
-                                 .arg(QLocale().toString(m_live.deviceInfo().maxForce_N)));
+    if (m_devices != nullptr) {
+        m_deviceChip->say(m_devices->summary(), m_devices->isTroubled() ? Chip::Tone::Warning : Chip::Tone::Quiet);
+        m_deviceChip->setToolTip(m_devices->details());
+    }
     const session::RecorderStatus recording = m_live.recording();
     if (recording.isRecording) {
         m_recordingChip->say(

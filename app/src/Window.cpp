@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "Devices.h"
 #include "MainWindow.h"
 
 #include <palpate/ui/Theme.h>
@@ -35,6 +36,10 @@ class ScreenshotRun : public QObject
             std::fprintf(stderr, "%s\n", line.toUtf8().constData());
             QCoreApplication::exit(2);
         });
+        connect(&window, &MainWindow::deviceRefused, this, [](const QString& line) {
+            std::fprintf(stderr, "%s\n", line.toUtf8().constData());
+            QCoreApplication::exit(2);
+        });
         QTimer::singleShot(kGiveUp_ms, this, [] {
             std::fprintf(stderr, "palpate: no picture after %d s\n", kGiveUp_ms / 1000);
             QCoreApplication::exit(1);
@@ -44,6 +49,10 @@ class ScreenshotRun : public QObject
   private:
     void touch()
     {
+        if (!m_window.usesPointer()) {
+            waitForDevice();
+            return;
+        }
         ui::Playback& playback = m_window.playback();
         if (playback.recording() != nullptr) {
             // Into the recording to its strongest moment, then a little of it as it runs.
@@ -73,6 +82,21 @@ class ScreenshotRun : public QObject
             return;
         }
         shoot();
+    }
+
+    /// Shoots when the device's hand has pressed for a while.
+    void waitForDevice()
+    {
+        auto* look = new QTimer(this);
+        connect(look, &QTimer::timeout, this, [this, look, pressed = 0]() mutable {
+            constexpr int kPressed = 10;
+            pressed = m_window.viewport().view().cursor().state().isInContact ? pressed + 1 : 0;
+            if (pressed >= kPressed) {
+                look->stop();
+                shoot();
+            }
+        });
+        look->start(100);
     }
 
     /// A place of the view, near its middle, that shows something palpable.
@@ -134,6 +158,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     if (options.screenshot) {
         run = std::make_unique<ScreenshotRun>(window, QString::fromStdU16String(options.screenshot->u16string()));
         window.resize(options.screenshotWidth, options.screenshotHeight);
+    }
+    window.setPlugins(app::findPlugins(options.pluginFolders));
+    if (!options.device.empty()) {
+        window.chooseDevice(options.device);
     }
     window.show();
     if (!options.files.empty()) {

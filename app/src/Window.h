@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// What the command line asks of the window.
@@ -16,7 +17,9 @@ struct WindowOptions
     std::optional<std::filesystem::path> screenshot;
     int screenshotWidth = 1280;
     int screenshotHeight = 800;
-    bool darkPalette = false; ///< for the screenshot: the dark palette instead of the system's
+    std::string device;                               ///< the hand's; empty: the mouse
+    std::vector<std::filesystem::path> pluginFolders; ///< to look for device plugins in first
+    bool darkPalette = false;                         ///< for the screenshot: the dark palette instead of the system's
 };
 
 /// Runs the desktop application until its window closes.

@@ -33,6 +33,9 @@ void addWindowOptions(CLI::App& app, WindowCommandLine& line)
 {
     app.add_option("FILE", line.options.files, "Meshes or a scene to open, and a recording to play");
     app.add_option("--unit", line.unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    app.add_option("--device", line.options.device, "The hand's device: mouse, simulated, playback or a plugin's");
+    app.add_option("--plugin-path", line.options.pluginFolders, "Folder to look for device plugins in first")
+        ->allow_extra_args(false);
     app.add_option("--screenshot", line.screenshot, "Touch the scene with a scripted hand, write a PNG and exit");
     app.add_option("--size", line.size, "Size of the screenshot, as 1280x800");
     app.add_flag("--dark", line.options.darkPalette, "Dark palette for the screenshot");
@@ -51,6 +54,9 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
             app::printError(file.string() + ": no such file, expected a mesh, a scene or a recording");
             return app::kBadInput;
         }
+    }
+    if (const core::Status status = app::checkPluginFolders(line.options.pluginFolders); !status.isOk()) {
+        return app::report(status);
     }
     if (!line.screenshot.empty()) {
         line.options.screenshot = line.screenshot;

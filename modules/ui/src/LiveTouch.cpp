@@ -42,11 +42,46 @@ core::Status LiveTouch::start()
         return {};
     }
     handOverScene();
-    core::Status status = m_loop.start(m_pointer, {});
+    core::Status status = m_loop.start(usesPointer() ? m_pointer : *m_device, {});
+    if (!status.isOk() && !usesPointer()) {
+        m_device.reset();
+        m_info = m_pointer.info();
+        handOverScene();
+        (void)m_loop.start(m_pointer, {}); // the first reason is the one to tell
+        emit deviceChanged();
+    }
     m_ticks = 0;
     m_measured_ns = core::monotonicNow_ns();
     m_meter.start();
     return status;
+}
+
+core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
+{
+    if (m_recorder.status().isRecording) {
+        return {core::StatusCode::Unsupported, "the device cannot be changed while a recording runs; stop it first"};
+    }
+    if (device == nullptr && usesPointer()) {
+        return {};
+    }
+    const bool wasRunning = m_loop.isRunning();
+    m_loop.stop();
+    m_device = std::move(device);
+    m_info = usesPointer() ? m_pointer.info() : m_device->info();
+    m_wasFaulted = false;
+    core::Status status = wasRunning ? start() : core::Status();
+    emit deviceChanged();
+    return status;
+}
+
+device::DeviceReport LiveTouch::deviceReport() const
+{
+    return usesPointer() ? m_pointer.report() : m_device->report();
+}
+
+core::Status LiveTouch::calibrate()
+{
+    return usesPointer() ? m_pointer.calibrate() : m_device->calibrate();
 }
 
 void LiveTouch::stop()
@@ -81,7 +116,9 @@ void LiveTouch::measure()
     const servo::FaultReport fault = m_loop.fault();
     if (fault.isFaulted() && !m_wasFaulted) {
         emit faulted(QString::fromUtf8(fault.message));
-        m_loop.rearm(); // the pointer pushes nobody: touch goes on, eased in
+        if (m_info.actuatedAxes == 0) {
+            m_loop.rearm(); // it pushes nobody: touch goes on, eased in
+        }
     }
     m_wasFaulted = fault.isFaulted();
     emit statusChanged();

@@ -37,6 +37,10 @@ PalpationController::PalpationController(VtkViewport& viewport, LiveTouch& live,
         m_hand.goAway();
         run();
     });
+    connect(&live, &LiveTouch::deviceChanged, this, [this] {
+        m_hand.goAway();
+        run();
+    });
     connect(&viewport, &VtkViewport::depthTurned, this, [this](double steps) {
         m_hand.turnDepth(steps);
         emit depthChanged(depth_mm());
@@ -111,6 +115,10 @@ void PalpationController::run()
 void PalpationController::step()
 {
     const std::int64_t now_ns = core::monotonicNow_ns();
+    if (!m_live.usesPointer()) {
+        showDevice(now_ns);
+        return;
+    }
     const double now_s = seconds(now_ns);
     m_live.pointer().setState(m_hand.state(now_s, now_ns));
     const PointerHand::Phase phase = m_hand.phase(now_s);
@@ -138,6 +146,21 @@ void PalpationController::step()
     }
     if (isFelt) {
         show(m_tick, now_ns);
+    }
+}
+
+void PalpationController::showDevice(std::int64_t now_ns)
+{
+    if (!m_live.fetch(m_tick)) {
+        return;
+    }
+    if ((m_tick.flags & servo::kNoHand) == 0) {
+        show(m_tick, now_ns);
+    } else if (m_shown.isPresent) {
+        m_shown = {};
+        m_viewport.view().cursor().setState(m_shown);
+        m_viewport.update();
+        emit handGone();
     }
 }
 

@@ -24,8 +24,16 @@ class LiveTouch : public QObject
     explicit LiveTouch(StructureModel& model, QObject* parent = nullptr);
     ~LiveTouch() override;
 
-    /// Starts the servo thread if it does not run.
+    /// Starts the servo thread if it does not run. When another device than the pointer does not start, the pointer is
+    /// used and the reason returned.
     core::Status start();
+    /// Takes another device for the hand; null: the pointer. Refused while a recording runs. On failure as `start`.
+    core::Status useDevice(std::unique_ptr<device::HapticDevice> device);
+    [[nodiscard]] bool usesPointer() const noexcept { return m_device == nullptr; }
+    [[nodiscard]] device::DeviceReport deviceReport() const;
+    core::Status calibrate();
+    /// Gives the force back after a fault, eased in.
+    void rearm() { m_loop.rearm(); }
     void stop();
     [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
     [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
@@ -50,6 +58,7 @@ class LiveTouch : public QObject
     void statusChanged();
     /// The servo took the force away. @param line  what happened and what to do
     void faulted(const QString& line);
+    void deviceChanged();
 
   private:
     void handOverScene();
@@ -57,6 +66,7 @@ class LiveTouch : public QObject
 
     StructureModel& m_model;
     device::PointerDevice m_pointer;
+    std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
     servo::ServoLoop m_loop;
     session::Recorder m_recorder;

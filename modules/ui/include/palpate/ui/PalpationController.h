@@ -13,7 +13,7 @@
 namespace palpate::ui {
 
 /// The pointer as a hand: view -> PointerHand -> device, and the servo's newest tick -> cursor and numbers. Runs only
-/// while a hand is over the view.
+/// while a hand is over the view, or while another device than the pointer is the hand.
 class PalpationController : public QObject
 {
     Q_OBJECT
@@ -46,6 +46,7 @@ class PalpationController : public QObject
     void press();
     void run();
     void step();
+    void showDevice(std::int64_t now_ns);
     void show(const servo::TickRecord& tick, std::int64_t now_ns);
 
     VtkViewport& m_viewport;

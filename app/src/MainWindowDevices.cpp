@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window and the hand's device.
+#include "MainWindow.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
+{
+    m_devices->setPlugins(std::move(plugins));
+    auto* menu = new QMenu(tr("&Device"), this);
+    menuBar()->insertMenu(menuBar()->actions().constLast(), menu); // before help
+    m_devices->fill(*menu);
+    connect(m_devices, &DeviceChoice::refused, this, &MainWindow::showError);
+    connect(m_devices, &DeviceChoice::changed, this, [this] {
+        m_structures->setGreatest(m_live.greatestTissue());
+        showWhatPlays();
+        showStatus();
+    });
+}
+
+void MainWindow::chooseDevice(const std::string& id)
+{
+    // The simulated hand needs something to palpate, the recording has to be open: once all is there.
+    const auto take = [this, id] {
+        if (const core::Status status = m_devices->choose(id); !status.isOk()) {
+            showError(QString::fromStdString(status.message()));
+            emit deviceRefused(QString::fromStdString(status.message()));
+        }
+    };
+    if (m_model.rowCount() > 0) {
+        take();
+    } else {
+        connect(this, &MainWindow::ready, this, take, Qt::SingleShotConnection);
+    }
+}
+
+void MainWindow::tellFault(const QString& line)
+{
+    if (m_live.usesPointer()) {
+        say(line);
+        return;
+    }
+    m_message->offer(line, tr("Feel again"), [this] { m_live.rearm(); });
+}

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/DeviceChoice.h"
+
+#include <palpate/device/OtherDevices.h>
+#include <palpate/device/PlaybackDevice.h>
+#include <palpate/device/SimulatedHand.h>
+#include <palpate/session/RecordingReader.h>
+
+#include <QActionGroup>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+
+namespace palpate::ui {
+
+using core::Status;
+using core::StatusCode;
+
+namespace {
+
+constexpr const char* kPuckPlugin = "spacemouse";
+
+/// Presses, slides and lifts at a place of the surface, over and over.
+std::vector<device::HandTarget> palpationAt(const core::Vec3& p_W, const core::Vec3& inwards_W)
+{
+    constexpr double kAbove_mm = 15.0;
+    constexpr double kDepth_mm = 6.0;
+    constexpr double kSlide_mm = 8.0;
+    constexpr int kRounds = 100;
+    const core::Vec3 across_W = inwards_W.unitOrthogonal();
+    const core::Vec3 along_W = inwards_W.cross(across_W);
+    std::vector<device::HandTarget> targets{{0.0, p_W - kAbove_mm * inwards_W}};
+    for (int i = 0; i < kRounds; ++i) {
+        const double at_s = 4.0 * i;
+        const core::Vec3 side_W = kSlide_mm * (i % 2 == 0 ? across_W : along_W);
+        targets.push_back({at_s + 1.0, p_W + kDepth_mm * inwards_W});
+        targets.push_back({at_s + 2.0, p_W + kDepth_mm * inwards_W + side_W});
+        targets.push_back({at_s + 3.0, p_W + kDepth_mm * inwards_W - side_W});
+        targets.push_back({at_s + 4.0, p_W - kAbove_mm * inwards_W});
+    }
+    return targets;
+}
+
+} // namespace
+
+DeviceChoice::DeviceChoice(LiveTouch& live, VtkViewport& viewport, Playback& playback, QObject* parent)
+    : QObject(parent)
+    , m_live(live)
+    , m_viewport(viewport)
+    , m_playback(playback)
+    , m_puck(viewport)
+{
+}
+
+DeviceChoice::~DeviceChoice()
+{
+    // What a plugin made must be gone before the plugins.
+    (void)m_puck.use(nullptr);
+    (void)m_live.useDevice(nullptr);
+}
+
+void DeviceChoice::setPlugins(std::unique_ptr<device::PluginHost> plugins)
+{
+    m_plugins = std::move(plugins);
+}
+
+void DeviceChoice::fill(QMenu& menu)
+{
+    menu.setToolTipsVisible(true);
+    m_group = new QActionGroup(&menu);
+    const auto add = [&](const std::string& id, const QString& text, const QString& tip) {
+        QAction* action = menu.addAction(text);
+        action->setCheckable(true);
+        action->setChecked(id == m_chosen);
+        action->setData(QString::fromStdString(id));
+        action->setToolTip(tip);
+        m_group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, id] {
+            if (const Status status = choose(id); !status.isOk()) {
+                emit refused(QString::fromStdString(status.message()));
+            }
+        });
+    };
+    add("mouse", tr("Mouse"), tr("The pointer over the view; it feels nothing, the force is shown"));
+    add("simulated", tr("Simulated hand"), tr("Palpates what is in the middle of the view, and feels the force"));
+    add("playback", tr("Recording, felt anew"), tr("The open recording's motion, felt with the tissue as it is now"));
+    if (m_plugins != nullptr) {
+        menu.addSeparator();
+        bool hasPuck = false;
+        for (const device::PluginEntry& entry : m_plugins->plugins()) {
+            if (entry.status.isOk()) {
+                add(entry.info.id, QString::fromStdString(entry.info.name), QString::fromStdString(entry.info.drives));
+                hasPuck = hasPuck || entry.info.id == kPuckPlugin;
+            } else {
+                QAction* action = menu.addAction(tr("%1 (skipped)").arg(QString::fromStdString(entry.file.filename())));
+                action->setEnabled(false);
+                action->setToolTip(QString::fromStdString(entry.status.message()));
+            }
+        }
+        if (hasPuck) {
+            menu.addSeparator();
+            QAction* action = menu.addAction(tr("SpaceMouse moves the view"));
+            action->setCheckable(true);
+            action->setToolTip(tr("The puck turns and shifts the anatomy while another device is the hand"));
+            connect(action, &QAction::triggered, this, [this, action](bool isOn) { movePicture(isOn, *action); });
+        }
+    }
+    menu.addSeparator();
+    QAction* calibrate = menu.addAction(tr("Calibrate"), this, [this] {
+        if (const Status status = m_live.calibrate(); !status.isOk()) {
+            emit refused(QString::fromStdString(status.message()));
+        }
+    });
+    calibrate->setToolTip(tr("Takes the pose that the device is in now as its calibration pose"));
+    menu.addAction(tr("What is plugged in…"), this, &DeviceChoice::tellWhatIsOnTheBus);
+}
+
+void DeviceChoice::movePicture(bool isWanted, QAction& action)
+{
+    Status status;
+    if (!isWanted) {
+        (void)m_puck.use(nullptr);
+    } else if (m_chosen == kPuckPlugin) {
+        status = Status(StatusCode::Unsupported, "the SpaceMouse is the hand now; choose another device for it first");
+    } else {
+        auto made = m_plugins->make(kPuckPlugin);
+        status = made.isOk() ? m_puck.use(std::move(made).value()) : made.status();
+    }
+    action.setChecked(m_puck.isOn());
+    if (!status.isOk()) {
+        emit refused(QString::fromStdString(status.message()));
+    }
+}
+
+Status DeviceChoice::choose(const std::string& id)
+{
+    Status status;
+    if (id == kPuckPlugin && m_puck.isOn()) {
+        status = Status(StatusCode::Unsupported, "the SpaceMouse moves the view; switch that off first");
+    } else {
+        auto made = make(id);
+        status = made.isOk() ? m_live.useDevice(std::move(made).value()) : made.status();
+        if (made.isOk()) {
+            m_chosen = m_live.usesPointer() ? "mouse" : id;
+        }
+    }
+    if (m_group != nullptr) {
+        for (QAction* action : m_group->actions()) {
+            action->setChecked(action->data().toString().toStdString() == m_chosen);
+        }
+    }
+    emit changed();
+    return status;
+}
+
+core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::make(const std::string& id)
+{
+    if (id == "mouse") {
+        return std::unique_ptr<device::HapticDevice>();
+    }
+    if (id == "simulated") {
+        return makeSimulated();
+    }
+    if (id == "playback") {
+        return makePlayback();
+    }
+    if (m_plugins == nullptr) {
+        return Status(StatusCode::NotFound, "no device is called \"" + id + '"');
+    }
+    return m_plugins->make(id);
+}
+
+core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated()
+{
+    const QPointF middle(0.5 * m_viewport.width(), 0.5 * m_viewport.height());
+    const scene::Ray ray = m_viewport.rayAt(middle);
+    const auto pick = m_viewport.view().pick(ray);
+    if (!pick) {
+        return Status(StatusCode::Empty, "the simulated hand palpates what is in the middle of the view: found nothing "
+                                         "palpable there");
+    }
+    auto script = device::HandScript::make(palpationAt(pick->hit.p_W, ray.d_W));
+    if (!script.isOk()) {
+        return script.status();
+    }
+    return std::unique_ptr<device::HapticDevice>(std::make_unique<device::SimulatedHand>(std::move(script).value()));
+}
+
+core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makePlayback()
+{
+    if (m_playback.recording() == nullptr) {
+        return Status(StatusCode::NotFound, "no recording is open whose motion could be felt anew");
+    }
+    const auto reader = session::RecordingReader::open(m_playback.recording()->path());
+    if (!reader.isOk()) {
+        return reader.status();
+    }
+    auto motion = reader.value()->motion();
+    if (!motion.isOk()) {
+        return motion.status();
+    }
+    auto device = std::make_unique<device::PlaybackDevice>(motion.value().p_WH);
+    device->setLooping(true);
+    return std::unique_ptr<device::HapticDevice>(std::move(device));
+}
+
+QString DeviceChoice::summary() const
+{
+    const QString name = QString::fromStdString(m_live.deviceInfo().name).toLower();
+    const device::DeviceReport report = m_live.deviceReport();
+    switch (report.condition) {
+    case device::DeviceCondition::Lost:
+        return tr("%1 lost").arg(name);
+    case device::DeviceCondition::NeedsCalibration:
+        return tr("%1: calibrate").arg(name);
+    case device::DeviceCondition::Working:
+        break;
+    }
+    return report.latency.count == 0
+               ? name
+               : tr("%1 %2 ms")
+                     .arg(name, QLocale().toString(static_cast<double>(report.latency.p50_ns) * 1e-6, 'f', 1));
+}
+
+QString DeviceChoice::details() const
+{
+    const device::DeviceInfo& info = m_live.deviceInfo();
+    QStringList lines{tr("The hand's device: %1").arg(QString::fromStdString(info.name))};
+    const device::DeviceReport report = m_live.deviceReport();
+    if (!report.text.empty()) {
+        lines << QString::fromStdString(report.text);
+    }
+    const QLocale locale;
+    lines << (info.actuatedAxes == 0
+                  ? tr("It feels nothing: the force is shown, up to %1 N.").arg(locale.toString(info.maxForce_N))
+                  : tr("Up to %1 N and %2 N/mm")
+                        .arg(locale.toString(info.maxForce_N), locale.toString(info.maxStiffness_N_per_mm)));
+    if (report.latency.count > 0) {
+        const auto ms = [&locale](std::int64_t ns) { return locale.toString(static_cast<double>(ns) * 1e-6, 'f', 2); };
+        lines << tr("From report received to force written: %1 ms, 99 % below %2 ms, at most %3 ms")
+                     .arg(ms(report.latency.p50_ns), ms(report.latency.p99_ns), ms(report.latency.max_ns));
+    }
+    if (report.states > 0) {
+        lines << tr("%1 reports, %2 refused, lost %3 times")
+                     .arg(locale.toString(static_cast<qulonglong>(report.states)),
+                          locale.toString(static_cast<qulonglong>(report.refused)),
+                          locale.toString(static_cast<qulonglong>(report.losses)));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+bool DeviceChoice::isTroubled() const
+{
+    return m_live.deviceReport().condition != device::DeviceCondition::Working;
+}
+
+void DeviceChoice::tellWhatIsOnTheBus()
+{
+    QStringList lines;
+    if (m_plugins != nullptr) {
+        std::vector<std::string> ids;
+        for (const device::PluginEntry& entry : m_plugins->plugins()) {
+            if (entry.status.isOk()) {
+                ids.push_back(entry.info.id);
+            }
+        }
+        for (const std::string& id : ids) {
+            const auto found = m_plugins->find(id);
+            if (!found.isOk()) {
+                continue; // named below
+            }
+            for (const device::FoundDevice& one : found.value()) {
+                lines << QString::fromStdString(one.problem.empty() ? one.name : one.name + ": " + one.problem);
+            }
+        }
+    }
+    for (const device::OtherDevice& other : device::recogniseOtherDevices()) {
+        lines
+            << tr("%1: it would need %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
+    }
+    if (lines.isEmpty()) {
+        lines << tr("No haptic device and no 6-axis mouse is plugged in.");
+    }
+    if (m_plugins != nullptr) {
+        for (const device::PluginEntry& entry : m_plugins->plugins()) {
+            if (!entry.status.isOk()) {
+                lines << QString::fromStdString(entry.status.message());
+            }
+        }
+    }
+    QMessageBox::information(&m_viewport, tr("Devices"), lines.join(QStringLiteral("\n\n")));
+}
+
+} // namespace palpate::ui
