@@ -30,7 +30,7 @@ int probe(const char* file)
         printError(status.message());
         return kFailed;
     }
-    return kDone;
+    return device::kPluginIsFit;
 }
 
 core::Status checkPluginFolders(const std::vector<std::filesystem::path>& named)

@@ -2,6 +2,7 @@
 #include "LiveReplay.h"
 
 #include <palpate/device/PlaybackDevice.h>
+#include <palpate/device/SimulatedHand.h>
 
 #include <chrono>
 #include <optional>
@@ -21,21 +22,53 @@ constexpr auto kStartTimeout = 2s;
 
 } // namespace
 
-core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> scene, const session::Motion& motion,
-                                    const std::function<Status(const servo::RecordingStart&)>& begin,
-                                    const session::TickSink& sink, const std::function<void()>& idle)
+LiveHand playedHand(const session::Motion& motion)
 {
-    servo::ServoOptions options;
-    options.rate_Hz = 1.0 / motion.dt_s;
-    std::vector<device::PlaybackRow> rows(static_cast<std::size_t>(kSettle_s * options.rate_Hz) + 1);
+    std::vector<device::PlaybackRow> rows(static_cast<std::size_t>(kSettle_s / motion.dt_s) + 1);
     for (auto& row : rows) {
         row.isPresent = false;
     }
     for (const auto& p_W : motion.p_WH) {
         rows.emplace_back().p_W = p_W;
     }
-    device::PlaybackDevice device(std::move(rows));
-    servo::ServoLoop loop; // after the device: it must end first
+    auto device = std::make_unique<device::PlaybackDevice>(std::move(rows));
+    const device::PlaybackDevice* const played = device.get();
+    return {std::move(device), [played] { return played->hasEnded(); }, static_cast<std::int64_t>(motion.p_WH.size())};
+}
+
+core::Result<LiveHand> simulatedHand(const session::Motion& motion, const device::DevicePreset& preset)
+{
+    std::vector<device::HandTarget> targets{{0.0, motion.p_WH.front()}};
+    for (std::size_t i = 0; i < motion.p_WH.size(); ++i) {
+        targets.push_back({kSettle_s + static_cast<double>(i) * motion.dt_s, motion.p_WH[i]});
+    }
+    auto script = device::HandScript::make(std::move(targets));
+    if (!script.isOk()) {
+        return script.status();
+    }
+    device::SimulatedHandOptions options;
+    options.preset = preset;
+    options.rate_Hz = 1.0 / motion.dt_s;
+    auto device = std::make_unique<device::SimulatedHand>(std::move(script).value(), options);
+    const device::SimulatedHand* const hand = device.get();
+    return LiveHand{std::move(device), [hand] { return hand->isFinished(); }};
+}
+
+LiveHand realHand(const session::Motion& motion, std::unique_ptr<device::HapticDevice> device)
+{
+    const auto end = std::chrono::steady_clock::now() +
+                     std::chrono::duration<double>(kSettle_s + motion.dt_s * static_cast<double>(motion.p_WH.size()));
+    return {std::move(device), [end] { return std::chrono::steady_clock::now() > end; }};
+}
+
+core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand, double dt_s,
+                                    const std::function<Status(const servo::RecordingStart&)>& begin,
+                                    const session::TickSink& sink, const std::function<void()>& idle)
+{
+    servo::ServoOptions options;
+    options.rate_Hz = 1.0 / dt_s;
+    device::HapticDevice& device = *hand.device;
+    servo::ServoLoop loop;
     loop.setScene(std::move(scene));
     if (Status status = loop.start(device, options); !status.isOk()) {
         return status;
@@ -71,7 +104,7 @@ core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> 
             goesOn = sink(tick);
         }
     };
-    while (goesOn && loop.isRunning() && !device.hasEnded()) {
+    while (goesOn && loop.isRunning() && !hand.hasEnded()) {
         std::this_thread::sleep_for(kDrainInterval);
         drain();
         idle();
@@ -81,7 +114,7 @@ core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> 
     }
     loop.stop();
     drain();
-    result.lost = static_cast<std::int64_t>(motion.p_WH.size()) - felt;
+    result.lost = hand.rows < 0 ? static_cast<std::int64_t>(loop.droppedTicks()) : hand.rows - felt;
     result.overruns = loop.timing().overruns;
     return result;
 }

@@ -26,6 +26,14 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_flag("--live", options->isLive, "In real time, through the servo thread and the safety gate");
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a mesh that was cut off; exit code 3 then");
+    command
+        ->add_option(
+            "--device", options->device,
+            "With --live, the hand: simulated or a device's name (drawn along the motion), or a plugin's device "
+            "(moved by whoever holds it, as long as the motion lasts)")
+        ->needs("--live");
+    command->add_option("--plugin-path", options->pluginFolders, "Folder to look for device plugins in first")
+        ->allow_extra_args(false);
     command->add_flag("--force", options->isForced,
                       "Replay a recording's motion on another scene than it was made on, without comparing");
     command->callback([options, &chosen] { chosen = [options] { return ReplayRun(*options).run(); }; });

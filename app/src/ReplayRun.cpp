@@ -2,11 +2,9 @@
 #include "ReplayRun.h"
 
 #include "Console.h"
-#include "LiveReplay.h"
+#include "Devices.h"
 #include "SceneForTouch.h"
 #include "SessionReport.h"
-
-#include <palpate/device/PlaybackDevice.h>
 
 #include <chrono>
 #include <utility>
@@ -247,12 +245,37 @@ Status ReplayRun::feelRecording()
     return {};
 }
 
+core::Result<LiveHand> ReplayRun::liveHand()
+{
+    if (m_options.device.empty() || m_options.device == "playback") {
+        return playedHand(m_motion);
+    }
+    if (m_options.device == "simulated") {
+        return simulatedHand(m_motion, *device::findDevicePreset("touch"));
+    }
+    m_plugins = findPlugins(m_options.pluginFolders);
+    auto made = m_plugins->make(m_options.device);
+    if (made.isOk()) {
+        return realHand(m_motion, std::move(made).value());
+    }
+    const device::DevicePreset* const preset = device::findDevicePreset(m_options.device);
+    if (preset != nullptr && made.status().code() == StatusCode::NotFound) {
+        return simulatedHand(m_motion, *preset);
+    }
+    return made.status();
+}
+
 Status ReplayRun::feelLive()
 {
-    const auto begin = [this](const servo::RecordingStart& start) {
+    auto made = liveHand();
+    if (!made.isOk()) {
+        return made.status();
+    }
+    LiveHand hand = std::move(made).value();
+    const auto begin = [this, &hand](const servo::RecordingStart& start) {
         session::RecordingInfo info;
         info.scene = m_options.scene.string();
-        info.device = device::PlaybackDevice(m_motion.p_WH).info();
+        info.device = hand.device->info();
         info.dt_s = m_motion.dt_s;
         info.rate_Hz = 1.0 / m_motion.dt_s;
         info.firstGeneration = start.scene;
@@ -268,8 +291,8 @@ Status ReplayRun::feelLive()
         }
     };
     const auto result = replayLive(
-        m_scene, m_motion, begin, [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); },
-        idle);
+        m_scene, hand, m_motion.dt_s, begin,
+        [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); }, idle);
     if (!result.isOk()) {
         return result.status();
     }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "LiveReplay.h"
 #include "ReplaySummary.h"
 
 #include <palpate/core/Status.h>
+#include <palpate/device/PluginHost.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/session/AtomicFile.h>
 #include <palpate/session/RecordingReader.h>
@@ -25,6 +27,8 @@ struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
     std::string unit = "mm", stiffness, damping;
+    std::string device; ///< the hand's, when live; empty: the motion itself
+    std::vector<std::filesystem::path> pluginFolders;
     bool isLive = false;
     bool isForced = false;
     bool isPartial = false;
@@ -70,6 +74,7 @@ class ReplayRun
     core::Status checkSameGeometry() const;
     core::Status feelRecording();
     core::Status feelLive();
+    core::Result<LiveHand> liveHand();
     core::Status finish();
 
     core::Status startRecording(const session::RecordingInfo& info);
@@ -91,6 +96,7 @@ class ReplayRun
     std::optional<session::Resimulation> m_resimulation;
     std::vector<std::string> m_losses; ///< what was lost, one line each
     core::Status m_writeStatus;
+    std::unique_ptr<device::PluginHost> m_plugins; ///< when the hand's device is one's
     std::optional<session::TickCsv> m_csv;
     std::optional<session::AtomicFile> m_json;
     FileGuard m_recordGuard; // before the writer: it must be closed first

@@ -31,15 +31,18 @@ class Palpation : public QObject
     {
         QTest::addColumn<int>("protocol");
         QTest::addColumn<double>("stiffness");
-        QTest::newRow("protocol 2, soft") << 2 << 0.2;
-        QTest::newRow("protocol 2, hard") << 2 << 0.8;
-        QTest::newRow("protocol 1") << 1 << 0.5;
+        QTest::addColumn<bool>("isControlled");
+        QTest::newRow("protocol 2, soft") << 2 << 0.2 << false;
+        QTest::newRow("protocol 2, hard") << 2 << 0.8 << false;
+        QTest::newRow("protocol 1") << 1 << 0.5 << false;
+        QTest::newRow("passivity controlled") << 2 << 0.5 << true;
     }
 
     void forceFollowsTheSpringWithinQuantisation()
     {
         QFETCH(const int, protocol);
         QFETCH(const double, stiffness);
+        QFETCH(const bool, isControlled);
         m_bench->with([&](standin::Bench& b) {
             b.arm = {};
             b.arm.unit.protocol = protocol;
@@ -53,7 +56,7 @@ class Palpation : public QObject
         const std::unique_ptr<device::HapticDevice> arm = std::move(made).value();
         servo::ServoLoop loop;
         loop.setScene(blockScene(stiffness));
-        const core::Status started = loop.start(*arm, {.askRealtime = false});
+        const core::Status started = loop.start(*arm, {.askRealtime = false, .isPassivityControlled = isControlled});
         QVERIFY2(started.isOk(), started.message().c_str());
         pass(6.0);
         const servo::FaultReport fault = loop.fault();
@@ -90,7 +93,8 @@ class Palpation : public QObject
                 ++compared;
                 deepest = std::min(deepest, p[2]);
                 const standin::V3& f = all[i].f_D;
-                worst = std::max(worst, std::hypot(f[0], f[1], f[2] + stiffness * p[2]));
+                const double off = std::hypot(f[0], f[1], f[2] + stiffness * p[2]);
+                worst = std::max(worst, off);
                 const auto& step = all[i].countStep_mm;
                 bound = std::max(bound, stiffness * 0.5 * (step[0] + step[1] + step[2]));
             }
@@ -108,8 +112,9 @@ class Palpation : public QObject
             static_cast<double>(report.latency.p99_ns) * 1e-6, static_cast<double>(report.latency.max_ns) * 1e-6);
         QVERIFY(compared > 1000);
         QVERIFY(deepest < -2.0);
-        QVERIFY2(best <= bound + currents_N,
-                 qPrintable(QStringLiteral("%1 N against %2 N").arg(best).arg(bound + currents_N)));
+        // The controller's damping answers each step of the encoders; of that only the bound is promised.
+        const double allowed_N = bound + currents_N + (isControlled ? 1.0 : 0.0);
+        QVERIFY2(best <= allowed_N, qPrintable(QStringLiteral("%1 N against %2 N").arg(best).arg(allowed_N)));
         QVERIFY(report.refused < 5);
         QCOMPARE(report.losses, std::uint64_t{0});
         m_bench->with([&](standin::Bench& b) { // stopped: the motors are off

@@ -103,8 +103,10 @@ std::vector<std::filesystem::path> deviceSettingsFolders()
     return folders;
 }
 
-PluginHost::PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe)
+PluginHost::PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe,
+                       int probeTimeout_ms)
     : m_probe(std::move(probe))
+    , m_probeTimeout_ms(probeTimeout_ms)
     , m_services{m_bus, deviceSettingsFolders()}
 {
     std::vector<std::filesystem::path> seen;
@@ -151,7 +153,7 @@ core::Result<DevicePlugin*> PluginHost::load(std::string_view id)
         }
         if (m_loaded[i] == nullptr) {
             if (!m_probe.empty()) {
-                entry.status = runProbe(m_probe, entry.file);
+                entry.status = runProbe(m_probe, entry.file, m_probeTimeout_ms);
             }
             if (entry.status.isOk()) {
                 auto loaded = loadPlugin(entry.file);

@@ -13,12 +13,6 @@ namespace palpate::device {
 using core::Status;
 using core::StatusCode;
 
-namespace {
-
-constexpr int kProbeTimeout_ms = 10'000; // a machine may be busy; a healthy plugin takes a fraction of a second
-
-} // namespace
-
 core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file)
 {
     std::error_code error; // the loader would look a relative name up in Qt's own folders
@@ -34,7 +28,7 @@ core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file)
     return plugin;
 }
 
-Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file)
+Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file, int timeout_ms)
 {
     QStringList arguments;
     for (std::size_t i = 1; i < command.size(); ++i) {
@@ -43,7 +37,7 @@ Status runProbe(const std::vector<std::string>& command, const std::filesystem::
     arguments << QString::fromStdU16String(file.u16string());
     QProcess process;
     process.start(QString::fromStdString(command.front()), arguments, QIODevice::ReadOnly);
-    if (!process.waitForFinished(kProbeTimeout_ms)) {
+    if (!process.waitForFinished(timeout_ms)) {
         const bool hasStarted = process.error() == QProcess::Timedout;
         process.kill();
         process.waitForFinished(1000);
@@ -55,7 +49,7 @@ Status runProbe(const std::vector<std::string>& command, const std::filesystem::
         return {StatusCode::Unsupported, file.string() + ": skipped, it crashed when it was started (signal " +
                                              std::to_string(process.exitCode()) + ')'};
     }
-    if (process.exitCode() != 0) {
+    if (process.exitCode() != kPluginIsFit) {
         const std::string said = process.readAllStandardError().trimmed().toStdString();
         return {StatusCode::Unsupported,
                 said.empty() ? file.string() + ": skipped, it ended the process when it was started" : said};

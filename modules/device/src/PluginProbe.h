@@ -10,6 +10,7 @@ namespace palpate::device {
 
 /// Runs `command` with `file` appended and waits for its end.
 /// @return what it said was wrong, that it crashed, or that it hung
-[[nodiscard]] core::Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file);
+[[nodiscard]] core::Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file,
+                                    int timeout_ms);
 
 } // namespace palpate::device

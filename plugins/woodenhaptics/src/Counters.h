@@ -41,8 +41,9 @@ class Counters
     core::Vec3 m_fastest_per_s;
     core::Vec3 m_counts = core::Vec3::Zero();
     RawCounts m_raw{};
-    RawCounts m_elsewhere{}; ///< newest refused
-    std::int64_t m_time_ns = 0;
+    RawCounts m_elsewhere{};    ///< newest refused
+    std::int64_t m_time_ns = 0; ///< of the newest taken
+    std::int64_t m_seen_ns = 0; ///< of the newest, taken or not
     std::int64_t m_elsewhere_ns = 0;
     int m_agreeing = 0; ///< refused in a row that follow each other
     bool m_hasBegun = false;

@@ -44,7 +44,9 @@ class PluginHost
     /// same id the first one counts.
     /// @param probe  command to which a plugin's file is appended, and that runs `probePlugin` on it in a process of
     ///               its own before it is loaded here; empty: no trial, a plugin that crashes takes the program along
-    explicit PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe = {});
+    /// @param probeTimeout_ms  longer, and the plugin counts as hung; a healthy one takes a fraction of a second
+    explicit PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe = {},
+                        int probeTimeout_ms = 10'000);
     PluginHost(const PluginHost&) = delete;
     PluginHost& operator=(const PluginHost&) = delete;
 
@@ -58,11 +60,15 @@ class PluginHost
     core::Result<DevicePlugin*> load(std::string_view id);
 
     std::vector<std::string> m_probe;
+    int m_probeTimeout_ms;
     std::vector<PluginEntry> m_plugins;
     std::vector<DevicePlugin*> m_loaded; ///< of each entry; null: not loaded
     std::mutex m_bus;
     PluginServices m_services;
 };
+
+/// What a trial's process ends with when the plugin is fit: not 0, which one that ends the process itself may give.
+inline constexpr int kPluginIsFit = 42;
 
 /// Loads the plugin, asks it for its devices and returns; the trial that `PluginHost` runs in another process.
 /// @return what is wrong with it, if it lived to tell

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The trial of a plugin in a process of its own, as the program runs it on itself.
+#include <palpate/device/PluginHost.h>
+
+#include <cstdio>
+
+int main(int argc, char** argv)
+{
+    const auto status = argc == 2 ? palpate::device::probePlugin(argv[1])
+                                  : palpate::core::Status(palpate::core::StatusCode::BadCommandLine, "one file");
+    std::fprintf(stderr, "%s", status.message().c_str());
+    return status.isOk() ? palpate::device::kPluginIsFit : 1;
+}

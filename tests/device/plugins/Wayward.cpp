@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A device plugin that does what WAYWARD says when it is started: built several times, with metadata of its own each.
+#include <palpate/device/DevicePlugin.h>
+
+#include <QObject>
+
+#include <chrono>
+#include <cstdlib>
+#include <stdexcept>
+#include <thread>
+
+enum Way
+{
+    Crashes,
+    Hangs,
+    Throws,
+    Exits,
+    Works
+};
+
+class Wayward final : public QObject, public palpate::device::DevicePlugin
+{
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID PALPATE_DEVICE_PLUGIN_IID FILE "plugin.json")
+    Q_INTERFACES(palpate::device::DevicePlugin)
+
+  public:
+    Wayward()
+    {
+        switch (WAYWARD) {
+        case Crashes:
+            std::abort();
+        case Hangs:
+            std::this_thread::sleep_for(std::chrono::hours(1));
+            break;
+        case Exits:
+            std::exit(0); // as if all were well
+        default:
+            break;
+        }
+    }
+    std::vector<palpate::device::FoundDevice> find(const palpate::device::PluginServices&) override
+    {
+        if (WAYWARD == Throws) {
+            throw std::runtime_error("no bus today");
+        }
+        return {{"a device", "here", ""}};
+    }
+    palpate::core::Result<std::unique_ptr<palpate::device::HapticDevice>> make(const palpate::device::PluginServices&,
+                                                                               const std::string&) override
+    {
+        return palpate::core::Status(palpate::core::StatusCode::NotFound, "none");
+    }
+};
+
+#include "Wayward.moc"

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/device/PluginHost.h>
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <fstream>
+
+using namespace palpate;
+
+class PluginHost : public QObject
+{
+    Q_OBJECT
+
+  private:
+    const std::filesystem::path m_found = PALPATE_WAYWARD_PLUGINS;
+
+    device::PluginHost host(const std::vector<std::filesystem::path>& folders, int timeout_ms = 60'000) const
+    {
+        return device::PluginHost(folders, {PALPATE_TEST_PROBE}, timeout_ms);
+    }
+
+    static std::string problemOf(const device::PluginHost& host, const std::string& id)
+    {
+        for (const device::PluginEntry& entry : host.plugins()) {
+            if (entry.info.id == id || entry.file.stem() == id) {
+                return entry.status.message();
+            }
+        }
+        return "not found";
+    }
+
+  private slots:
+    void readsMetadataWithoutLoading()
+    {
+        const device::PluginHost all({m_found}); // no probe: nothing may be loaded here
+        QCOMPARE(all.plugins().size(), std::size_t{7});
+        QCOMPARE(problemOf(all, "crashing"), std::string());
+        QCOMPARE(problemOf(all, "working"), std::string());
+        const auto& plugins = all.plugins();
+        const auto working =
+            std::find_if(plugins.begin(), plugins.end(), [](const auto& e) { return e.info.id == "working"; });
+        QCOMPARE(working->info.license, std::string("BSD-3-Clause"));
+        QCOMPARE(working->info.apiVersion, 1);
+        QCOMPARE(working->info.drives, std::string("nothing"));
+    }
+
+    void namesAndSkipsWhatCannotBeUsed()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        std::ofstream(path / "text.so") << "not a library";
+        std::filesystem::copy_file(m_found / "working.so", path / "again.so");
+        std::filesystem::copy_file(m_found / "working.so", path / "cut.so");
+        std::filesystem::resize_file(path / "cut.so", std::filesystem::file_size(path / "cut.so") / 3);
+        std::ofstream(path / "notes.txt") << "no plugin's name";
+        auto all = host({m_found, path, "/nowhere"});
+        QCOMPARE(all.plugins().size(), std::size_t{10});
+        QVERIFY(problemOf(all, "old").find("device API 0, this program has 1") != std::string::npos);
+        QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
+        QVERIFY(problemOf(all, "text").find("no Qt plugin") != std::string::npos);
+        QVERIFY(!problemOf(all, "cut").empty());
+        for (const device::PluginEntry& entry : all.plugins()) {
+            if (entry.file.stem() == "again") {
+                QVERIFY(entry.status.message().find("comes first") != std::string::npos);
+            }
+            if (!entry.status.isOk()) {
+                QVERIFY(entry.status.message().find(entry.file.string()) == 0);
+            }
+        }
+        QCOMPARE(all.find("old").status().code(), core::StatusCode::Mismatch);
+        QCOMPARE(all.find("nobody").status().code(), core::StatusCode::NotFound);
+    }
+
+    void survivesPluginsThatDoNot_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("crashes") << "crashing"
+                                 << "crashed";
+        QTest::newRow("throws") << "throwing"
+                                << "no bus today";
+        QTest::newRow("ends the process") << "leaving"
+                                          << "ended the process";
+    }
+
+    void survivesPluginsThatDoNot()
+    {
+        QFETCH(const QString, id);
+        QFETCH(const QString, said);
+        auto all = host({m_found});
+        const auto found = all.find(id.toStdString());
+        QVERIFY(!found.isOk());
+        QVERIFY2(found.status().message().find(said.toStdString()) != std::string::npos,
+                 found.status().message().c_str());
+        QCOMPARE(problemOf(all, id.toStdString()), found.status().message());
+        QVERIFY(!all.make(id.toStdString()).isOk());
+        QCOMPARE(all.find("working").value().size(), std::size_t{1}); // and the others go on
+    }
+
+    void survivesOneThatHangs()
+    {
+        auto all = host({m_found}, 1000);
+        const auto found = all.find("hanging");
+        QVERIFY(!found.isOk());
+        QVERIFY2(found.status().message().find("hung") != std::string::npos, found.status().message().c_str());
+    }
+};
+
+PALPATE_TEST(PluginHost)
+#include "tst_PluginHost.moc"
