@@ -10,6 +10,10 @@ if(NOT PALPATE_SANITIZER STREQUAL "none")
   target_link_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER})
 endif()
 
+if(PALPATE_BUILD_FUZZERS)
+  target_compile_options(palpate_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT])
 # makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed and exported.
 function(palpate_module name)

@@ -79,6 +79,7 @@ class MeshReading : public QObject
     void objObjectsGoBeforeGroups();
     void objNegativeIndicesAndContinuedLines();
     void stlSolidsBecomeStructures();
+    void stlTextStaysTextToVtk();
     void vtpStructuresKeepTheirTriangles();
     void plyElementsAndTypesOfAnyKind();
     void progressRisesAndCancels_data() { readsEachFormat_data(); }
@@ -319,6 +320,18 @@ void MeshReading::stlSolidsBecomeStructures()
     QCOMPARE(file.value().structures.size(), std::size_t{2});
     QCOMPARE(file.value().structures[1].name, std::string("vein"));
     QVERIFY(file.value().structures[1].mesh.bounds().max() == Vec3(2.5, 9, 0));
+}
+
+void MeshReading::stlTextStaysTextToVtk()
+{
+    // Found by libFuzzer: VTK took this for a binary file and asked for 9.7 GB.
+    const test::Folder folder;
+    std::string text = test::asciiStl();
+    text.replace(text.find(" 0 0 1"), 6, std::string(33, '\xf2') + "\x01\x7f 0 0 1");
+    const auto file = meshio::readMesh(folder.write("a.stl", text));
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    QCOMPARE(file.value().format, std::string("STL ASCII"));
+    QCOMPARE(test::triangles(file.value()), std::size_t{1});
 }
 
 void MeshReading::vtpStructuresKeepTheirTriangles()

@@ -81,10 +81,11 @@ void addObj(std::vector<HostileMesh>& out)
     add("o12_cut_face", kVertices + "f 1 2", "line 4: a face with 2 corners");
     add("o13_words", "v 0 zero 0\nf 1 1 1\n", "line 1: \"zero\" is not a number");
     add("o14_comma", "v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
-    add("o15_nul", kVertices + std::string("g a\0b\nf 1 2 3\n", 14), "line 4: a zero byte");
+    add("o15_nul", std::string(kVertices).append("g a\0b\nf 1 2 3\n", 14), "line 4: a zero byte");
     add("o16_degenerate", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "none of 1 triangle has an area");
-    add("o17_corners", kVertices + "f" + repeated(" 1 2 3", 700) + "\n", "line 4: a face with 2,100 corners");
-    add("o18_noise", "v " + noise(20000), "line 1: ");
+    add("o17_corners", std::string(kVertices).append("f").append(repeated(" 1 2 3", 700)).append("\n"),
+        "line 4: a face with 2,100 corners");
+    add("o18_noise", std::string("v ").append(noise(20000)), "line 1: ");
     add("o19_endless_line", kVertices + repeated("f 1 2 \\\n", 100000), "line 4: ");
     add("o20_html", "<!DOCTYPE html><html><body>404 Not Found</body></html>\n", "byte 0: a web page (HTML)");
     add("o21_lfs", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "byte 0: a Git LFS pointer");
@@ -93,7 +94,7 @@ void addObj(std::vector<HostileMesh>& out)
     add("p01_plain", kObj, "");
     add("p02_crlf", "v 0 0 0\r\nv 2.5 0 0\r\nv 0 1.5 0\r\nf 1 2 3\r\n", "");
     add("p03_bom", "\xef\xbb\xbf" + kObj, "");
-    add("p04_long_name", "g " + std::string(5'000'000, 'a') + "\n" + kObj, "");
+    add("p04_long_name", std::string("g ").append(5'000'000, 'a').append("\n") + kObj, "");
     add("p05_blanks", "\n \t\n" + kObj, "");
     add("p06_slicer", "# 3D Slicer output. SPACE=RAS\n" + kObj, "");
     add("p07_two_objects", kVertices + "o a\nf 1 2 3\no b\nf 3 2 1\n", "");
@@ -142,16 +143,18 @@ void addPly(std::vector<HostileMesh>& out)
     add("q26_comma", header("3", "1") + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "line 10: \"0,5\" is not a number");
     add("q27_words", header("3", "1") + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "line 11: \"one\" is not a number");
     add("q28_degenerate", header("3", "1") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "none of 1 triangle has an area");
-    add("q29_noise", "ply\n" + noise(20000), "line ");
+    add("q29_noise", std::string("ply\n").append(noise(20000)), "line ");
     add("q30_noise_in_body", binary + noise(20000), "byte ");
     add("q31_many_elements",
-        "ply\nformat ascii 1.0\n" + repeated("element thing 0\nproperty list uchar int x\n", 20000), "line ");
+        std::string("ply\nformat ascii 1.0\n").append(repeated("element thing 0\nproperty list uchar int x\n", 20000)),
+        "line ");
     add("q32_html", "<html>502</html>", "byte 0: a web page (HTML)");
     add("q33_lfs", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "byte 0: a Git LFS pointer");
     add("r01_plain", kPly, "");
     add("r02_binary", binary + binaryBody(), "");
-    add("r03_long_comment", "ply\nformat ascii 1.0\ncomment " + std::string(5'000'000, 'a') + kPly.substr(20), "");
-    add("r04_slicer", "ply\nformat ascii 1.0\ncomment SPACE=RAS" + kPly.substr(20), "");
+    add("r03_long_comment", std::string("ply\nformat ascii 1.0\ncomment ").append(5'000'000, 'a') + kPly.substr(20),
+        "");
+    add("r04_slicer", std::string("ply\nformat ascii 1.0\ncomment SPACE=RAS").append(kPly.substr(20)), "");
     add(
         "r05_crlf",
         [] {

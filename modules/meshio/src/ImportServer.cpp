@@ -152,7 +152,7 @@ void serveImports(int socket, ReaderHook hook)
     socket = STDERR_FILENO + 1;
     ::closefrom(socket + 1);
     ::prctl(PR_SET_NAME, "palpate-import");
-    (void)std::signal(SIGINT, SIG_IGN);  // meant for the program, whose end ends this one
+    (void)std::signal(SIGINT, SIG_IGN); // meant for the program, whose end ends this one
     while (true) {
         alignas(ImportTask) char bytes[kMostTask + 1] = {};
         alignas(cmsghdr) char rights[CMSG_SPACE(sizeof(ImportEnds))] = {};

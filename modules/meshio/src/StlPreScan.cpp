@@ -270,7 +270,12 @@ Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context)
             }
             break;
         }
-        if (isName) { // any length, any characters: kept from VTK
+        if (!isName) { // a few of them and VTK takes the file for a binary one, and its text for a count
+            for (char& c : writable.subspan(reader.begin(), reader.line().size())) {
+                const bool isText = (c >= ' ' && c < '\x7f') || c == '\t' || c == '\r';
+                c = isText ? c : c == '\v' || c == '\f' ? ' ' : '?';
+            }
+        } else { // any length, any characters: kept from VTK
             std::fill(writable.begin() + static_cast<std::ptrdiff_t>(word.data() + word.size() - writable.data()),
                       writable.begin() +
                           static_cast<std::ptrdiff_t>(reader.line().data() + reader.line().size() - writable.data()),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace palpate::session::internal {
 
@@ -154,8 +155,14 @@ Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
     row.bind(0, first);
     row.bind(1, last);
     Step step = row.step();
+    std::int64_t before = std::numeric_limits<std::int64_t>::min();
     for (; step == Step::Row; step = row.step()) {
-        if (!sink(readTick(row))) {
+        const servo::TickRecord tick = readTick(row);
+        if (tick.tick <= before) { // a damaged tree gives its rows in any order
+            return damaged();
+        }
+        before = tick.tick;
+        if (!sink(tick)) {
             return {};
         }
     }

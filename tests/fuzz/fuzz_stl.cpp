@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HostileMeshes.h"
+#include "Meshes.h"
+#include "Samples.h"
+
+namespace palpate::fuzz {
+
+std::vector<std::string> seeds()
+{
+    const std::array<float, 9> facet{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0};
+    return {test::binaryStl(1, {facet}), test::binaryStl(3, {3, facet}, "3D Slicer output. SPACE=RAS"),
+            test::binaryStl(2, {facet}), test::binaryStl(0, {}), "solid"};
+}
+
+void tryInput(std::string_view bytes)
+{
+    tryMesh(bytes, meshio::internal::preScanBinaryStl, "a.stl");
+}
+
+} // namespace palpate::fuzz

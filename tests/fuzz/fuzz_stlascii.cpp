@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HostileMeshes.h"
+#include "Meshes.h"
+#include "Samples.h"
+
+namespace palpate::fuzz {
+
+std::vector<std::string> seeds()
+{
+    return {test::asciiStl(), test::asciiStl("3D Slicer output. SPACE=RAS"),
+            test::asciiStl() + test::asciiStl("vein", "0 9 0"), test::asciiStl("a", "1e999 -0 nan"),
+            std::string("solid a\nfacet ").append(40, '\xf2') +
+                "\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex 0 1.5 0\n"
+                "endloop\nendfacet\nendsolid\n"}; // VTK took it for a binary file
+}
+
+void tryInput(std::string_view bytes)
+{
+    tryMesh(bytes, meshio::internal::preScanAsciiStl, "a.stl");
+}
+
+} // namespace palpate::fuzz
