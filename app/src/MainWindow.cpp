@@ -99,6 +99,7 @@ MainWindow::MainWindow()
     makeToolBar();
     makeStatusBar();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
+    m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, *m_session, *m_touch, this);
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(this);
@@ -153,6 +154,9 @@ void MainWindow::makeActions()
     // Both layouts of "?" and the way back: whatever the keyboard, one of them is there.
     m_keysAction->setShortcuts(
         {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)});
+    m_clutchAction = makeAction(tr("Clutch"), Symbol::Hand, QKeySequence(Qt::Key_C),
+                                tr("Move the device without the hand in the scene; again to let go"));
+    m_clutchAction->setCheckable(true);
     auto* letGo = new QAction(this);
     letGo->setShortcut(Qt::Key_Escape);
     addAction(letGo);
@@ -181,6 +185,8 @@ void MainWindow::makeDocks()
     }
     auto* left = dock(tr("Structures"), "structures", m_structures, Qt::LeftDockWidgetArea);
     auto* right = dock(tr("Touch"), "touch", m_touch, Qt::RightDockWidgetArea);
+    m_hand = new HandPanel(this);
+    dock(tr("Device"), "device", m_hand, Qt::RightDockWidgetArea);
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
     resizeDocks({left, right}, {264, 292}, Qt::Horizontal);
     resizeDocks({below}, {128}, Qt::Vertical);
@@ -288,6 +294,10 @@ void MainWindow::connectParts()
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
+    connect(&m_live, &LiveTouch::greatestChanged, this, [this] { m_structures->setGreatest(m_live.greatestTissue()); });
+    connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
+    connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
+    connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
 }
 
 void MainWindow::styleView()

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <palpate/ui/DeviceChoice.h>
+#include <palpate/ui/HandControl.h>
+#include <palpate/ui/HandPanel.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Pieces.h>
@@ -98,6 +100,8 @@ class MainWindow : public QMainWindow
     palpate::ui::StructurePanel* m_structures = nullptr;
     palpate::ui::TouchPanel* m_touch = nullptr;
     palpate::ui::SessionPanel* m_session = nullptr;
+    palpate::ui::HandPanel* m_hand = nullptr;
+    palpate::ui::HandControl* m_handControl = nullptr;
     palpate::ui::PalpationController* m_palpation = nullptr;
     palpate::ui::Playback* m_playback = nullptr;
     palpate::ui::DeviceChoice* m_devices = nullptr;
@@ -124,6 +128,7 @@ class MainWindow : public QMainWindow
     QAction* m_undoAction = nullptr;
     QAction* m_redoAction = nullptr;
     QAction* m_keysAction = nullptr;
+    QAction* m_clutchAction = nullptr;
 
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with

@@ -61,7 +61,7 @@ void MainWindow::makeMenus()
     view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
 
     QMenu* session = menuBar()->addMenu(tr("&Session"));
-    for (QAction* action : {m_palpateAction, m_recordAction, m_playAction, m_restartAction}) {
+    for (QAction* action : {m_palpateAction, m_clutchAction, m_recordAction, m_playAction, m_restartAction}) {
         session->addAction(action);
     }
     QMenu* help = menuBar()->addMenu(tr("&Help"));

@@ -254,6 +254,22 @@ class SafetyGate : public QObject
         QVERIFY(driver.gate.fault() == FaultKind::None);
     }
 
+    /// A machine that is late by a lot of periods is when a force must not stay for as many ticks.
+    void ticksThatComeLateDoNotStretchTheRamp()
+    {
+        Driver driver(limitsOf("omega"));
+        const Vec3 f(0, 12.0, 0);
+        driver.settle(f);
+        for (int i = 0; i < 20; ++i) {
+            driver.gate.noteOverrun(true);
+        }
+        driver.now_ns += 3 * kDt_ns; // the tick comes 4 ms after the one before
+        QVERIFY(std::abs(driver.tick(f)[1] - 6.0) < 1e-9);
+        driver.now_ns += 3 * kDt_ns;
+        QVERIFY(driver.tick(f).isZero(0.0));
+        QVERIFY(driver.gate.isAtRest());
+    }
+
     void latchesTheFirstFaultOnly()
     {
         Driver driver(limitsOf("touch"));

@@ -140,6 +140,22 @@ class ServoCore : public QObject
         }
     }
 
+    void denormalsAreFlushedWhileFeelingAndOnlyThen()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 1e-310); // a stiffness that is denormal itself
+        palpate::haptics::Palpator palpator;
+        palpator.setScene(scene.get());
+        static_cast<void>(palpate::servo::feelTick(palpator, Vec3(0, 0, 31), 0, 0.001));
+        const auto felt = palpate::servo::feelTick(palpator, Vec3(0, 0, 25), 0, 0.001);
+        QVERIFY(felt.structure >= 0);
+#if defined(__SSE2__) || defined(__aarch64__)
+        QVERIFY(felt.f_W.isZero(0.0));
+#endif
+        volatile double half = std::numeric_limits<double>::min();
+        half = half / 2.0;
+        QVERIFY(half > 0.0);
+    }
+
     void neverWritesMoreThanTheDeviceCan()
     {
         const auto scene = palpate::test::sphereScene(30.0, 5.0);

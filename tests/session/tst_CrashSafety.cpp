@@ -159,7 +159,11 @@ class CrashSafety : public QObject
         QVERIFY(reader.value()->extent().isComplete);
         QVERIFY(reader.value()->extent().ticks > 400);
         QCOMPARE(reader.value()->extent().dropped, std::int64_t{0});
-        QCOMPARE(reader.value()->events().size(), std::size_t{4}); // two scenes, the change of tissue and the note
+        // Two scenes, the change of tissue, the note, and how the loop kept time.
+        QCOMPARE(reader.value()->events().size(), std::size_t{5});
+        const auto& timing = reader.value()->events().back();
+        QCOMPARE(timing.kind, std::string("timing"));
+        QVERIFY(timing.json.find("\"periodError\": {\"count\": ") != std::string::npos);
         const auto result = session::resimulate(*reader.value(), test::boxSurfaces());
         QVERIFY2(result.isOk(), result.status().message().c_str());
         QVERIFY2(result.value().isSame(), result.value().difference.c_str());

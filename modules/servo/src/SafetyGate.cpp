@@ -46,13 +46,16 @@ GateLimits GateLimits::forDevice(const device::DeviceInfo& info)
 SafetyGate::SafetyGate(const GateLimits& limits, double dt_s) noexcept
     : m_limits(limits)
     , m_dt_s(dt_s)
+    , m_passed_s(dt_s)
 {
-    m_rampTicks = static_cast<std::uint32_t>(std::clamp(std::floor(limits.rampDown_s / dt_s), 1.0, 1e6));
 }
 
 GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
 {
     GatedInput input;
+    // In doubles: a difference of arbitrary 64-bit times may not fit 64 bits, and 0.1 us does.
+    m_passed_s = std::max(m_dt_s, (static_cast<double>(now_ns) - static_cast<double>(m_now_ns)) * 1e-9);
+    m_now_ns = now_ns;
     m_isPresent = false;
     m_v_D.setZero();
     if (state.isLost) {
@@ -64,7 +67,6 @@ GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_
         return input;
     }
 
-    // In doubles: a difference of arbitrary 64-bit times may not fit 64 bits, and 0.1 us does.
     const double age_s = (static_cast<double>(now_ns) - static_cast<double>(state.time_ns)) * 1e-9;
     Vec3 p_D = state.p_D;
     bool isRefused = true;
@@ -139,16 +141,20 @@ Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKI
         raise(FaultKind::NonFiniteForce);
     }
     if (!m_isPresent) {
-        m_rampLeft = 0;
+        m_rampLeft_s = 0.0;
         m_sent_D.setZero();
         return m_sent_D;
     }
     Vec3 f_D = Vec3::Zero();
     if (m_fault != FaultKind::None || m_isStopping) {
-        // From what was sent last, so that it never grows again, whatever the power bound took meanwhile.
-        if (m_rampLeft > 0) {
-            f_D = m_sent_D * (static_cast<double>(m_rampLeft - 1) / m_rampLeft);
-            --m_rampLeft;
+        // From what was sent last, so that it never grows again, whatever the power bound took meanwhile. By the
+        // clock: ticks that come late must not stretch it.
+        constexpr double kRounding = 1.0 + 1e-9;
+        if (m_rampLeft_s > kRounding * m_passed_s) {
+            f_D = m_sent_D * (1.0 - m_passed_s / m_rampLeft_s);
+            m_rampLeft_s -= m_passed_s;
+        } else {
+            m_rampLeft_s = 0.0;
         }
     } else {
         f_D = eased(request.f_D);
@@ -182,7 +188,7 @@ void SafetyGate::raise(FaultKind kind) noexcept PALPATE_NONBLOCKING
 {
     if (m_fault == FaultKind::None && kind != FaultKind::None) {
         if (!m_isStopping) {
-            m_rampLeft = m_rampTicks;
+            m_rampLeft_s = m_limits.rampDown_s;
         }
         m_fault = kind;
     }
@@ -196,10 +202,16 @@ void SafetyGate::rearm() noexcept PALPATE_NONBLOCKING
     m_overruns = 0;
 }
 
+void SafetyGate::easeInAnew() noexcept PALPATE_NONBLOCKING
+{
+    m_gain = 0.0;
+    m_wasInContact = false;
+}
+
 void SafetyGate::beginStop() noexcept PALPATE_NONBLOCKING
 {
     if (!m_isStopping && m_fault == FaultKind::None) {
-        m_rampLeft = m_rampTicks;
+        m_rampLeft_s = m_limits.rampDown_s;
     }
     m_isStopping = true;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/servo/ServoCore.h"
 
+#include "FlushDenormals.h"
+
 #include <palpate/core/Clock.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@ haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std:
     if ((flags & kNoHand) != 0) {
         return {};
     }
+    const FlushDenormals flushed;
     if ((flags & kReset) != 0) {
         palpator.reset();
     }
@@ -49,18 +52,22 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     if (input.isGated) {
         flags |= kInputGated;
     }
+    MappedInput mapped;
     if (!input.isPresent) {
         flags |= kNoHand;
     } else {
-        if (input.isFirst) {
-            flags |= kReset;
-        }
-        record.p_WH = input.p_D;
+        mapped = m_map.map(input, state.buttons);
+        flags |= mapped.isMoved ? unsigned{kReset} : 0U;
+        flags |= mapped.isClutched ? unsigned{kClutched} : 0U;
+        record.p_WH = mapped.p_W;
         record.buttons = state.buttons;
+        if (mapped.isReleased || mapped.isMoved) {
+            m_gate.easeInAnew();
+        }
     }
 
     const std::int64_t begin_ns = core::monotonicNow_ns();
-    const haptics::TickResult felt = feelTick(m_palpator, input.p_D, static_cast<std::uint16_t>(flags), m_dt_s);
+    const haptics::TickResult felt = feelTick(m_palpator, mapped.p_W, static_cast<std::uint16_t>(flags), m_dt_s);
     const std::int64_t solve_ns = core::monotonicNow_ns() - begin_ns;
     if (input.isPresent) {
         record.solve_ns = static_cast<std::uint32_t>(
@@ -77,23 +84,27 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         flags |= kIterationLimit;
     }
 
+    // Clutched, the device moves through nothing; the god-object stays where it is.
+    const bool isFelt = input.isPresent && !mapped.isClutched;
     ForceRequest request;
-    request.f_D = felt.f_W;
-    request.isInContact = felt.structure >= 0;
+    request.isInContact = isFelt && felt.structure >= 0;
     request.isSceneChanged = m_isSceneChanged;
-    if (!input.isPresent || input.isFirst) {
+    if (!isFelt || mapped.isMoved || mapped.isReleased) {
         m_passivity.reset();
     }
-    if (input.isPresent) {
-        if (m_isSceneChanged) {
-            m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - input.p_D));
+    if (isFelt) {
+        request.f_D = m_map.toDevice(felt.f_W);
+        if (m_isSceneChanged) { // what the springs hold, in lengths of the device
+            m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - mapped.p_W) / m_map.scale());
         }
-        record.fDamping_W = m_passivity.damping(m_gate.eased(felt.f_W), input.p_D, request.isInContact);
+        const Vec3 damping_D = m_passivity.damping(m_gate.eased(request.f_D), input.p_D, request.isInContact);
+        record.fDamping_W = m_map.toScene(damping_D);
         record.energy_mJ = m_passivity.state().energy_mJ;
-        request.f_D += record.fDamping_W;
+        request.f_D += damping_D;
     }
-    record.fSent_W = m_gate.release(request);
-    m_passivity.noteSent(record.fSent_W);
+    m_sent_D = m_gate.release(request);
+    m_passivity.noteSent(m_sent_D);
+    record.fSent_W = m_map.toScene(m_sent_D);
     if (record.fSent_W != record.f_W) {
         flags |= kOutputGated;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Recorder.h"
 
+#include "TimingEvent.h"
 #include "palpate/session/RecordingWriter.h"
 
 #include <palpate/servo/ServoLoop.h>
@@ -113,6 +114,9 @@ void Recorder::Private::store(bool isLast)
     const std::uint64_t lost = ringDrops + writer->ticksDropped();
     if (isLast && lost > 0) {
         (void)writer->addEvent({lastTick, "dropped", "{\"ticks\": " + std::to_string(lost) + "}"});
+    }
+    if (isLast) {
+        (void)writer->addEvent({lastTick, "timing", timingJson(loop.timing(), loop.realtime().isRealtime)});
     }
     const bool hadProblem = !problem.empty();
     const Status status = isLast ? writer->finish() : writer->commit();

@@ -2,6 +2,11 @@
 #include "palpate/ui/LiveTouch.h"
 
 #include <palpate/core/Clock.h>
+#include <palpate/servo/PassivityController.h>
+
+#include <QLocale>
+
+#include <cmath>
 
 namespace palpate::ui {
 
@@ -32,8 +37,39 @@ LiveTouch::~LiveTouch()
 haptics::Tissue LiveTouch::greatestTissue() const
 {
     // A device that states no bound still has one here: fields need an end.
-    return {m_info.maxStiffness_N_per_mm > 0.0 ? m_info.maxStiffness_N_per_mm : 5.0,
-            m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02};
+    const double held = heldStiffness_N_per_mm();
+    return {std::isfinite(held) ? held : 5.0, m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02};
+}
+
+double LiveTouch::heldStiffness_N_per_mm() const
+{
+    // A mm of the scene is 1 / scale mm of the device, and it is there that the loop is closed.
+    return servo::heldStiffness_N_per_mm(m_info, rate_Hz(), true) / (m_map.isDirect ? 1.0 : m_map.scale);
+}
+
+double LiveTouch::rate_Hz() const
+{
+    return m_loop.rate_Hz() > 0.0 ? m_loop.rate_Hz() : servo::ServoOptions{}.rate_Hz;
+}
+
+void LiveTouch::setMap(const servo::MapSettings& map)
+{
+    const bool isScaled = map.isDirect != m_map.isDirect || map.scale != m_map.scale;
+    m_map = map;
+    m_loop.setMap(map);
+    if (isScaled) {
+        m_handOver.start();
+        emit greatestChanged();
+    }
+}
+
+bool LiveTouch::fetch(servo::TickRecord& tick)
+{
+    if (!m_loop.fetchSnapshot(tick)) {
+        return false;
+    }
+    m_newest = tick;
+    return true;
 }
 
 core::Status LiveTouch::start()
@@ -99,6 +135,31 @@ void LiveTouch::handOverScene()
     m_generation = m_loop.setScene(m_scene);
     if (m_recorder.status().isRecording) {
         m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources()));
+    }
+    tellRefused();
+}
+
+void LiveTouch::tellRefused()
+{
+    const haptics::Tissue greatest = greatestTissue();
+    QString line;
+    for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
+        const meshio::SceneStructure& one = m_model.structure(row);
+        if (one.palpable && one.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
+            const QLocale locale;
+            line =
+                (std::isfinite(heldStiffness_N_per_mm())
+                     ? tr("%1 asks for %2 N/mm; %3 holds %4 N/mm here without oscillating, and that is what is felt.")
+                     : tr("%1 asks for %2 N/mm; with %3 the most that is felt is %4 N/mm."))
+                    .arg(QString::fromStdString(one.name), locale.toString(one.stiffness_N_per_mm, 'g', 3),
+                         QString::fromStdString(m_info.name), locale.toString(greatest.stiffness_N_per_mm, 'g', 3));
+        }
+    }
+    if (line != m_refused) {
+        m_refused = line;
+        if (!line.isEmpty()) {
+            emit stiffnessRefused(line);
+        }
     }
 }
 

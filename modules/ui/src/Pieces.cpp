@@ -119,6 +119,7 @@ KeysCard::KeysCard(QWidget* parent)
         {tr("0"), tr("from the front, left and above")},
         {tr("F"), tr("fit everything into the view")},
         {tr("double-click"), tr("centre the view on the point")},
+        {tr("C"), tr("clutch: move the device without the hand in the scene")},
         {tr("R"), tr("record, stop recording")},
         {tr("K"), tr("play, pause")},
         {tr("Home"), tr("to the start of the recording")},

@@ -74,6 +74,10 @@ device::DeviceInfo Driver::info() const
     info.maxStiffness_N_per_mm = m_config.maxStiffness_N_per_m * 1e-3;
     info.maxDamping_Ns_per_mm = m_config.maxDamping_Ns_per_m * 1e-3;
     info.workspaceRadius_mm = m_config.workspaceRadius_m * 1e3;
+    // The arm reaches out along x towards the user and lifts along z, as the kinematics have it.
+    Eigen::Matrix3d R_UD;
+    R_UD << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+    info.q_UD = core::Quaternion(R_UD);
     return info;
 }
 

@@ -26,8 +26,10 @@ struct DeviceInfo
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
     double ownDamping_Ns_per_mm = 0.0; ///< viscous, of its mechanics without a hand; 0: not known
-    double workspaceRadius_mm = 0.0;   ///< about the origin of D; 0: not limited
-    double rate_Hz = 1000.0;           ///< that the device itself works at
+    double workspaceRadius_mm = 0.0;   ///< about the origin of D; 0: not limited, and D is the world frame
+    /// How D lies before the user, U: x to the right, y up, z towards the user; for mapping the device into the scene.
+    core::Quaternion q_UD = core::Quaternion::Identity();
+    double rate_Hz = 1000.0; ///< that the device itself works at
 };
 
 /// The newest state of a device.

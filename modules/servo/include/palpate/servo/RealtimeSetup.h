@@ -34,10 +34,10 @@ struct RealtimeRequest
 /// Makes the calling thread as regular as permitted: SCHED_FIFO, memory locked as it is touched, 1 ns timer slack, a
 /// name, a CPU, and the default floating-point environment.
 ///
-/// Denormals are not flushed: a replay runs the same code on another thread and must give the same bits, which FTZ and
-/// DAZ on the servo thread alone would change. The environment is set, not trusted, because a new thread inherits its
-/// creator's, and a library built for fast math changes that when it is loaded.
-/// Never fails: each item says what it got. Not for the ticks themselves (allocates, system calls).
+/// Denormals are flushed by `feelTick` itself and not here: a replay runs it on another thread and must give the same
+/// bits, which FTZ and DAZ on the servo thread alone would change. The environment is set, not trusted, because a new
+/// thread inherits its creator's, and a library built for fast math changes that when it is loaded. Never fails: each
+/// item says what it got. Not for the ticks themselves (allocates, system calls).
 [[nodiscard]] RealtimeReport makeThreadRealtime(const RealtimeRequest& request);
 
 /// Unlocks the process's memory when `makeThreadRealtime` locked it.

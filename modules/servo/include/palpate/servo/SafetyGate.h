@@ -26,11 +26,11 @@ struct GateLimits
     double maxPower_Nmm_per_s = 0.0;        ///< bound on the power given to the hand, f . v
     double maxHandSpeed_mm_per_s = 10000.0; ///< faster than a throw; 10 mm in a tick of 1 ms
     JumpRule jumpRule = JumpRule::Refuse;
-    std::uint32_t refusedRun = 5;      ///< refused HIPs in a row that make a fault
-    std::uint32_t overrunRun = 20;     ///< overruns in a row that make a fault, as libfranka's lost packets; 0: never
-    double staleAfter_s = 0.005;       ///< age of a HIP that makes a fault
-    double easeIn_s = 0.5;             ///< at start, after a fault and when the hand comes back
-    double rampDown_s = 0.008;         ///< to zero on stop and fault: below 10 ms with a tick to notice
+    std::uint32_t refusedRun = 5;  ///< refused HIPs in a row that make a fault
+    std::uint32_t overrunRun = 20; ///< overruns in a row that make a fault, as libfranka's lost packets; 0: never
+    double staleAfter_s = 0.005;   ///< age of a HIP that makes a fault
+    double easeIn_s = 0.5;         ///< at start, after a fault and when the hand comes back
+    double rampDown_s = 0.008; ///< to zero on stop and fault, by the clock of the ticks: below 10 ms with one to notice
     double largestCoordinate_mm = 1e8; ///< beyond it the model's arithmetic has no digits left
     double workspaceRadius_mm = 0.0;   ///< about the origin of D; farther away is refused; 0: not limited
 
@@ -87,6 +87,8 @@ class SafetyGate
     void raise(FaultKind kind) noexcept PALPATE_NONBLOCKING;
     /// Unlatches the fault; force is eased in anew, and the next HIP is taken as it comes.
     void rearm() noexcept PALPATE_NONBLOCKING;
+    /// A clutch was let go: the coming force is eased in as at the start.
+    void easeInAnew() noexcept PALPATE_NONBLOCKING;
     /// Ramps the force to zero for good.
     void beginStop() noexcept PALPATE_NONBLOCKING;
 
@@ -110,8 +112,9 @@ class SafetyGate
     bool m_wasInContact = false;
     std::uint32_t m_refused = 0;  // in a row
     std::uint32_t m_overruns = 0; // in a row
-    std::uint32_t m_rampLeft = 0; // ticks of the ramp still to come
-    std::uint32_t m_rampTicks = 1;
+    double m_rampLeft_s = 0.0;    // of the ramp still to come
+    double m_passed_s = 0.0;      // since the tick before, at least a period
+    std::int64_t m_now_ns = 0;
     double m_gain = 0.0;
     std::int64_t m_time_ns = 0; // of the last good HIP
     Vec3 m_p_D = Vec3::Zero();

@@ -4,6 +4,7 @@
 #include "palpate/servo/PassivityController.h"
 #include "palpate/servo/SafetyGate.h"
 #include "palpate/servo/TickRecord.h"
+#include "palpate/servo/WorkspaceMap.h"
 
 #include <palpate/haptics/Palpator.h>
 
@@ -14,13 +15,16 @@ namespace palpate::servo {
 /// Feels one tick as its record says: nothing when `flags` has kNoHand, from anew when it has kReset. The servo thread
 /// and every replay call this and nothing else, so that rows (p_WH, flags) and the nominal period are all a replay
 /// needs. Where a row's `scene` differs from the one before, call `palpator.setScene` first.
+/// Numbers below the smallest normal one count as zero meanwhile, on whatever thread this runs: they would cost a
+/// hundred times the time, and a replay must give the same bits.
 /// @param p_WH  HIP after the safety gate [mm]
 /// @param dt_s  nominal period, 1 / rate [s]
 /// @par Real-time Wait-free.
 [[nodiscard]] haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
                                            double dt_s) noexcept PALPATE_NONBLOCKING;
 
-/// One servo tick without a thread, a clock or a device: safety gate in, model, safety gate out. D is the world frame.
+/// One servo tick without a thread, a clock or a device: safety gate in, workspace map, model, passivity controller,
+/// safety gate out. The gate and the controller work in the device's frame, where hand and motors are.
 ///
 /// The damper gets the nominal period, not the measured one: a late tick then feels a little more damping than it
 /// should, but the same rows give the same forces on every machine.
@@ -35,8 +39,15 @@ class ServoCore
     /// @param scene  only read; must outlive its use here; null = nothing to touch
     void setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
 
-    /// @return the tick's record; `fSent_W` is for the device. kOverrun and kDroppedBefore are the caller's to add.
+    /// From the next tick on.
+    void setMap(const MapSettings& settings) noexcept PALPATE_NONBLOCKING { m_map.set(settings); }
+    [[nodiscard]] const WorkspaceMap& map() const noexcept { return m_map; }
+
+    /// @return the tick's record. kOverrun and kDroppedBefore are the caller's to add.
     [[nodiscard]] TickRecord tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
+
+    /// What the device is to be given, in its own frame D [N].
+    [[nodiscard]] const Vec3& forceForDevice() const noexcept { return m_sent_D; }
 
     /// Says whether the tick just done ended late.
     void noteOverrun(bool isOverrun, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
@@ -57,6 +68,8 @@ class ServoCore
     haptics::Palpator m_palpator;
     SafetyGate m_gate;
     PassivityController m_passivity;
+    WorkspaceMap m_map;
+    Vec3 m_sent_D = Vec3::Zero();
     double m_dt_s;
     std::int64_t m_tick = 0;
     std::uint32_t m_generation = 0;

@@ -5,6 +5,7 @@
 #include "palpate/servo/RealtimeSetup.h"
 #include "palpate/servo/TickRecord.h"
 #include "palpate/servo/TimingReport.h"
+#include "palpate/servo/WorkspaceMap.h"
 
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/Palpator.h>
@@ -72,6 +73,9 @@ class ServoLoop
     std::uint32_t setScene(std::shared_ptr<const haptics::HapticScene> scene);
     /// Frees the scenes that the servo thread gave back. setScene and stop do so too; call it now and then.
     void collect();
+
+    /// Says how the device's workspace lies in the scene, from the next tick on. Kept over runs; direct at first.
+    void setMap(const MapSettings& settings) noexcept;
 
     /// Gives the newest tick. @return false when there is none since the last call; `out` is then untouched.
     bool fetchSnapshot(TickRecord& out) noexcept;

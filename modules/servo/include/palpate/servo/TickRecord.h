@@ -20,6 +20,7 @@ enum TickFlag : std::uint16_t
     kDroppedBefore = 16, ///< ticks before this one are missing: the ring was full
     kSceneChanged = 32,  ///< first tick on another scene
     kReset = 64,         ///< the god-object started anew at the HIP in this tick (the hand came or the device started)
+    kClutched = 256,     ///< the device moved without the HIP: nothing was to be felt
     kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
 };
 
@@ -32,7 +33,7 @@ struct TickRecord
     Vec3 p_WG = Vec3::Zero();       ///< god-object [mm]
     Vec3 n_W = Vec3::Zero();        ///< contact direction, unit, zero in free space
     Vec3 f_W = Vec3::Zero();        ///< force of the model [N]
-    Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate [N]
+    Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate, as seen in the scene [N]
     Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for [N]
     double energy_mJ = 0.0;         ///< that the hand put in since contact began and has not got back; < 0: it got more
     std::int32_t structure = -1;    ///< number in the scene, -1 in free space

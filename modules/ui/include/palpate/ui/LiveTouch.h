@@ -37,10 +37,21 @@ class LiveTouch : public QObject
     void stop();
     [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
     [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
+    /// What is felt of a tissue at most: what the device holds stably at its rate, in the scene's lengths.
     [[nodiscard]] haptics::Tissue greatestTissue() const;
+    /// The stiffness alone; infinite for a device without motors. [N/mm]
+    [[nodiscard]] double heldStiffness_N_per_mm() const;
+    /// Lays the device's workspace into the scene.
+    void setMap(const servo::MapSettings& map);
+    [[nodiscard]] const servo::MapSettings& map() const noexcept { return m_map; }
 
     /// @return true when a tick newer than the last one fetched was written to `tick`.
-    bool fetch(servo::TickRecord& tick) { return m_loop.fetchSnapshot(tick); }
+    bool fetch(servo::TickRecord& tick);
+    /// The tick last fetched by anyone.
+    [[nodiscard]] const servo::TickRecord& newest() const noexcept { return m_newest; }
+    [[nodiscard]] servo::TimingReport timing() const { return m_loop.timing(); }
+    /// Of the running loop, or of the one to come. [Hz]
+    [[nodiscard]] double rate_Hz() const;
     /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
     [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
     /// Ticks per second over the last half second. [Hz]
@@ -59,9 +70,14 @@ class LiveTouch : public QObject
     /// The servo took the force away. @param line  what happened and what to do
     void faulted(const QString& line);
     void deviceChanged();
+    /// `greatestTissue` is another one.
+    void greatestChanged();
+    /// A structure is to be stiffer than the device holds, and is felt softer. @param line  which and what is done
+    void stiffnessRefused(const QString& line);
 
   private:
     void handOverScene();
+    void tellRefused();
     void measure();
 
     StructureModel& m_model;
@@ -79,6 +95,9 @@ class LiveTouch : public QObject
     double m_rate_Hz = 0.0;
     double m_solveP99_us = -1.0;
     bool m_wasFaulted = false;
+    servo::MapSettings m_map;
+    servo::TickRecord m_newest;
+    QString m_refused; ///< said last
 };
 
 } // namespace palpate::ui

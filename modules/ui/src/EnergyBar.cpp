@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EnergyBar.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::ui {
+
+EnergyBar::EnergyBar(QWidget* parent)
+    : QWidget(parent)
+{
+    setFixedHeight(12);
+    setAccessibleName(tr("Energy observer"));
+}
+
+void EnergyBar::setEnergy(double energy_mJ)
+{
+    m_energy_mJ = std::isfinite(energy_mJ) ? energy_mJ : 0.0;
+    m_range_mJ = std::max(m_range_mJ, std::abs(m_energy_mJ));
+    update();
+}
+
+void EnergyBar::paintEvent(QPaintEvent*)
+{
+    constexpr double kZero = 0.25; // of the width: what is too much should be little
+    const QColor tooMuch(0xb3, 0x26, 0x1e);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::AlternateBase).darker(108));
+    painter.drawRoundedRect(rect(), 4, 4);
+    const double zero = kZero * width();
+    const double length = m_energy_mJ / m_range_mJ * (m_energy_mJ < 0.0 ? zero : width() - zero);
+    painter.setBrush(m_energy_mJ < 0.0 ? tooMuch : palette().color(QPalette::Highlight));
+    painter.drawRect(QRectF(std::min(zero, zero + length), 2, std::abs(length), height() - 4));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawLine(QPointF(zero, 0), QPointF(zero, height()));
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+namespace palpate::ui {
+
+/// Energy about zero: to the right what the hand gave, to the left, in another colour, what it got too much.
+class EnergyBar : public QWidget
+{
+    Q_OBJECT
+  public:
+    explicit EnergyBar(QWidget* parent = nullptr);
+    void setEnergy(double energy_mJ);
+    [[nodiscard]] QSize sizeHint() const override { return {120, 12}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    double m_energy_mJ = 0.0;
+    double m_range_mJ = 1.0; ///< grows with what was seen
+};
+
+} // namespace palpate::ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/HandSettings.h"
+
+#include <QSettings>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr double kLump_mm = 10.0;
+
+QString key(const QString& id, const char* what)
+{
+    return QStringLiteral("devices/%1/%2").arg(id, QLatin1String(what));
+}
+
+int numberBelow(const QSettings& store, const QString& name, int fallback, int end)
+{
+    bool isNumber = false;
+    const int value = store.value(name, fallback).toInt(&isNumber);
+    return isNumber && value >= 0 && value < end ? value : fallback;
+}
+
+} // namespace
+
+HandSettings HandSettings::load(QSettings& store, const QString& id)
+{
+    HandSettings out;
+    out.turn = static_cast<MapTurn>(numberBelow(store, key(id, "turn"), static_cast<int>(out.turn), 2));
+    out.fill = static_cast<MapFill>(numberBelow(store, key(id, "fill"), static_cast<int>(out.fill), 5));
+    const double scale = store.value(key(id, "scale"), out.scale).toDouble();
+    out.scale = scale >= 0.01 && scale <= 100.0 ? scale : 1.0;
+    out.isLeftHanded = store.value(key(id, "leftHanded"), false).toBool();
+    for (int i = 0; i < kButtons; ++i) {
+        ButtonUse& use = out.buttons[static_cast<std::size_t>(i)];
+        use = static_cast<ButtonUse>(
+            numberBelow(store, key(id, "button") + QString::number(i), static_cast<int>(use), 3));
+    }
+    return out;
+}
+
+void HandSettings::save(QSettings& store, const QString& id) const
+{
+    store.setValue(key(id, "turn"), static_cast<int>(turn));
+    store.setValue(key(id, "fill"), static_cast<int>(fill));
+    store.setValue(key(id, "scale"), scale);
+    store.setValue(key(id, "leftHanded"), isLeftHanded);
+    for (int i = 0; i < kButtons; ++i) {
+        store.setValue(key(id, "button") + QString::number(i), static_cast<int>(buttons[static_cast<std::size_t>(i)]));
+    }
+}
+
+std::uint32_t HandSettings::buttonsFor(ButtonUse use) const
+{
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kButtons; ++i) {
+        const std::uint32_t bit = isLeftHanded && i < 2 ? 1 - i : i;
+        bits |= buttons[i] == use ? 1U << bit : 0U;
+    }
+    return bits;
+}
+
+servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info, const HandPlace& place)
+{
+    servo::MapSettings map;
+    const double edge_mm = servo::edgeOf(info);
+    map.isDirect = !(edge_mm > 0.0) || settings.fill == MapFill::Direct;
+    if (map.isDirect) {
+        return map;
+    }
+    map.edge_mm = edge_mm;
+    Eigen::Matrix3d R_WU; // U: x right, y up, z towards the user
+    if (settings.turn == MapTurn::Camera) {
+        R_WU.col(0) = place.right_W;
+        R_WU.col(1) = place.up_W;
+        R_WU.col(2) = place.right_W.cross(place.up_W);
+    } else {
+        R_WU << 1, 0, 0, 0, 0, -1, 0, 1, 0; // left, head, front of the patient in LPS
+    }
+    map.q_WD = (core::Quaternion(R_WU) * info.q_UD).normalized();
+    const core::Box& filled =
+        settings.fill == MapFill::Selection && !place.selection.isEmpty() ? place.selection : place.scene;
+    map.centre_W = filled.isEmpty() ? core::Vec3(core::Vec3::Zero()) : filled.center();
+    switch (settings.fill) {
+    case MapFill::Scene:
+    case MapFill::Selection:
+        map.scale = filled.isEmpty() ? 1.0 : servo::scaleToFill(filled.sizes().maxCoeff(), edge_mm);
+        break;
+    case MapFill::Lump:
+        map.scale = servo::scaleToFill(kLump_mm, edge_mm);
+        break;
+    case MapFill::Direct:
+        break;
+    case MapFill::Scale:
+        map.scale = settings.scale;
+        break;
+    }
+    map.clutchButtons = settings.buttonsFor(ButtonUse::Clutch);
+    return map;
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+#include "TouchScenes.h"
+
+#include <palpate/device/DevicePresets.h>
+#include <palpate/servo/ServoCore.h>
+
+#include <random>
+#include <vector>
+
+using palpate::core::Vec3;
+using palpate::device::DeviceState;
+using palpate::haptics::HapticScene;
+using palpate::haptics::HapticStructure;
+using palpate::servo::GateLimits;
+using palpate::servo::PassivityLimits;
+using palpate::servo::TickRecord;
+
+namespace {
+
+using Scene = std::shared_ptr<const HapticScene>;
+
+/// A ball in a ball, the inner one in a layer of its own or in the same one.
+Scene nested(std::uint32_t innerLayer)
+{
+    std::vector<HapticStructure> structures{palpate::test::sphereScene(30.0, 0.5)->structures().front(),
+                                            palpate::test::sphereScene(27.0, 3.0)->structures().front()};
+    structures[1].layer = innerLayer;
+    return std::make_shared<const HapticScene>(std::move(structures));
+}
+
+/// What a user can do under a hand: structures shown and hidden, stiffness and damping changed, meshes swapped, poses
+/// and layers moved.
+std::vector<Scene> scenes()
+{
+    return {nullptr,
+            palpate::test::sphereScene(30.0, 0.5),
+            palpate::test::sphereScene(30.0, 4.0),
+            palpate::test::sphereScene(30.0, 1.0, 0.005),
+            palpate::test::sphereScene(28.5, 2.0),
+            palpate::test::sphereScene(31.5, 2.0),
+            palpate::test::sphereScene(30.0, 2.0, 0.0, Vec3(2.0, -1.5, 1.0)),
+            nested(0),
+            nested(1)};
+}
+
+} // namespace
+
+class SceneChanges : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    /// However the scene changes under a pressing hand, no tick's force steps by more than the bound.
+    void neverStepTheForce_data()
+    {
+        QTest::addColumn<QByteArray>("preset");
+        for (const char* preset : {"touch", "omega", "delta"}) {
+            QTest::newRow(preset) << QByteArray(preset);
+        }
+    }
+    void neverStepTheForce()
+    {
+        QFETCH(QByteArray, preset);
+        auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset.constData()));
+        info.workspaceRadius_mm = 0.0;
+        const GateLimits limits = GateLimits::forDevice(info);
+        const double bound = limits.maxForceRate_N_per_s * 0.001 + 1e-9;
+        const std::vector<Scene> all = scenes();
+        const auto motion = palpate::test::palpatingMotion(60'000);
+        palpate::servo::ServoCore core(limits, 1000.0, PassivityLimits::forDevice(info));
+        std::mt19937_64 random(17); // NOLINT: a fixed seed
+        std::uint32_t generation = 0;
+        Vec3 last = Vec3::Zero();
+        double most = 0.0;
+        std::size_t gated = 0;
+        std::int64_t sinceChange = 1000;
+        for (std::size_t i = 0; i < motion.size(); ++i) {
+            if (random() % 40 == 0) {
+                core.setScene(all[random() % all.size()].get(), ++generation);
+                sinceChange = 0;
+            }
+            const auto now_ns = 1'000'000'000 + static_cast<std::int64_t>(i) * 1'000'000;
+            DeviceState state;
+            state.isPresent = true;
+            state.p_D = motion[i];
+            state.time_ns = now_ns;
+            const TickRecord tick = core.tick(state, now_ns);
+            const double step = (tick.fSent_W - last).norm();
+            // A hand of 0.4 mm a tick that meets a surface by itself makes no larger step either.
+            QVERIFY2(step <= bound,
+                     qPrintable(QString("tick %1, %2 after a change: %3 N").arg(i).arg(sinceChange).arg(step)));
+            gated += sinceChange < 2 && (tick.flags & palpate::servo::kOutputGated) != 0 ? 1 : 0;
+            last = tick.fSent_W;
+            most = std::max(most, last.norm());
+            ++sinceChange;
+        }
+        QVERIFY(most > 0.5 * limits.maxForce_N); // it was felt
+        QVERIFY(gated > 50);                     // and changes did ask for more
+    }
+
+    /// What appears around a hand lets it out: no force until it has left and come back.
+    void whatAppearsAroundAHandReleasesIt()
+    {
+        auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+        palpate::servo::ServoCore core(GateLimits::forDevice(info), 1000.0, PassivityLimits::forDevice(info));
+        const Scene ball = palpate::test::sphereScene(30.0, 4.0);
+        for (int i = 0; i < 2000; ++i) {
+            if (i == 700) {
+                core.setScene(ball.get(), 1);
+            }
+            const auto now_ns = 1'000'000'000 + std::int64_t{i} * 1'000'000;
+            DeviceState state;
+            state.isPresent = true;
+            state.p_D = Vec3(0, 0, 20.0 + 0.005 * i); // out through the surface at tick 2000
+            state.time_ns = now_ns;
+            const TickRecord tick = core.tick(state, now_ns);
+            QVERIFY(tick.fSent_W.isZero(0.0) && tick.structure == -1);
+        }
+    }
+};
+
+PALPATE_TEST(SceneChanges)
+#include "tst_SceneChanges.moc"
