@@ -95,7 +95,7 @@ Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std:
 {
     const auto isSame = [](const std::filesystem::path& a, const std::filesystem::path& b) {
         std::error_code error;
-        return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+        return !a.empty() && std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
     };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (const auto& input : inputs) {

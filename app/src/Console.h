@@ -38,7 +38,7 @@ void printError(std::string_view message);
 /// @return millimetres of one unit called `text`.
 [[nodiscard]] core::Result<double> unitOption(const std::string& text);
 
-/// @return an error when an output is also an input or another output
+/// @return an error when an output is also an input or another output; an empty path is none
 [[nodiscard]] core::Status checkOutputs(const std::vector<std::filesystem::path>& inputs,
                                         const std::vector<std::filesystem::path>& outputs);
 

@@ -13,6 +13,7 @@ namespace palpate::app {
 using core::Result;
 using core::Status;
 using core::StatusCode;
+using session::MeshesByHash;
 using session::RecordingReader;
 
 namespace {
@@ -68,10 +69,14 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
     if (!reader.scenes().empty() && !reader.scenes().front().structures.empty()) {
         options.unit_mm = reader.scenes().front().structures.front().source.unit_mm;
     }
-    for (const std::filesystem::path& file : files) {
+    for (std::filesystem::path file : files) {
         std::error_code error;
-        if (!std::filesystem::exists(file, error)) {
-            return Status(StatusCode::NotFound, file.string() + ": no such file");
+        if (!std::filesystem::exists(file, error)) { // as it was said then; else beside the recording
+            const std::filesystem::path beside = reader.path().parent_path() / file;
+            if (!std::filesystem::exists(beside, error)) {
+                return Status(StatusCode::NotFound, file.string() + ": no such file");
+            }
+            file = beside;
         }
         const auto loaded = loadSceneOrFolder(file, options);
         if (!loaded.isOk()) {

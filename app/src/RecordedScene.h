@@ -2,29 +2,23 @@
 #pragma once
 
 #include <palpate/core/Status.h>
-#include <palpate/geometry/MeshReport.h>
 #include <palpate/meshio/LoadScene.h>
+#include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Replay.h>
 
 #include <filesystem>
-#include <map>
-#include <memory>
-#include <string>
 
 namespace palpate::app {
-
-/// Repaired meshes by geometryHash.
-using MeshesByHash = std::map<std::string, std::shared_ptr<const geometry::RepairedMesh>>;
 
 /// Finds the surfaces that a recording was made on: those that it holds itself, else those of the scene.
 /// @param scene  where the scene is; empty: where the recording says
 /// @return NotFound when neither is there. A surface that is another one now is not in the result.
-[[nodiscard]] core::Result<MeshesByHash> recordedSurfaces(const session::RecordingReader& reader,
-                                                          const std::filesystem::path& scene = {});
+[[nodiscard]] core::Result<session::MeshesByHash> recordedSurfaces(const session::RecordingReader& reader,
+                                                                   const std::filesystem::path& scene = {});
 
 /// Makes their haptic copies.
-[[nodiscard]] session::SurfacesByHash indexed(const MeshesByHash& meshes);
+[[nodiscard]] session::SurfacesByHash indexed(const session::MeshesByHash& meshes);
 
 /// Opens the first scene of a recording from the surfaces that it holds itself; those that it does not hold are losses.
 /// @return NotFound when it holds none

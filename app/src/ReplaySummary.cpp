@@ -2,6 +2,7 @@
 #include "ReplaySummary.h"
 
 #include "Console.h"
+#include "MeasuresReport.h"
 
 #include <palpate/session/Recording.h>
 
@@ -82,9 +83,9 @@ void ReplaySummary::print() const
                grouped(static_cast<long long>(m_cost.triangles)).c_str(), m_cost.load_s + m_cost.index_s,
                m_cost.index_s, perTriangle(m_cost));
     app::print("ticks %s (%.3f s), in contact %s\n", grouped(m.ticks).c_str(), m.duration_s,
-               grouped(m.contactTicks).c_str());
-    app::print("peak force %.4g N, mean in contact %.4g N, peak depth %.4g mm\n", m.peakForce_N, m.meanForce_N,
-               m.peakDepth_mm);
+               grouped(m.contact.ticks).c_str());
+    app::print("peak force %.4g N, mean in contact %.4g N, peak depth %.4g mm\n", m.contact.peakForce_N,
+               m.contact.meanForce_N, m.contact.peakDepth_mm);
     app::print("solver p50 %u ns, p99 %u ns, p99.9 %u ns, max %u ns; iteration bound hit %lld times\n", t.p50, t.p99,
                t.p999, t.max, static_cast<long long>(m_iterationBounds));
     if (m_lost) {
@@ -104,43 +105,24 @@ std::string ReplaySummary::json() const
 {
     const session::Measures m = m_measures.result();
     const SolveTimes t = solveTimes();
-    QJsonObject structures;
-    for (const auto& [name, part] : m.structures) {
-        structures[text(name)] = QJsonObject{{"contact_time_s", part.contactTime_s},
-                                             {"peak_force_N", part.peakForce_N},
-                                             {"mean_force_N", part.meanForce_N},
-                                             {"peak_depth_mm", part.peakDepth_mm}};
-    }
-    QJsonObject root{
-        {"palpate", text(session::palpateVersion())},
-        {"build", text(session::buildId())},
-        {"scene", QJsonObject{{"name", text(m_cost.name)},
-                              {"structures", static_cast<qint64>(m_cost.structures)},
-                              {"triangles", static_cast<qint64>(m_cost.triangles)},
-                              {"bytes", static_cast<qint64>(m_cost.bytes)},
-                              {"bytes_per_triangle", perTriangle(m_cost)},
-                              {"load_s", m_cost.load_s},
-                              {"index_s", m_cost.index_s},
-                              {"ready_to_touch_s", m_cost.load_s + m_cost.index_s}}},
-        {"ticks", static_cast<qint64>(m.ticks)},
-        {"contact_ticks", static_cast<qint64>(m.contactTicks)},
-        {"duration_s", m.duration_s},
-        {"contact_time_s", m.contactTime_s},
-        {"path_length_mm", m.pathLength_mm},
-        {"contact_path_mm", m.contactPath_mm},
-        {"peak_force_N", m.peakForce_N},
-        {"mean_force_N", m.meanForce_N},
-        {"p95_force_N", m.p95Force_N},
-        {"peak_depth_mm", m.peakDepth_mm},
-        {"structures", structures},
-        {"solve_ns", QJsonObject{{"p50", static_cast<qint64>(t.p50)},
-                                 {"p99", static_cast<qint64>(t.p99)},
-                                 {"p99.9", static_cast<qint64>(t.p999)},
-                                 {"max", static_cast<qint64>(t.max)},
-                                 {"mean", t.mean}}},
-        {"iteration_bound_hits", static_cast<qint64>(m_iterationBounds)},
-        {"most_iterations", static_cast<qint64>(m_mostIterations)},
-    };
+    QJsonObject root = sumsJson(m);
+    root["palpate"] = text(session::palpateVersion());
+    root["build"] = text(session::buildId());
+    root["scene"] = QJsonObject{{"name", text(m_cost.name)},
+                                {"structures", static_cast<qint64>(m_cost.structures)},
+                                {"triangles", static_cast<qint64>(m_cost.triangles)},
+                                {"bytes", static_cast<qint64>(m_cost.bytes)},
+                                {"bytes_per_triangle", perTriangle(m_cost)},
+                                {"load_s", m_cost.load_s},
+                                {"index_s", m_cost.index_s},
+                                {"ready_to_touch_s", m_cost.load_s + m_cost.index_s}};
+    root["solve_ns"] = QJsonObject{{"p50", static_cast<qint64>(t.p50)},
+                                   {"p99", static_cast<qint64>(t.p99)},
+                                   {"p99.9", static_cast<qint64>(t.p999)},
+                                   {"max", static_cast<qint64>(t.max)},
+                                   {"mean", t.mean}};
+    root["iteration_bound_hits"] = static_cast<qint64>(m_iterationBounds);
+    root["most_iterations"] = static_cast<qint64>(m_mostIterations);
     if (m_lost) {
         root["live"] = QJsonObject{{"lost_ticks", static_cast<qint64>(*m_lost)},
                                    {"overruns", static_cast<qint64>(m_overruns)},

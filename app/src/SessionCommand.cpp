@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "MeasuresReport.h"
 #include "RecordedScene.h"
 #include "SessionReport.h"
 
 #include <palpate/session/AtomicFile.h>
-#include <palpate/session/Measures.h>
+#include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
 #include <palpate/session/TickCsv.h>
+#include <palpate/session/VtpExport.h>
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +29,8 @@ namespace {
 
 struct SessionOptions
 {
-    std::filesystem::path file, scene, csv, json, out;
+    std::filesystem::path file, scene, csv, vtp, json, out;
+    std::string distance = "5";
 };
 
 constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min();
@@ -99,13 +102,43 @@ int runRecover(const SessionOptions& options)
     return recovered.value().losses.empty() ? kDone : kSomeLost;
 }
 
+/// Measures with the surfaces as far as they are there, and says for which ones they are not.
+core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
+                                               bool& isWhole)
+{
+    const auto distance = numberOption("--distance", options.distance, 0.0, true);
+    if (!distance.isOk()) {
+        return distance.status();
+    }
+    const auto surfaces = recordedSurfaces(reader, options.scene);
+    if (!surfaces.isOk() && !options.scene.empty()) {
+        return surfaces.status();
+    }
+    session::MeasureOptions how;
+    how.distance_mm = distance.value();
+    auto measures = session::measureSession(reader, surfaces.isOk() ? surfaces.value() : session::MeshesByHash{}, how);
+    if (measures.isOk()) {
+        std::string names;
+        for (const std::string& name : measures.value().unmeasured) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        isWhole = names.empty();
+        if (!isWhole) {
+            printError(options.file.string() + ": no coverage of " + names + ": " +
+                       (surfaces.isOk() ? "its surface is another one now" : surfaces.status().message()) +
+                       "; say where the scene is with --scene");
+        }
+    }
+    return measures;
+}
+
 int runMeasure(const SessionOptions& options)
 {
     const auto opened = RecordingReader::open(options.file);
     if (!opened.isOk()) {
         return report(opened.status());
     }
-    if (const Status status = checkOutputs({options.file}, {options.json}); !status.isOk()) {
+    if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !status.isOk()) {
         return report(status);
     }
     std::optional<session::AtomicFile> json;
@@ -116,21 +149,35 @@ int runMeasure(const SessionOptions& options)
         }
         json = std::move(file).value();
     }
-    const RecordingReader& reader = *opened.value();
-    session::MeasureAccumulator measures(reader.info().dt_s);
+    bool isWhole = true;
+    const auto measures = measure(*opened.value(), options, isWhole);
+    if (!measures.isOk()) {
+        return report(measures.status());
+    }
+    printMeasures(measures.value());
+    if (json) {
+        json->write(measuresJson(measures.value()));
+        if (const Status status = json->finish(); !status.isOk()) {
+            return report(status);
+        }
+    }
+    return isWhole ? kDone : kSomeLost;
+}
+
+Status exportCsv(const RecordingReader& reader, const std::filesystem::path& path)
+{
+    auto csv = session::TickCsv::create(path);
+    if (!csv.isOk()) {
+        return csv.status();
+    }
     const Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
-        measures.add(tick, reader.structureName(tick));
+        if ((tick.flags & servo::kNoHand) == 0) {
+            const std::string name = reader.structureName(tick);
+            csv.value().write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, name, tick.solve_ns});
+        }
         return true;
     });
-    if (!status.isOk()) {
-        return report(status);
-    }
-    printMeasures(measures.result());
-    if (json) {
-        json->write(measuresJson(measures.result()));
-        return report(json->finish());
-    }
-    return kDone;
+    return status.isOk() ? csv.value().finish() : status;
 }
 
 int runExport(const SessionOptions& options)
@@ -139,22 +186,41 @@ int runExport(const SessionOptions& options)
     if (!opened.isOk()) {
         return report(opened.status());
     }
-    if (const Status status = checkOutputs({options.file}, {options.csv}); !status.isOk()) {
+    if (options.csv.empty() && options.vtp.empty()) {
+        return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
+    }
+    // The path and the touched surface are two things: each is a file of its own.
+    std::filesystem::path surface = options.vtp;
+    surface.replace_filename(options.vtp.stem().string() + "-surface" + options.vtp.extension().string());
+    std::vector<std::filesystem::path> outputs;
+    if (!options.csv.empty()) {
+        outputs.push_back(options.csv);
+    }
+    if (!options.vtp.empty()) {
+        outputs.insert(outputs.end(), {options.vtp, surface});
+    }
+    if (const Status status = checkOutputs({options.file, options.scene}, outputs); !status.isOk()) {
         return report(status);
     }
-    auto csv = session::TickCsv::create(options.csv);
-    if (!csv.isOk()) {
-        return report(csv.status());
-    }
-    const RecordingReader& reader = *opened.value();
-    const Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
-        if ((tick.flags & servo::kNoHand) == 0) {
-            const std::string name = reader.structureName(tick);
-            csv.value().write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, name, tick.solve_ns});
+    if (!options.csv.empty()) {
+        if (const Status status = exportCsv(*opened.value(), options.csv); !status.isOk()) {
+            return report(status);
         }
-        return true;
-    });
-    return report(status.isOk() ? csv.value().finish() : status);
+    }
+    if (options.vtp.empty()) {
+        return kDone;
+    }
+    if (const Status status = session::writePathVtp(options.vtp, *opened.value()); !status.isOk()) {
+        return report(status);
+    }
+    bool isWhole = true;
+    const auto measures = measure(*opened.value(), options, isWhole);
+    Status status = measures.isOk() ? session::writeSurfaceVtp(surface, measures.value()) : measures.status();
+    if (status.code() == StatusCode::Empty) {
+        printError(status.message());
+        return kSomeLost;
+    }
+    return !status.isOk() ? report(status) : isWhole ? kDone : kSomeLost;
 }
 
 } // namespace
@@ -176,11 +242,19 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover)
         ->add_option("--out", options->out, "Where the copy goes")
         ->required();
-    add("measure", "Say what the hand did, in numbers", runMeasure)
-        ->add_option("--json", options->json, "Write the measures as JSON");
-    add("export", "Write its ticks in another form", runExport)
-        ->add_option("--csv", options->csv, "Write the ticks as CSV")
-        ->required();
+    const auto addSurfaceOptions = [&](CLI::App* sub) {
+        sub->add_option("--scene", options->scene, "Where the scene is that it was made on");
+        sub->add_option("--distance", options->distance, "How near the contact must come to count as touched [mm]")
+            ->capture_default_str();
+    };
+    CLI::App* measure = add("measure", "Say what the hand did, in numbers", runMeasure);
+    measure->add_option("--json", options->json, "Write the measures as JSON");
+    addSurfaceOptions(measure);
+    CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
+    exporter->add_option("--csv", options->csv, "Write the ticks as CSV");
+    exporter->add_option("--vtp", options->vtp,
+                         "Write the path as VTP, and the touched surface beside it as NAME-surface.vtp");
+    addSurfaceOptions(exporter);
 }
 
 } // namespace palpate::app

@@ -3,9 +3,6 @@
 
 #include "Console.h"
 
-#include <QJsonDocument>
-#include <QJsonObject>
-
 #include <algorithm>
 #include <map>
 
@@ -46,43 +43,6 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
         list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
     }
     print("  events: %s\n", list.empty() ? "none" : list.c_str());
-}
-
-void printMeasures(const session::Measures& m)
-{
-    print("duration %.3f s, contact %.3f s\n", m.duration_s, m.contactTime_s);
-    print("path of the hand %.4g mm, on the surface %.4g mm\n", m.pathLength_mm, m.contactPath_mm);
-    print("force in contact: peak %.4g N, mean %.4g N, 95th percentile %.4g N; peak depth %.4g mm\n", m.peakForce_N,
-          m.meanForce_N, m.p95Force_N, m.peakDepth_mm);
-    for (const auto& [name, part] : m.structures) {
-        print("  %s: contact %.3f s, force peak %.4g N, mean %.4g N, peak depth %.4g mm\n", name.c_str(),
-              part.contactTime_s, part.peakForce_N, part.meanForce_N, part.peakDepth_mm);
-    }
-}
-
-std::string measuresJson(const session::Measures& m)
-{
-    QJsonObject structures;
-    for (const auto& [name, part] : m.structures) {
-        structures[QString::fromStdString(name)] = QJsonObject{{"contact_time_s", part.contactTime_s},
-                                                               {"peak_force_N", part.peakForce_N},
-                                                               {"mean_force_N", part.meanForce_N},
-                                                               {"peak_depth_mm", part.peakDepth_mm}};
-    }
-    const QJsonObject root{
-        {"ticks", static_cast<qint64>(m.ticks)},
-        {"contact_ticks", static_cast<qint64>(m.contactTicks)},
-        {"duration_s", m.duration_s},
-        {"contact_time_s", m.contactTime_s},
-        {"path_length_mm", m.pathLength_mm},
-        {"contact_path_mm", m.contactPath_mm},
-        {"peak_force_N", m.peakForce_N},
-        {"mean_force_N", m.meanForce_N},
-        {"p95_force_N", m.p95Force_N},
-        {"peak_depth_mm", m.peakDepth_mm},
-        {"structures", structures},
-    };
-    return QJsonDocument(root).toJson().toStdString();
 }
 
 std::string builtDifferently(const session::RecordingInfo& info)

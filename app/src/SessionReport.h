@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/session/Measures.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <filesystem>
@@ -15,7 +14,5 @@ namespace palpate::app {
 
 /// Prints what a recording holds, in about ten lines.
 void printRecording(const std::filesystem::path& file, const session::RecordingReader& reader);
-void printMeasures(const session::Measures& measures);
-[[nodiscard]] std::string measuresJson(const session::Measures& measures);
 
 } // namespace palpate::app

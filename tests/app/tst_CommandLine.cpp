@@ -9,6 +9,14 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+
 #include <cmath>
 #include <cstring>
 
@@ -282,6 +290,55 @@ class CommandLine : public QObject
         QVERIFY(again.out.contains("the same bit for bit"));
         QCOMPARE(rows("t.csv").size(), 1000);
         QCOMPARE(run({"replay", "r.palpate", "--motion", "m.csv", "--embed"}).exitCode, 2); // embed into what?
+    }
+
+    void exportsOpenInVtk()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate", "--out", "t.csv"}).exitCode,
+                 0);
+        const Outcome outcome = run({"session", "export", "r.palpate", "--vtp", "p.vtp", "--csv", "e.csv"});
+        QCOMPARE(outcome.error, QByteArray());
+        QCOMPARE(outcome.exitCode, 0);
+        const QList<Row> table = rows("t.csv");
+        const auto open = [this](const char* name) {
+            const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+            reader->SetFileName(file(name).toUtf8().constData());
+            reader->Update();
+            return vtkSmartPointer<vtkPolyData>(reader->GetOutput());
+        };
+        const auto tag = [](vtkPolyData& data) {
+            auto* space = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("SPACE"));
+            return space == nullptr ? std::string() : std::string(space->GetValue(0));
+        };
+        const auto path = open("p.vtp");
+        QCOMPARE(path->GetNumberOfPoints(), vtkIdType{1000});
+        QCOMPARE(path->GetNumberOfLines(), vtkIdType{1});
+        QCOMPARE(tag(*path), std::string("LPS"));
+        for (const char* name : {"force_N", "depth_mm", "time_s", "force", "god_object", "structure"}) {
+            QVERIFY2(path->GetPointData()->GetArray(name) != nullptr, name);
+        }
+        for (vtkIdType i = 0; i < 1000; ++i) {
+            QCOMPARE(Vec3(path->GetPoint(i)), table[i].hip);
+            QCOMPARE(path->GetPointData()->GetArray("force_N")->GetTuple1(i), table[i].force.norm());
+            QCOMPARE(path->GetPointData()->GetArray("depth_mm")->GetTuple1(i), (table[i].god - table[i].hip).norm());
+        }
+        QCOMPARE(path->GetPointData()->GetArray("time_s")->GetTuple1(999), 0.999);
+        const auto surface = open("p-surface.vtp");
+        QVERIFY(surface->GetNumberOfPolys() >= 108);
+        QCOMPARE(tag(*surface), std::string("LPS"));
+        double range[2];
+        surface->GetPointData()->GetArray("peak_force_N")->GetRange(range);
+        QVERIFY(range[0] == 0.0 && std::abs(range[1] - 1.0) < 1e-3);
+        surface->GetPointData()->GetArray("coverage")->GetRange(range);
+        QVERIFY(range[0] == 0.0 && range[1] == 1.0);
+        QVERIFY(surface->GetPointData()->GetArray("dwell_s") != nullptr);
+        QCOMPARE(run({"info", "p-surface.vtp"}).exitCode, 0); // and in Palpate
+        QCOMPARE(run({"session", "export", "r.palpate"}).exitCode, 2);
+        QVERIFY(QFile::remove(file("box.stl")));
+        const Outcome without = run({"session", "measure", "r.palpate", "--json", "measures.json"});
+        QCOMPARE(without.exitCode, 3);
+        QVERIFY2(without.error.contains("no coverage of box: "), without.error.constData());
+        QVERIFY(QJsonDocument::fromJson(read("measures.json")).object()["phases"].toObject().contains("press"));
     }
 
     void recoverSaysWhatIsMissing()

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
-#include <palpate/session/Measures.h>
+#include "../support/Shapes.h"
+#include "Sessions.h"
+
+#include <palpate/session/GeometryHash.h>
+#include <palpate/session/MeasureSession.h>
+#include <palpate/session/RecordingWriter.h>
+
+#include <QTemporaryDir>
+
+#include <cmath>
 
 using namespace palpate;
+using core::Vec3;
 
 class Measures : public QObject
 {
@@ -31,18 +41,21 @@ class Measures : public QObject
         }
         const session::Measures m = measures.result();
         QCOMPARE(m.ticks, std::int64_t{6});
-        QCOMPARE(m.contactTicks, std::int64_t{3});
+        QCOMPARE(m.contact.ticks, std::int64_t{3});
+        QCOMPARE(m.contacts, std::int64_t{1});
         QCOMPARE(m.duration_s, 6e-3);
-        QCOMPARE(m.contactTime_s, 3e-3);
+        QCOMPARE(m.contact.time_s, 3e-3);
         QCOMPARE(m.pathLength_mm, 5.0);
         QCOMPARE(m.contactPath_mm, 0.0);
-        QCOMPARE(m.peakForce_N, 1.5);
-        QCOMPARE(m.meanForce_N, 1.0);
-        QCOMPARE(m.p95Force_N, 1.5);
-        QCOMPARE(m.peakDepth_mm, 3.0);
+        QCOMPARE(m.contact.peakForce_N, 1.5);
+        QCOMPARE(m.contact.meanForce_N, 1.0);
+        QCOMPARE(m.contact.medianForce_N, 1.0);
+        QCOMPARE(m.contact.p95Force_N, 1.5);
+        QCOMPARE(m.contact.meanDepth_mm, 2.0);
+        QCOMPARE(m.contact.peakDepth_mm, 3.0);
         QCOMPARE(m.structures.size(), std::size_t{1});
         QCOMPARE(m.structures.begin()->first, std::string("liver"));
-        QCOMPARE(m.structures.begin()->second.contactTime_s, 3e-3);
+        QCOMPARE(m.structures.begin()->second.time_s, 3e-3);
         QCOMPARE(m.structures.begin()->second.meanForce_N, 1.0);
     }
 
@@ -64,14 +77,142 @@ class Measures : public QObject
         for (int i = 1; i <= 100; ++i) {
             measures.add(tick(i, -1, 0, i), "a");
         }
-        QCOMPARE(measures.result().p95Force_N, 95.0);
+        QCOMPARE(measures.result().contact.p95Force_N, 95.0);
+    }
+
+    /// 0.3 s over the surface at 20 mm/s with 1 N, 0.2 s at rest with 2 N, free, 0.05 s at rest with 4 N.
+    void tellSearchingFromPressing()
+    {
+        session::PhaseAccumulator phases(1e-3);
+        int number = 100;
+        const auto feel = [&](int ticks, double speed_mm_per_s, double force_N) {
+            for (int i = 0; i < ticks; ++i) {
+                servo::TickRecord record = tick(number++, -force_N, 0.0, force_N);
+                record.p_WG.x() = speed_mm_per_s * 1e-3 * i;
+                phases.add(record);
+            }
+        };
+        feel(300, 20.0, 1.0);
+        feel(200, 0.0, 2.0);
+        feel(10, 0.0, 0.0);
+        feel(50, 9.0, 4.0); // slower than searching is
+        const auto found = phases.result();
+        QCOMPARE(found.size(), std::size_t{3});
+        QVERIFY(found[0].kind == session::Phase::Kind::Search);
+        QCOMPARE(found[0].firstTick, std::int64_t{100});
+        QCOMPARE(found[0].start_s, 0.0);
+        QCOMPARE(found[0].time_s, 0.3);
+        QCOMPARE(found[0].meanForce_N, 1.0);
+        QVERIFY(found[1].kind == session::Phase::Kind::Press);
+        QCOMPARE(found[1].start_s, 0.3);
+        QCOMPARE(found[1].time_s, 0.2);
+        QVERIFY(found[2].kind == session::Phase::Kind::Press); // let go between them: another phase
+        QCOMPARE(found[2].start_s, 0.51);
+        const session::PhaseSummary press = session::summary(found, session::Phase::Kind::Press);
+        QCOMPARE(press.phases, std::int64_t{2});
+        QCOMPARE(press.time_s, 0.25);
+        QVERIFY(std::abs(press.meanForce_N - (0.2 * 2.0 + 0.05 * 4.0) / 0.25) < 1e-12);
+        QCOMPARE(press.peakForce_N, 4.0);
+    }
+
+    /// A square sheet of 40 mm in z = 0. 2 ticks with 3 N at its middle, 1 tick with 5 N at (10, 0), 4 mm distance:
+    /// discs of 16 pi mm² each that do not meet.
+    void knowWhatWasTouched()
+    {
+        for (const int n : {1, 8, 80}) { // one coarse mesh, one fine: the same surface
+            session::TouchedSurface surface(test::sheet(20.0, n), 4.0);
+            QVERIFY(std::abs(surface.area_mm2() - 1600.0) < 1e-9);
+            surface.add(Vec3(0, 0, 0), 3.0, 1e-3);
+            surface.add(Vec3(0, 0, 0), 2.0, 1e-3);
+            surface.add(Vec3(10, 0, 0), 5.0, 1e-3);
+            surface.add(Vec3(0, 0, 4.5), 9.0, 1e-3); // too far off
+            const double exact_mm2 = 2.0 * M_PI * 16.0;
+            QVERIFY2(std::abs(surface.coveredArea_mm2() - exact_mm2) < 0.25 * exact_mm2,
+                     std::to_string(surface.coveredArea_mm2()).c_str());
+            for (std::size_t i = 0; i < surface.mesh().vertices.size(); ++i) {
+                const Vec3& p = surface.mesh().vertices[i];
+                const bool isMiddle = p.norm() <= 4.0;
+                const bool isAside = (p - Vec3(10, 0, 0)).norm() <= 4.0;
+                QCOMPARE(surface.dwell_s()[i], isMiddle ? 2e-3 : isAside ? 1e-3 : 0.0);
+                QCOMPARE(surface.peakForce_N()[i], isMiddle ? 3.0 : isAside ? 5.0 : 0.0);
+            }
+        }
+        session::TouchedSurface fine(test::sheet(20.0, 400), 4.0);
+        fine.add(Vec3(0, 0, 0), 1.0, 1e-3);
+        QVERIFY(std::abs(fine.coveredArea_mm2() - M_PI * 16.0) < 0.01 * M_PI * 16.0);
+    }
+
+    /// From the recording to every number: a press of 0.2 s on the sheet, marked, then one aside of it.
+    void ofARecordingAreThoseOfItsTicks()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("a.palpate").toStdString();
+        const auto sheet = std::make_shared<const geometry::RepairedMesh>(geometry::repair(test::sheet(20.0, 40)));
+        const std::string hash = session::geometryHash(sheet->mesh);
+        session::SceneRecord scene = test::palpationScenes()[0];
+        scene.structures[0].name = "sheet";
+        scene.structures[0].source.sha256 = hash;
+        scene.structures.push_back(scene.structures[0]);
+        scene.structures[1].name = "elsewhere";
+        scene.structures[1].source.sha256 = "not here";
+        auto writer = session::RecordingWriter::create(file, {});
+        QVERIFY(writer.value()->addScene(scene).isOk());
+        for (int i = 0; i < 500; ++i) {
+            const bool isFirst = i < 200;
+            const bool isSecond = i >= 300 && i < 400;
+            servo::TickRecord record = tick(i,
+                                            isFirst    ? -2.0
+                                            : isSecond ? -1.0
+                                                       : 1.0,
+                                            isFirst || isSecond ? 0.0 : 1.0,
+                                            isFirst    ? 1.0
+                                            : isSecond ? 0.5
+                                                       : 0.0);
+            record.p_WH.x() = record.p_WG.x() = i < 250 ? 0.0 : 12.0;
+            record.scene = 1;
+            record.flags = i == 250 ? servo::kReset : 0;
+            QVERIFY(writer.value()->append(record).isOk());
+        }
+        session::Finding finding{"lump", "sheet", Vec3(1, 0, 0), 1.0, 2.0};
+        QVERIFY(writer.value()->addEvent({150, "finding", session::findingJson(finding)}).isOk());
+        QVERIFY(writer.value()->addEvent({160, "note", "{}"}).isOk());
+        QVERIFY(writer.value()->finish().isOk());
+
+        const auto reader = session::RecordingReader::open(file);
+        const auto measured = session::measureSession(*reader.value(), {{hash, sheet}}, {4.0, nullptr});
+        QVERIFY2(measured.isOk(), measured.status().message().c_str());
+        const session::SessionMeasures& m = measured.value();
+        QCOMPARE(m.sums.contact.time_s, 0.3);
+        QCOMPARE(m.sums.contacts, std::int64_t{2});
+        QCOMPARE(m.sums.pathLength_mm, 3.0 + 2.0 + 2.0); // up after the first, down to and up from the second
+        QCOMPARE(m.unmeasured, std::vector<std::string>{"elsewhere"});
+        QCOMPARE(m.surfaces.size(), std::size_t{1});
+        QCOMPARE(m.surfaces[0].structure, std::string("sheet"));
+        QVERIFY(std::abs(m.surfaces[0].area_mm2 - 1600.0) < 1e-9);
+        QVERIFY(std::abs(m.surfaces[0].coverage() - 2.0 * M_PI * 16.0 / 1600.0) < 0.006);
+        QVERIFY(std::abs(m.surfaces[0].longestDwell_s - 0.2) < 1e-9);
+        QCOMPARE(m.phases.size(), std::size_t{2});
+        QCOMPARE(m.findings.size(), std::size_t{1});
+        const session::FindingMeasures& at = m.findings[0];
+        QCOMPARE(at.finding.name, finding.name);
+        QCOMPARE(at.finding.p_W, finding.p_W);
+        QCOMPARE(at.marked_s, 0.15);
+        QCOMPARE(at.firstTouched_s.value(), 0.0);
+        QCOMPARE(at.dwell_s, 0.2);
+        QCOMPARE(at.visits, std::int64_t{1});
+        QCOMPARE(at.meanForce_N, 1.0);
+        QCOMPARE(at.peakForce_N, 1.0);
+        QCOMPARE(at.peakDepth_mm, 2.0);
+        const std::atomic<bool> yes{true};
+        QCOMPARE(session::measureSession(*reader.value(), {}, {4.0, &yes}).status().code(),
+                 core::StatusCode::Cancelled);
     }
 
     void ofNothingAreZero()
     {
         const session::Measures m = session::MeasureAccumulator(1e-3).result();
         QCOMPARE(m.ticks, std::int64_t{0});
-        QCOMPARE(m.p95Force_N, 0.0);
+        QCOMPARE(m.contact.p95Force_N, 0.0);
     }
 };
 

@@ -3,8 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace palpate::session {
+
+namespace {
+
+double mean(const std::vector<double>& values)
+{
+    return values.empty() ? 0.0
+                          : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// By nearest rank: the smallest value that at least this share of all do not exceed.
+double percentile(std::vector<double> values, double share)
+{
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto rank = std::max<std::ptrdiff_t>(
+        static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1, 0);
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+} // namespace
+
+bool follows(const std::optional<servo::TickRecord>& before, const servo::TickRecord& now) noexcept
+{
+    constexpr int kStartsAnew = servo::kNoHand | servo::kReset | servo::kDroppedBefore;
+    return before && before->tick + 1 == now.tick && (now.flags & kStartsAnew) == 0 &&
+           (before->flags & servo::kNoHand) == 0;
+}
 
 MeasureAccumulator::MeasureAccumulator(double dt_s)
     : m_dt_s(dt_s)
@@ -14,57 +44,50 @@ MeasureAccumulator::MeasureAccumulator(double dt_s)
 void MeasureAccumulator::add(const servo::TickRecord& tick, std::string_view structure)
 {
     ++m_sum.ticks;
-    constexpr int kStartsAnew = servo::kNoHand | servo::kReset | servo::kDroppedBefore;
-    const bool follows = m_previous && m_previous->tick + 1 == tick.tick && (tick.flags & kStartsAnew) == 0 &&
-                         (m_previous->flags & servo::kNoHand) == 0;
-    if (follows) {
+    const bool goesOn = follows(m_previous, tick);
+    if (goesOn) {
         m_sum.pathLength_mm += (tick.p_WH - m_previous->p_WH).norm();
         if (tick.structure >= 0 && m_previous->structure >= 0) {
             m_sum.contactPath_mm += (tick.p_WG - m_previous->p_WG).norm();
         }
     }
+    if (tick.structure >= 0) {
+        m_sum.contacts += goesOn && m_previous->structure >= 0 ? 0 : 1;
+        auto found = m_structures.find(structure);
+        if (found == m_structures.end()) {
+            found = m_structures.emplace(structure, Samples{}).first;
+        }
+        for (Samples* samples : {&m_all, &found->second}) {
+            samples->forces_N.push_back(tick.f_W.norm());
+            samples->depths_mm.push_back((tick.p_WG - tick.p_WH).norm());
+        }
+    }
     m_previous = tick;
-    if (tick.structure < 0) {
-        return;
-    }
-    const double force = tick.f_W.norm();
-    const double depth = (tick.p_WG - tick.p_WH).norm();
-    m_forces.push_back(force);
-    m_sum.peakForce_N = std::max(m_sum.peakForce_N, force);
-    m_sum.peakDepth_mm = std::max(m_sum.peakDepth_mm, depth);
-    auto found = m_sum.structures.find(structure);
-    if (found == m_sum.structures.end()) {
-        found = m_sum.structures.emplace(structure, StructureMeasures{}).first;
-    }
-    StructureMeasures& part = found->second;
-    part.contactTime_s += 1.0; // ticks until `result`
-    part.meanForce_N += force; // sum until `result`
-    part.peakForce_N = std::max(part.peakForce_N, force);
-    part.peakDepth_mm = std::max(part.peakDepth_mm, depth);
+}
+
+ContactMeasures MeasureAccumulator::summary(const Samples& samples) const
+{
+    ContactMeasures out;
+    out.ticks = static_cast<std::int64_t>(samples.forces_N.size());
+    out.time_s = static_cast<double>(out.ticks) * m_dt_s;
+    out.peakForce_N = percentile(samples.forces_N, 1.0);
+    out.meanForce_N = mean(samples.forces_N);
+    out.medianForce_N = percentile(samples.forces_N, 0.5);
+    out.p95Force_N = percentile(samples.forces_N, 0.95);
+    out.peakDepth_mm = percentile(samples.depths_mm, 1.0);
+    out.meanDepth_mm = mean(samples.depths_mm);
+    out.p95Depth_mm = percentile(samples.depths_mm, 0.95);
+    return out;
 }
 
 Measures MeasureAccumulator::result() const
 {
     Measures measures = m_sum;
-    measures.contactTicks = static_cast<std::int64_t>(m_forces.size());
     measures.duration_s = static_cast<double>(measures.ticks) * m_dt_s;
-    measures.contactTime_s = static_cast<double>(measures.contactTicks) * m_dt_s;
-    for (auto& [name, part] : measures.structures) {
-        part.meanForce_N /= part.contactTime_s;
-        part.contactTime_s *= m_dt_s;
+    measures.contact = summary(m_all);
+    for (const auto& [name, samples] : m_structures) {
+        measures.structures.emplace(name, summary(samples));
     }
-    if (m_forces.empty()) {
-        return measures;
-    }
-    double sum = 0.0;
-    for (const double force : m_forces) {
-        sum += force;
-    }
-    measures.meanForce_N = sum / static_cast<double>(m_forces.size());
-    std::vector<double> sorted = m_forces;
-    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * static_cast<double>(sorted.size()))) - 1;
-    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
-    measures.p95Force_N = sorted[static_cast<std::size_t>(rank)];
     return measures;
 }
 

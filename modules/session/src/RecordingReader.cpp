@@ -170,6 +170,11 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
     return Status(StatusCode::Internal, path.string() + ": cannot be opened");
 }
 
+const std::filesystem::path& RecordingReader::path() const noexcept
+{
+    return m_d->path;
+}
+
 const RecordingInfo& RecordingReader::info() const noexcept
 {
     return m_d->info;

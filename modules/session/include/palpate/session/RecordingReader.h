@@ -40,6 +40,7 @@ class RecordingReader
     RecordingReader(const RecordingReader&) = delete;
     RecordingReader& operator=(const RecordingReader&) = delete;
 
+    [[nodiscard]] const std::filesystem::path& path() const noexcept;
     [[nodiscard]] const RecordingInfo& info() const noexcept;
     [[nodiscard]] const RecordingExtent& extent() const noexcept;
     [[nodiscard]] const std::vector<SceneRecord>& scenes() const noexcept;    ///< by generation, ascending

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/session/Findings.h"
+#include "palpate/session/Measures.h"
+#include "palpate/session/Phases.h"
+#include "palpate/session/RecordingReader.h"
+#include "palpate/session/TouchedSurface.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/geometry/MeshReport.h>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::session {
+
+/// Repaired meshes by geometryHash.
+using MeshesByHash = std::map<std::string, std::shared_ptr<const geometry::RepairedMesh>>;
+
+struct MeasureOptions
+{
+    /// How near the contact must come to a point of a surface, or to a finding, to have touched it: about the radius
+    /// of a fingertip's contact. [mm]
+    double distance_mm = 5.0;
+    const std::atomic<bool>* isCancelled = nullptr; ///< asked now and then; may be null
+};
+
+/// What was done on one structure's surface.
+struct SurfaceMeasures
+{
+    std::string structure;
+    double area_mm2 = 0.0;
+    double coveredArea_mm2 = 0.0;
+    double longestDwell_s = 0.0;             ///< at one point
+    std::unique_ptr<TouchedSurface> surface; ///< null when it was never touched
+    [[nodiscard]] double coverage() const noexcept { return area_mm2 > 0.0 ? coveredArea_mm2 / area_mm2 : 0.0; }
+};
+
+/// Everything that a session says in numbers; definitions in resources/docs/measures.md.
+struct SessionMeasures
+{
+    double distance_mm = 0.0; ///< that was measured with
+    Measures sums;
+    std::vector<Phase> phases;
+    std::vector<FindingMeasures> findings;
+    std::vector<SurfaceMeasures> surfaces; ///< of each structure that could be felt and whose mesh is there
+    std::vector<std::string> unmeasured;   ///< structures whose mesh is not there
+};
+
+/// Reads a recording once and measures it.
+/// @param meshes  the surfaces that were felt, as far as they are there
+/// @return Cancelled, or what could not be read
+/// @par Thread Any; the reader must serve no other meanwhile.
+[[nodiscard]] core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
+                                                           const MeasureOptions& options = {});
+
+} // namespace palpate::session

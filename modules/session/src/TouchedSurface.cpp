@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/session/TouchedSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace palpate::session {
+
+using core::Vec3;
+using geometry::Triangle;
+
+namespace {
+constexpr double kMostParts = 256.0; // of an edge: what a triangle of a kilometre must not turn into
+}
+
+std::size_t TouchedSurface::CellHash::operator()(const Cell& cell) const noexcept
+{
+    std::uint64_t hash = 0;
+    for (const std::int64_t value : cell) {
+        hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+TouchedSurface::Cell TouchedSurface::cellOf(const Vec3& p) const
+{
+    return {static_cast<std::int64_t>(std::floor(p.x() / m_distance_mm)),
+            static_cast<std::int64_t>(std::floor(p.y() / m_distance_mm)),
+            static_cast<std::int64_t>(std::floor(p.z() / m_distance_mm))};
+}
+
+void TouchedSurface::split(const geometry::TriangleMesh& mesh, double longest_mm)
+{
+    m_mesh.vertices = mesh.vertices;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        const Vec3& b = mesh.vertices[t[1]];
+        const Vec3& c = mesh.vertices[t[2]];
+        const double edge_mm = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(edge_mm / longest_mm), 1.0, kMostParts));
+        if (parts == 1) {
+            m_mesh.triangles.push_back(t);
+            continue;
+        }
+        const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
+        for (std::uint32_t i = 0; i <= parts; ++i) {
+            for (std::uint32_t j = 0; j <= parts - i; ++j) {
+                m_mesh.vertices.push_back(a + (b - a) * (static_cast<double>(i) / parts) +
+                                          (c - a) * (static_cast<double>(j) / parts));
+            }
+        }
+        // Row i starts after the rows before it, which have parts + 1, parts, ... points.
+        const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + i * (parts + 1) - i * (i - 1) / 2 + j; };
+        for (std::uint32_t i = 0; i < parts; ++i) {
+            for (std::uint32_t j = 0; j < parts - i; ++j) {
+                m_mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+                if (j + 1 < parts - i) {
+                    m_mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+                }
+            }
+        }
+    }
+}
+
+TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distance_mm)
+    : m_distance_mm(distance_mm)
+{
+    split(mesh, 0.5 * distance_mm);
+    const std::size_t count = m_mesh.vertices.size();
+    m_share_mm2.assign(count, 0.0);
+    m_dwell_s.assign(count, 0.0);
+    m_peakForce_N.assign(count, 0.0);
+    for (const Triangle& t : m_mesh.triangles) {
+        const Vec3& a = m_mesh.vertices[t[0]];
+        const double area_mm2 = 0.5 * (m_mesh.vertices[t[1]] - a).cross(m_mesh.vertices[t[2]] - a).norm();
+        m_area_mm2 += area_mm2;
+        for (const std::uint32_t corner : t) {
+            m_share_mm2[corner] += area_mm2 / 3.0;
+        }
+    }
+    std::vector<Cell> cells(count);
+    std::transform(m_mesh.vertices.begin(), m_mesh.vertices.end(), cells.begin(),
+                   [this](const Vec3& p) { return cellOf(p); });
+    m_order.resize(count);
+    std::iota(m_order.begin(), m_order.end(), 0u);
+    std::sort(m_order.begin(), m_order.end(), [&](std::uint32_t a, std::uint32_t b) { return cells[a] < cells[b]; });
+    for (std::uint32_t i = 0; i < m_order.size();) {
+        std::uint32_t end = i;
+        while (end < m_order.size() && cells[m_order[end]] == cells[m_order[i]]) {
+            ++end;
+        }
+        m_cells.emplace(cells[m_order[i]], std::pair(i, end));
+        i = end;
+    }
+}
+
+void TouchedSurface::add(const Vec3& p_WG, double force_N, double dt_s)
+{
+    if (!p_WG.allFinite()) {
+        return;
+    }
+    const Cell middle = cellOf(p_WG);
+    const double square_mm2 = m_distance_mm * m_distance_mm;
+    for (std::int64_t x = -1; x <= 1; ++x) {
+        for (std::int64_t y = -1; y <= 1; ++y) {
+            for (std::int64_t z = -1; z <= 1; ++z) {
+                const auto found = m_cells.find({middle[0] + x, middle[1] + y, middle[2] + z});
+                if (found == m_cells.end()) {
+                    continue;
+                }
+                for (std::uint32_t i = found->second.first; i < found->second.second; ++i) {
+                    const std::uint32_t vertex = m_order[i];
+                    if ((m_mesh.vertices[vertex] - p_WG).squaredNorm() <= square_mm2) {
+                        m_dwell_s[vertex] += dt_s;
+                        m_peakForce_N[vertex] = std::max(m_peakForce_N[vertex], force_N);
+                    }
+                }
+            }
+        }
+    }
+}
+
+double TouchedSurface::coveredArea_mm2() const
+{
+    double covered_mm2 = 0.0;
+    for (std::size_t i = 0; i < m_share_mm2.size(); ++i) {
+        covered_mm2 += m_dwell_s[i] > 0.0 ? m_share_mm2[i] : 0.0;
+    }
+    return covered_mm2;
+}
+
+} // namespace palpate::session
