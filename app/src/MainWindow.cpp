@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MainWindow.h"
+#include "Paths.h"
+#include "SceneForTouch.h"
 
-#include <palpate/session/RecordingReader.h>
 #include <palpate/ui/Theme.h>
 
-#include <QCloseEvent>
 #include <QCoreApplication>
-#include <QDateTime>
-#include <QDir>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QLabel>
-#include <QLocale>
-#include <QMimeData>
 #include <QProgressBar>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -28,29 +22,6 @@
 
 using namespace palpate;
 using namespace palpate::ui;
-
-namespace {
-
-std::filesystem::path toPath(const QString& text)
-{
-    return std::filesystem::path(text.toStdU16String());
-}
-
-QString toText(const std::filesystem::path& path)
-{
-    return QString::fromStdU16String(path.u16string());
-}
-
-/// A new file "2026-11-21 05.12.33" in the user's folder of that kind.
-std::filesystem::path newFile(QStandardPaths::StandardLocation kind, const QString& ending)
-{
-    const QString folder = QStandardPaths::writableLocation(kind) + QStringLiteral("/Palpate");
-    QDir().mkpath(folder);
-    return toPath(folder + QLatin1Char('/') +
-                  QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd hh.mm.ss")) + ending);
-}
-
-} // namespace
 
 std::optional<std::filesystem::path> phantomFolder()
 {
@@ -103,11 +74,14 @@ MainWindow::MainWindow()
     m_playback = new Playback(*m_viewport, *m_session, *m_touch, this);
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(this);
+    m_document = new SceneDocument(m_model, this);
+    m_loader.setReader(app::loadSceneOrFolder);
     connectParts();
     styleView();
     refreshRecent();
     showStatus();
     showWhatPlays();
+    QTimer::singleShot(0, this, &MainWindow::offerLeftover);
 
     resize(1280, 800);
     const QSettings settings;
@@ -132,8 +106,19 @@ QAction* MainWindow::makeAction(const QString& text, Symbol symbol, const QKeySe
 void MainWindow::makeActions()
 {
     m_openAction = makeAction(tr("Open…"), Symbol::Open, QKeySequence::Open, tr("Open meshes, a scene or a recording"));
-    m_saveAction =
-        makeAction(tr("Save scene as…"), Symbol::Open, QKeySequence::Save, tr("Save the scene with its tissue"));
+    m_saveAction = makeAction(tr("Save scene"), Symbol::Open, QKeySequence::Save, tr("Save the scene with its tissue"));
+    m_saveAsAction = makeAction(tr("Save scene as…"), Symbol::Open, QKeySequence::SaveAs,
+                                tr("Save the scene with its tissue to another file"));
+    m_findingAction = makeAction(tr("Mark a finding"), Symbol::Hand, QKeySequence(Qt::Key_M),
+                                 tr("Mark the place that is touched, in the scene and in the recording"));
+    m_noteAction = makeAction(tr("Note…"), Symbol::Record, QKeySequence(Qt::Key_N),
+                              tr("Write a note at this moment of the recording"));
+    m_measuresAction = makeAction(tr("What the session says…"), Symbol::Play, QKeySequence(Qt::Key_I),
+                                  tr("Forces, coverage and findings of the recording, and exports"));
+    m_embedAction = new QAction(tr("Put the surfaces into recordings"), this);
+    m_embedAction->setCheckable(true);
+    m_embedAction->setToolTip(tr("One file then holds the whole session; it grows by what the meshes take"));
+    m_embedAction->setChecked(QSettings().value(QStringLiteral("session/embed")).toBool());
     m_palpateAction = makeAction(
         tr("Palpate"), Symbol::Hand, QKeySequence(Qt::Key_P),
         tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"));
@@ -220,6 +205,20 @@ void MainWindow::connectParts()
 {
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFiles);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::saveScene);
+    connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveSceneAs);
+    connect(m_findingAction, &QAction::triggered, this, &MainWindow::markFinding);
+    connect(m_noteAction, &QAction::triggered, this, &MainWindow::writeNote);
+    connect(m_measuresAction, &QAction::triggered, this, &MainWindow::showMeasures);
+    connect(m_embedAction, &QAction::toggled, this,
+            [](bool isOn) { QSettings().setValue(QStringLiteral("session/embed"), isOn); });
+    connect(&m_model.undoStack(), &QUndoStack::cleanChanged, this,
+            [this](bool isClean) { setWindowModified(!isClean); });
+    connect(&m_model.undoStack(), &QUndoStack::undoTextChanged, this, [this](const QString& text) {
+        m_undoAction->setText(text.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(text));
+    });
+    connect(&m_model.undoStack(), &QUndoStack::redoTextChanged, this, [this](const QString& text) {
+        m_redoAction->setText(text.isEmpty() ? tr("Redo") : tr("Redo: %1").arg(text));
+    });
     connect(m_palpateAction, &QAction::toggled, this, &MainWindow::setPalpating);
     connect(m_recordAction, &QAction::triggered, this, &MainWindow::toggleRecording);
     connect(m_playAction, &QAction::triggered, this, &MainWindow::togglePlaying);
@@ -276,6 +275,7 @@ void MainWindow::connectParts()
 
     connect(m_palpation, &PalpationController::touched, this, [this](const TouchReading& reading) {
         m_touch->show(reading);
+        m_touchedStructure = reading.structure;
         const session::RecorderStatus recording = m_live.recording();
         if (recording.isRecording) {
             m_session->timeline().addLive(recording.duration_s, reading.force_N);
@@ -306,138 +306,6 @@ void MainWindow::styleView()
         m_viewport->view().setBackground({0.07, 0.085, 0.10}, {0.20, 0.235, 0.27}, {0.93, 0.95, 0.97});
     } else {
         m_viewport->view().setBackground({0.33, 0.38, 0.44}, {0.60, 0.66, 0.72}, {1.0, 1.0, 1.0});
-    }
-}
-
-void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm)
-{
-    std::vector<std::filesystem::path> meshes;
-    std::optional<std::filesystem::path> recording;
-    for (const std::filesystem::path& file : files) {
-        if (session::isRecordingFile(file)) {
-            recording = file;
-        } else {
-            meshes.push_back(file);
-        }
-    }
-    if (meshes.empty() && recording && m_model.rowCount() == 0) {
-        // A recording alone: what it was made on is opened with it, as far as it is still there.
-        const auto reader = session::RecordingReader::open(*recording);
-        if (reader.isOk() && !reader.value()->scenes().empty()) {
-            for (const session::StructureRecord& one : reader.value()->scenes().front().structures) {
-                const std::filesystem::path mesh = one.source.mesh;
-                std::error_code error;
-                if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end() &&
-                    std::filesystem::exists(mesh, error)) {
-                    meshes.push_back(mesh);
-                    unit_mm = one.source.unit_mm;
-                }
-            }
-        }
-    }
-    m_message->hide();
-    if (meshes.empty()) {
-        if (recording) {
-            openRecording(*recording);
-        }
-        return;
-    }
-    m_waitingRecording = recording;
-    m_unit_mm = unit_mm;
-    m_loader.open(meshes, unit_mm);
-}
-
-void MainWindow::offerMetres()
-{
-    // No organ is this small; reference libraries write metres into files that cannot say so.
-    constexpr double kSmallest_mm = 3.0;
-    const double size_mm = m_viewport->view().bounds().diagonal().norm();
-    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm || meshio::isSceneFile(m_files.front())) {
-        return;
-    }
-    m_message->offer(
-        tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
-        tr("Read as metres"), [this] { open(m_files, 1000.0); });
-}
-
-void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
-{
-    m_playback->setRecording(nullptr);
-    m_files = scene->files;
-    std::vector<scene::ViewStructure> pictures;
-    pictures.reserve(scene->rows.size());
-    for (const StructureRow& row : scene->rows) {
-        pictures.push_back({scene::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
-                            row.loaded.description.palpable ? row.touch : nullptr});
-    }
-    scene::SceneView& view = m_viewport->view();
-    view.setStructures(std::move(pictures));
-    m_model.setRows(std::move(scene->rows));
-    m_stack->setCurrentWidget(m_viewport);
-    if (scene->scene.camera) {
-        const meshio::SceneCamera& from = *scene->scene.camera;
-        view.camera().SetPosition(from.position_W.x(), from.position_W.y(), from.position_W.z());
-        view.camera().SetFocalPoint(from.focus_W.x(), from.focus_W.y(), from.focus_W.z());
-        view.camera().SetViewUp(from.up_W.x(), from.up_W.y(), from.up_W.z());
-        view.camera().SetViewAngle(from.viewAngle_deg);
-    } else {
-        view.look(scene::ViewFrom::Oblique);
-    }
-    m_palpation->setSceneSize(view.bounds().diagonal().norm());
-    const core::Status started = m_live.start();
-    if (!started.isOk()) {
-        showError(QString::fromStdString(started.message()));
-    }
-    m_structures->select(0);
-    m_viewport->setFocus();
-    m_viewport->update();
-    const QString name = toText(m_files.front().filename());
-    setWindowTitle(tr("%1 – Palpate").arg(name));
-    if (m_files.size() == 1) { // the parts of a scene opened one by one are no scene to come back to
-        remember(m_files.front());
-    }
-    const QString how = tr("P palpate, drag to press, wheel for depth");
-    const auto notes = static_cast<int>(scene->warnings.size());
-    const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
-    say(notes == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
-    constexpr int kToolTipLines = 24;
-    QStringList lines = scene->warnings.mid(0, kToolTipLines);
-    if (notes > kToolTipLines) {
-        lines << tr("… and %1 more").arg(notes - kToolTipLines);
-    }
-    m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
-    showWhatPlays();
-    if (!scene->problems.isEmpty()) {
-        showError(scene->problems.join(QLatin1Char('\n')));
-    }
-    offerMetres();
-    if (m_waitingRecording) {
-        openRecording(*std::exchange(m_waitingRecording, std::nullopt));
-    }
-    emit ready();
-}
-
-void MainWindow::openRecording(const std::filesystem::path& path)
-{
-    auto recording = RecordedTouch::open(path);
-    if (!recording.isOk()) {
-        showError(QString::fromStdString(recording.status().message()));
-        emit openFailed(QString::fromStdString(recording.status().message()));
-        return;
-    }
-    const QString losses = recording.value()->losses();
-    m_palpateAction->setChecked(false);
-    m_playback->setRecording(std::move(recording).value());
-    remember(path);
-    if (!losses.isEmpty()) {
-        showError(losses);
-    }
-    if (m_model.rowCount() == 0) {
-        showError(tr("%1 can be played, but the meshes that it was made on are not where they were. Open them to see "
-                     "what was touched.")
-                      .arg(toText(path.filename())));
-        m_stack->setCurrentWidget(m_viewport);
-        emit ready();
     }
 }
 
@@ -477,125 +345,4 @@ void MainWindow::letGo()
     } else if (!m_palpation->letGo()) {
         m_palpateAction->setChecked(false);
     }
-}
-
-void MainWindow::toggleRecording()
-{
-    if (m_live.recording().isRecording) {
-        const core::Status stopped = m_live.stopRecording();
-        if (!stopped.isOk()) {
-            showError(QString::fromStdString(stopped.message()));
-        }
-        m_recordAction->setChecked(false);
-        const bool wasPalpating = m_palpation->isPalpating();
-        openRecording(m_recordingPath);
-        setPalpating(wasPalpating);
-        say(tr("Recorded to %1").arg(toText(m_recordingPath)), 20000);
-    } else {
-        m_playback->setRecording(nullptr);
-        m_recordingPath = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
-        const core::Status started = m_live.startRecording(m_recordingPath);
-        m_recordAction->setChecked(started.isOk());
-        if (!started.isOk()) {
-            showError(QString::fromStdString(started.message()));
-        } else {
-            m_touch->clearHistory();
-            m_session->showTitle(tr("Recording %1").arg(toText(m_recordingPath.filename())));
-            setPalpating(true);
-        }
-    }
-    showStatus();
-    showWhatPlays();
-}
-
-void MainWindow::togglePlaying()
-{
-    if (m_playback->isPlaying()) {
-        m_playback->pause();
-    } else {
-        m_palpateAction->setChecked(false);
-        m_playback->play();
-    }
-}
-
-void MainWindow::saveSnapshot()
-{
-    const std::filesystem::path file = newFile(QStandardPaths::PicturesLocation, QStringLiteral(".png"));
-    m_viewport->refineNext();
-    if (m_viewport->grabFramebuffer().save(toText(file))) {
-        say(tr("Picture saved to %1").arg(toText(file)), 15000);
-    } else {
-        showError(tr("%1: the picture could not be written. Is the folder writable and the disk not full?")
-                      .arg(toText(file)));
-    }
-}
-
-void MainWindow::saveScene()
-{
-    const QString chosen =
-        QFileDialog::getSaveFileName(this, tr("Save scene"), {}, tr("Palpate scene (*.palpate.json)"));
-    if (chosen.isEmpty()) {
-        return;
-    }
-    meshio::SceneFile scene;
-    for (const StructureRow& row : m_model.rows()) {
-        scene.structures.push_back(row.loaded.description);
-    }
-    vtkCamera& camera = m_viewport->view().camera();
-    scene.camera = meshio::SceneCamera{core::Vec3(camera.GetPosition()), core::Vec3(camera.GetFocalPoint()),
-                                       core::Vec3(camera.GetViewUp()), camera.GetViewAngle()};
-    const std::filesystem::path path =
-        toPath(chosen.endsWith(QLatin1String(".json")) ? chosen : chosen + QStringLiteral(".palpate.json"));
-    const core::Status saved = meshio::writeScene(path, scene);
-    if (saved.isOk()) {
-        remember(path);
-        say(tr("Scene saved to %1").arg(toText(path)));
-    } else {
-        showError(QString::fromStdString(saved.message()));
-    }
-}
-
-void MainWindow::chooseFiles()
-{
-    const QStringList chosen = QFileDialog::getOpenFileNames(
-        this, tr("Open anatomy"), QSettings().value(QStringLiteral("folder")).toString(),
-        tr("Anatomy, scenes and recordings (*.stl *.vtp *.obj *.ply *.json *.palpate);;All files (*)"));
-    std::vector<std::filesystem::path> files;
-    for (const QString& file : chosen) {
-        files.push_back(toPath(file));
-    }
-    if (!files.empty()) {
-        QSettings().setValue(QStringLiteral("folder"), toText(files.front().parent_path()));
-        open(files);
-    }
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-    if (event->mimeData()->hasUrls()) {
-        event->acceptProposedAction();
-    }
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-    std::vector<std::filesystem::path> files;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) {
-            files.push_back(toPath(url.toLocalFile()));
-        }
-    }
-    if (!files.empty()) {
-        event->acceptProposedAction();
-        open(files);
-    }
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState());
-    m_live.stop();
-    event->accept();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "SceneDocument.h"
+
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
@@ -71,12 +73,21 @@ class MainWindow : public QMainWindow
     void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::scene::ViewFrom from);
 
     void chooseFiles();
-    void saveScene();
+    bool saveScene();
+    bool saveSceneAs();
+    bool saveSceneTo(const std::filesystem::path& path);
+    bool mayDiscard();
+    void offerLeftover();
+    void showTitle();
+    [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
     void openRecording(const std::filesystem::path& path);
     void followModel(int row, palpate::ui::StructureModel::Change change);
     void toggleRecording();
     void togglePlaying();
+    void showMeasures();
+    void markFinding();
+    void writeNote();
     void saveSnapshot();
     void letGo();
     void togglePanels();
@@ -119,6 +130,11 @@ class MainWindow : public QMainWindow
 
     QAction* m_openAction = nullptr;
     QAction* m_saveAction = nullptr;
+    QAction* m_saveAsAction = nullptr;
+    QAction* m_findingAction = nullptr;
+    QAction* m_noteAction = nullptr;
+    QAction* m_measuresAction = nullptr;
+    QAction* m_embedAction = nullptr;
     QAction* m_palpateAction = nullptr;
     QAction* m_recordAction = nullptr;
     QAction* m_playAction = nullptr;
@@ -130,6 +146,8 @@ class MainWindow : public QMainWindow
     QAction* m_keysAction = nullptr;
     QAction* m_clutchAction = nullptr;
 
+    SceneDocument* m_document = nullptr;
+    QString m_touchedStructure; ///< by the hand; empty in free space
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there

@@ -36,6 +36,7 @@ void MainWindow::makeMenus()
     file->addAction(m_openAction);
     m_recentMenu = file->addMenu(tr("Open recent"));
     file->addAction(m_saveAction);
+    file->addAction(m_saveAsAction);
     file->addAction(m_snapshotAction);
     file->addSeparator();
     file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
@@ -62,6 +63,10 @@ void MainWindow::makeMenus()
 
     QMenu* session = menuBar()->addMenu(tr("&Session"));
     for (QAction* action : {m_palpateAction, m_clutchAction, m_recordAction, m_playAction, m_restartAction}) {
+        session->addAction(action);
+    }
+    session->addSeparator();
+    for (QAction* action : {m_findingAction, m_noteAction, m_measuresAction, m_embedAction}) {
         session->addAction(action);
     }
     QMenu* help = menuBar()->addMenu(tr("&Help"));
@@ -175,7 +180,10 @@ void MainWindow::showWhatPlays()
     m_recordAction->setEnabled(hasScene);
     m_recordAction->setIcon(icon(isRecording ? Symbol::Stop : Symbol::Record));
     m_recordAction->setText(isRecording ? tr("Stop") : tr("Record"));
-    for (QAction* action : {m_palpateAction, m_saveAction, m_fitAction, m_snapshotAction}) {
+    m_noteAction->setEnabled(isRecording);
+    m_measuresAction->setEnabled(hasRecording && !isRecording);
+    for (QAction* action :
+         {m_palpateAction, m_saveAction, m_saveAsAction, m_findingAction, m_fitAction, m_snapshotAction}) {
         action->setEnabled(hasScene);
     }
     const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;

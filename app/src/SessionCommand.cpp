@@ -3,6 +3,7 @@
 #include "Console.h"
 #include "MeasuresReport.h"
 #include "RecordedScene.h"
+#include "SessionExport.h"
 #include "SessionReport.h"
 
 #include <palpate/session/AtomicFile.h>
@@ -10,12 +11,10 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
-#include <palpate/session/TickCsv.h>
 #include <palpate/session/VtpExport.h>
 
 #include <CLI/CLI.hpp>
 
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -32,9 +31,6 @@ struct SessionOptions
     std::filesystem::path file, scene, csv, vtp, json, out;
     std::string distance = "5";
 };
-
-constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min();
-constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
 
 int runInfo(const SessionOptions& options)
 {
@@ -164,22 +160,6 @@ int runMeasure(const SessionOptions& options)
     return isWhole ? kDone : kSomeLost;
 }
 
-Status exportCsv(const RecordingReader& reader, const std::filesystem::path& path)
-{
-    auto csv = session::TickCsv::create(path);
-    if (!csv.isOk()) {
-        return csv.status();
-    }
-    const Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
-        if ((tick.flags & servo::kNoHand) == 0) {
-            const std::string name = reader.structureName(tick);
-            csv.value().write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, name, tick.solve_ns});
-        }
-        return true;
-    });
-    return status.isOk() ? csv.value().finish() : status;
-}
-
 int runExport(const SessionOptions& options)
 {
     const auto opened = RecordingReader::open(options.file);
@@ -190,8 +170,7 @@ int runExport(const SessionOptions& options)
         return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
     }
     // The path and the touched surface are two things: each is a file of its own.
-    std::filesystem::path surface = options.vtp;
-    surface.replace_filename(options.vtp.stem().string() + "-surface" + options.vtp.extension().string());
+    const std::filesystem::path surface = surfaceFileOf(options.vtp);
     std::vector<std::filesystem::path> outputs;
     if (!options.csv.empty()) {
         outputs.push_back(options.csv);
@@ -203,7 +182,7 @@ int runExport(const SessionOptions& options)
         return report(status);
     }
     if (!options.csv.empty()) {
-        if (const Status status = exportCsv(*opened.value(), options.csv); !status.isOk()) {
+        if (const Status status = exportTicks(*opened.value(), options.csv); !status.isOk()) {
             return report(status);
         }
     }

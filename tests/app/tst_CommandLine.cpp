@@ -341,6 +341,15 @@ class CommandLine : public QObject
         QVERIFY(QJsonDocument::fromJson(read("measures.json")).object()["phases"].toObject().contains("press"));
     }
 
+    void aMissingMeshIsNamedAndTheRestIsFelt()
+    {
+        write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "box.stl"}, {"mesh": "gone.stl"}]})");
+        const Outcome outcome = run({"replay", "s.palpate.json", "--motion", "m.csv", "--out", "t.csv"});
+        QCOMPARE(outcome.exitCode, 3);
+        QVERIFY2(outcome.error.contains("gone.stl: "), outcome.error.constData());
+        QCOMPARE(rows("t.csv").size(), 1000);
+    }
+
     void recoverSaysWhatIsMissing()
     {
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);

@@ -48,6 +48,7 @@ class LoadScene : public QObject
     void emptyPartMeansAllOfTheFile();
     void folderIsOneScene();
     void missingMeshIsALossAndTheRestOpens();
+    void changedMeshIsNamedAndOpened();
     void nothingReadableIsAnError();
     void repairsAreSaid();
     void frameAndUnitAreSaid();
@@ -179,6 +180,33 @@ void LoadScene::missingMeshIsALossAndTheRestOpens()
     QCOMPARE(loaded.value().losses.size(), std::size_t{2});
     QVERIFY(says(loaded.value().losses, "none.stl: "));
     QVERIFY(says(loaded.value().losses, "no structure \"three\""));
+}
+
+void LoadScene::changedMeshIsNamedAndOpened()
+{
+    const test::Folder folder;
+    writeVtp(folder.path("a.vtp"), {"one"});
+    meshio::SceneFile file;
+    file.structures.resize(2);
+    file.structures[0].mesh = folder.path("a.vtp");
+    file.structures[0].sha256 = meshio::fileHash(folder.path("a.vtp"));
+    file.structures[1].mesh = folder.path("gone.stl");
+    file.structures[1].stiffness_N_per_mm = 0.123;
+    QCOMPARE(file.structures[0].sha256.size(), std::size_t{64});
+    QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), file).isOk());
+    const auto same = meshio::loadScene(folder.path("s.palpate.json"));
+    QVERIFY2(same.isOk(), same.status().message().c_str());
+    QCOMPARE(same.value().losses.size(), std::size_t{1}); // the one that is gone, which a later saving must keep
+    QCOMPARE(same.value().unopened.size(), std::size_t{1});
+    QCOMPARE(same.value().unopened[0].stiffness_N_per_mm, 0.123);
+    QCOMPARE(same.value().structures[0].description.sha256, file.structures[0].sha256);
+
+    writeVtp(folder.path("a.vtp"), {"another", "two"});
+    const auto changed = meshio::loadScene(folder.path("s.palpate.json"));
+    QVERIFY2(changed.isOk(), changed.status().message().c_str());
+    QCOMPARE(changed.value().structures.size(), std::size_t{2});
+    QVERIFY(says(changed.value().losses, "a.vtp: changed since the scene was saved: found SHA-256 "));
+    QCOMPARE(meshio::fileHash(folder.path("gone.stl")), std::string());
 }
 
 void LoadScene::nothingReadableIsAnError()

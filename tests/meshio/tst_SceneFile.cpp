@@ -79,7 +79,8 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
 {
     const test::Folder folder;
     const auto path = folder.write("a.json", R"({"version": 1, "author": {"name": "ä"}, "structures":
-        [{"mesh": "a.stl", "friction": [0.5, 1]}]})");
+        [{"mesh": "a.stl", "friction": [0.5, 1]}], "camera": {"lens": 2},
+        "findings": [{"name": "a", "size": 3}]})");
     const auto scene = meshio::readScene(path);
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(meshio::writeScene(path, scene.value()).isOk());
@@ -89,6 +90,8 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
     const auto again = meshio::readScene(path);
     QCOMPARE(again.value().extra, scene.value().extra);
     QCOMPARE(again.value().structures[0].extra, scene.value().structures[0].extra);
+    QCOMPARE(again.value().camera->extra, std::string("{\"lens\":2}"));
+    QCOMPARE(again.value().findings[0].extra, std::string("{\"size\":3}"));
 }
 
 void SceneFile::absentFieldsHaveDefaults()

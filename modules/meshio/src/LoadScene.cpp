@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include <new>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -57,6 +58,7 @@ class Loader
     std::size_t sourceOf(const std::filesystem::path& path, double unit_mm);
     void readSources();
     void expandFiles();
+    void findChanged();
     void expandScene();
     void lose(const std::string& line) { m_scene.losses.push_back(line); }
     void repairAll();
@@ -173,11 +175,30 @@ void Loader::expandFiles()
 }
 
 /// A scene file's structures: the part that each names, or all parts of its file.
+/// Names each mesh file that is not the one the scene was saved with.
+void Loader::findChanged()
+{
+    std::set<std::filesystem::path> seen;
+    for (const SceneStructure& wanted : m_scene.scene.structures) {
+        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        if (wanted.sha256.empty() || !source.file->isOk() || !seen.insert(wanted.mesh).second) {
+            continue;
+        }
+        if (const std::string found = fileHash(wanted.mesh); found != wanted.sha256) {
+            constexpr std::size_t kShown = 12;
+            lose(wanted.mesh.filename().string() + ": changed since the scene was saved: found SHA-256 " +
+                 found.substr(0, kShown) + "..., expected " + wanted.sha256.substr(0, kShown) +
+                 "...; opened as it is now");
+        }
+    }
+}
+
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {
         const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
         if (!source.file->isOk()) {
+            m_scene.unopened.push_back(wanted);
             continue;
         }
         const MeshFile& file = source.file->value();
@@ -197,6 +218,7 @@ void Loader::expandScene()
             pending.mesh = structure.mesh;
         }
         if (!isFound) {
+            m_scene.unopened.push_back(wanted);
             lose(fault(StatusCode::NotFound, source.path.filename().string(), "",
                        "no structure " + inQuotes(wanted.part), "one of that name")
                      .message());
@@ -334,6 +356,7 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
         }
     }
     if (m_isSceneFile) {
+        findChanged();
         expandScene();
     } else {
         expandFiles();

@@ -6,6 +6,8 @@
 #include "JsonFields.h"
 #include "TextScan.h"
 
+#include <QCryptographicHash>
+#include <QFile>
 #include <QJsonDocument>
 
 namespace palpate::meshio {
@@ -53,6 +55,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
         fields.fail("mesh", fields.has("mesh") ? "\"\"" : "nothing", "the path of a mesh file");
     }
     s.mesh = (folder / std::filesystem::path(mesh)).lexically_normal();
+    fields.read("sha256", s.sha256);
     fields.read("part", s.part);
     fields.read("unit_mm", s.unit_mm, 1e-6, 1e6);
     s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
@@ -84,6 +87,7 @@ SceneCamera readCamera(JsonFields& fields)
     camera.focus_W = point(fields, "focus").value_or(camera.focus_W);
     camera.up_W = point(fields, "up").value_or(camera.up_W);
     fields.read("viewAngle_deg", camera.viewAngle_deg, 0.1, 179.0);
+    camera.extra = fields.unknown();
     return camera;
 }
 
@@ -92,6 +96,13 @@ SceneCamera readCamera(JsonFields& fields)
 bool isSceneFile(const std::filesystem::path& path)
 {
     return internal::sameWord(path.extension().string(), ".json");
+}
+
+std::string fileHash(const std::filesystem::path& path)
+{
+    QFile file(QString::fromStdU16String(path.u16string()));
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex().toStdString() : std::string();
 }
 
 core::Result<SceneFile> readScene(const std::filesystem::path& path)
@@ -142,6 +153,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         entry.read("name", finding.name);
         entry.read("note", finding.note);
         finding.p_W = point(entry, "position").value_or(finding.p_W);
+        finding.extra = entry.unknown();
         scene.findings.push_back(std::move(finding));
     }
     scene.extra = fields.unknown();

@@ -45,6 +45,9 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     QJsonObject out = unknownFields(s.extra);
     const std::filesystem::path relative = std::filesystem::absolute(s.mesh).lexically_relative(folder);
     out["mesh"] = text((relative.empty() ? s.mesh : relative).generic_string());
+    if (!s.sha256.empty()) {
+        out["sha256"] = text(s.sha256);
+    }
     if (!s.part.empty()) {
         out["part"] = text(s.part);
     }
@@ -75,15 +78,20 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
     }
     out["structures"] = structures;
     if (scene.camera) {
-        out["camera"] = QJsonObject{{"position", triple(scene.camera->position_W)},
-                                    {"focus", triple(scene.camera->focus_W)},
-                                    {"up", triple(scene.camera->up_W)},
-                                    {"viewAngle_deg", scene.camera->viewAngle_deg}};
+        QJsonObject camera = unknownFields(scene.camera->extra);
+        camera["position"] = triple(scene.camera->position_W);
+        camera["focus"] = triple(scene.camera->focus_W);
+        camera["up"] = triple(scene.camera->up_W);
+        camera["viewAngle_deg"] = scene.camera->viewAngle_deg;
+        out["camera"] = camera;
     }
     QJsonArray findings;
     for (const SceneFinding& finding : scene.findings) {
-        findings.append(
-            QJsonObject{{"name", text(finding.name)}, {"position", triple(finding.p_W)}, {"note", text(finding.note)}});
+        QJsonObject one = unknownFields(finding.extra);
+        one["name"] = text(finding.name);
+        one["position"] = triple(finding.p_W);
+        one["note"] = text(finding.note);
+        findings.append(one);
     }
     out["findings"] = findings;
     return internal::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString());

@@ -4,11 +4,14 @@
 #include "TimingEvent.h"
 #include "palpate/session/RecordingWriter.h"
 
+#include <palpate/core/Clock.h>
 #include <palpate/servo/ServoLoop.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <iterator>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -36,7 +39,7 @@ struct Recorder::Private
     }
 
     void run();
-    void drain();
+    void drain(bool isLast);
     void store(bool isLast);
     void publish(bool isRecording);
     std::optional<servo::RecordingStart> awaitStart();
@@ -48,7 +51,12 @@ struct Recorder::Private
     std::condition_variable wake;
     bool isStopRequested = false;
     std::vector<SceneRecord> scenes;
-    std::vector<RecordingEvent> events; // `tick` is filled by the thread
+    struct TimedEvent
+    {
+        std::int64_t time_ns; // monotonic, as ticks have it
+        RecordingEvent event; // `tick` is filled by the thread
+    };
+    std::vector<TimedEvent> events;
     RecorderStatus published;
 
     // Of the thread while it runs:
@@ -56,6 +64,7 @@ struct Recorder::Private
     std::filesystem::path path;
     std::uint64_t droppedAtStart = 0;
     std::optional<servo::TickRecord> first;
+    std::vector<TimedEvent> waiting; // for the first tick after them
     std::int64_t lastTick = 0;
     std::int64_t lastTime_ns = 0;
     std::string problem;
@@ -79,10 +88,28 @@ std::optional<servo::RecordingStart> Recorder::Private::awaitStart()
     return start;
 }
 
-void Recorder::Private::drain()
+void Recorder::Private::drain(bool isLast)
 {
+    std::vector<SceneRecord> newScenes;
+    {
+        const std::lock_guard lock(mutex);
+        newScenes.swap(scenes);
+        std::move(events.begin(), events.end(), std::back_inserter(waiting));
+        events.clear();
+    }
+    for (const SceneRecord& scene : newScenes) {
+        (void)writer->addScene(scene); // kept until a commit
+    }
+    std::size_t told = 0;
+    const auto tellUntil = [&](std::int64_t time_ns) {
+        for (; told < waiting.size() && waiting[told].time_ns < time_ns; ++told) {
+            waiting[told].event.tick = lastTick; // the newest tick when it happened
+            (void)writer->addEvent(waiting[told].event);
+        }
+    };
     servo::TickRecord tick;
     while (loop.popTick(tick)) {
+        tellUntil(tick.time_ns);
         if (!first) {
             first = tick;
         }
@@ -92,20 +119,10 @@ void Recorder::Private::drain()
             problem = status.message();
         }
     }
-    std::vector<SceneRecord> newScenes;
-    std::vector<RecordingEvent> newEvents;
-    {
-        const std::lock_guard lock(mutex);
-        newScenes.swap(scenes);
-        newEvents.swap(events);
+    if (isLast) {
+        tellUntil(std::numeric_limits<std::int64_t>::max());
     }
-    for (const SceneRecord& scene : newScenes) {
-        (void)writer->addScene(scene); // kept until a commit
-    }
-    for (RecordingEvent& event : newEvents) {
-        event.tick = lastTick;
-        (void)writer->addEvent(event);
-    }
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(told));
 }
 
 void Recorder::Private::store(bool isLast)
@@ -159,7 +176,7 @@ void Recorder::Private::run()
             std::this_thread::sleep_for(kLastTick);
         }
         try {
-            drain();
+            drain(isLast);
             const auto now = std::chrono::steady_clock::now();
             if (isLast || now - lastCommit >= kCommitInterval) {
                 lastCommit = now;
@@ -220,6 +237,7 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
     d.isStopRequested = false;
     d.scenes.clear();
     d.events.clear();
+    d.waiting.clear();
     d.published = {};
     d.published.isRecording = true;
     (void)d.writer->addScene(scene);
@@ -239,7 +257,7 @@ void Recorder::addEvent(const std::string& kind, const std::string& json)
 {
     const std::lock_guard lock(m_d->mutex);
     if (m_d->published.isRecording) {
-        m_d->events.push_back({0, kind, json});
+        m_d->events.push_back({core::monotonicNow_ns(), {0, kind, json}});
     }
 }
 

@@ -8,6 +8,9 @@
 
 #include <cmath>
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 namespace palpate::ui {
 
 LiveTouch::LiveTouch(StructureModel& model, QObject* parent)
@@ -134,7 +137,7 @@ void LiveTouch::handOverScene()
     m_scene = m_model.hapticScene(greatestTissue());
     m_generation = m_loop.setScene(m_scene);
     if (m_recorder.status().isRecording) {
-        m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources()));
+        m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources(m_embeds)));
     }
     tellRefused();
 }
@@ -176,6 +179,10 @@ void LiveTouch::measure()
     m_loop.collect();
     const servo::FaultReport fault = m_loop.fault();
     if (fault.isFaulted() && !m_wasFaulted) {
+        const bool isLost =
+            fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
+        const QJsonObject what{{"what", QString::fromUtf8(fault.message)}};
+        note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
         emit faulted(QString::fromUtf8(fault.message));
         if (m_info.actuatedAxes == 0) {
             m_loop.rearm(); // it pushes nobody: touch goes on, eased in
@@ -185,17 +192,20 @@ void LiveTouch::measure()
     emit statusChanged();
 }
 
-core::Status LiveTouch::startRecording(const std::filesystem::path& path)
+core::Status LiveTouch::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene,
+                                       bool embeds)
 {
+    m_embeds = embeds;
     if (m_handOver.isActive() || m_scene == nullptr) {
         m_handOver.stop();
         handOverScene();
     }
     session::RecordingInfo info;
+    info.scene = scene.string();
     info.device = m_info;
     info.rate_Hz = m_loop.rate_Hz();
     info.dt_s = 1.0 / info.rate_Hz;
-    return m_recorder.start(path, info, session::describeScene(m_generation, *m_scene, m_model.sources()));
+    return m_recorder.start(path, info, session::describeScene(m_generation, *m_scene, m_model.sources(m_embeds)));
 }
 
 core::Status LiveTouch::stopRecording()

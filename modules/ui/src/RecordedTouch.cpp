@@ -67,6 +67,9 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
 {
     std::vector<std::pair<double, QString>> marks;
     for (const session::RecordingEvent& event : m_reader->events()) {
+        if (event.kind == "scene" || event.kind == "clutch") {
+            continue; // what changed has an event of its own, and each press is a clutch
+        }
         const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
         marks.emplace_back(std::max(0.0, time_s), QString::fromStdString(event.kind));
     }

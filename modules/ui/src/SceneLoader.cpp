@@ -56,7 +56,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
     finish();
     m_job = std::make_shared<Job>();
     m_isBusy = true;
-    m_worker = std::thread([this, job = m_job, files = std::move(files), unit_mm] {
+    m_worker = std::thread([this, job = m_job, read = m_reader, files = std::move(files), unit_mm] {
         QElapsedTimer timer;
         timer.start();
         // Signals of a job that was replaced meanwhile must not reach the window.
@@ -90,7 +90,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
                 return progress(what, kReading * (static_cast<double>(i) + share) / count);
             };
             progress(what, kReading * static_cast<double>(i) / count);
-            auto loaded = meshio::loadScene(files[i], options);
+            auto loaded = read(files[i], options);
             if (!loaded.isOk()) {
                 if (loaded.status().code() != core::StatusCode::Cancelled) {
                     problems << QString::fromStdString(loaded.status().message());
@@ -106,6 +106,10 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
             }
             for (meshio::LoadedStructure& one : part.structures) {
                 opened->rows.push_back({std::move(one), nullptr, nullptr, {}});
+            }
+            opened->unopened.insert(opened->unopened.end(), part.unopened.begin(), part.unopened.end());
+            for (const std::string& line : part.losses) {
+                problems << QString::fromStdString(line);
             }
             for (const std::string& line : part.warnings) {
                 opened->warnings << QString::fromStdString(line);

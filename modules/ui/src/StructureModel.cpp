@@ -183,12 +183,13 @@ std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const ha
     return std::make_shared<const haptics::HapticScene>(std::move(structures));
 }
 
-std::vector<session::StructureSource> StructureModel::sources() const
+std::vector<session::StructureSource> StructureModel::sources(bool embeds) const
 {
     std::vector<session::StructureSource> sources;
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM, nullptr});
+        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM,
+                           embeds && !row.sha256.empty() ? row.loaded.surface : nullptr});
     }
     return sources;
 }

@@ -28,12 +28,14 @@ struct LoadedScene
     /// What one unit of the mesh files more likely is [mm], when that is not what it was taken for: an organ less than
     /// 2 mm wide, or a body of more than 5 m. Never applied; a scene file says its own units.
     std::optional<double> likelyUnit_mm;
-    std::vector<std::string> losses; ///< one line each: what the scene names but could not be opened, or was cut off
+    std::vector<std::string>
+        losses; ///< one line each: what the scene names but is missing, cut off, or another one now
+    std::vector<SceneStructure> unopened; ///< what could not be opened, to be kept when the scene is saved
 };
 
 /// Opens a scene file, a mesh file, or a folder (all its mesh files, sorted by name). Meshes without a scene file get
 /// default tissue and colours by known anatomical names; all is visible and palpable, in layer 0. What cannot be opened
-/// is a loss while anything else can.
+/// is a loss while anything else can; a mesh that has changed since the scene was saved is one too, and is opened.
 /// @param options  `unit_mm` holds for mesh files only: a scene file says its own
 [[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
 

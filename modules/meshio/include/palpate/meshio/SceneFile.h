@@ -17,6 +17,7 @@ namespace palpate::meshio {
 struct SceneStructure
 {
     std::filesystem::path mesh; ///< in memory absolute, in the file relative to the scene file
+    std::string sha256;         ///< of the mesh file when the scene was saved, 64 hex digits; empty: not said
     std::string part;           ///< name of the structure inside the mesh file; empty: all of the file
     double unit_mm = 1.0;       ///< what one unit of the mesh file is [mm]
     std::string name;
@@ -39,6 +40,7 @@ struct SceneCamera
     core::Vec3 focus_W = core::Vec3::Zero();        ///< [mm]
     core::Vec3 up_W = core::Vec3::UnitZ();
     double viewAngle_deg = 30.0;
+    std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 
 /// A place that a person marked.
@@ -47,6 +49,7 @@ struct SceneFinding
     std::string name;
     core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
     std::string note;
+    std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 
 /// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are
@@ -66,6 +69,9 @@ struct SceneFile
 /// Reads and checks a scene file. The meshes are not read. A wrong field is an error that names it by its path in the
 /// document: "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
 [[nodiscard]] core::Result<SceneFile> readScene(const std::filesystem::path& path);
+
+/// @return SHA-256 of a file's bytes as 64 hex digits; empty when it cannot be read.
+[[nodiscard]] std::string fileHash(const std::filesystem::path& path);
 
 /// Writes the scene atomically, mesh paths relative to it.
 [[nodiscard]] core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene);

@@ -46,7 +46,7 @@ class Recorder
     core::Status start(const std::filesystem::path& path, const RecordingInfo& info, const SceneRecord& scene);
     /// Tells of a scene that was handed to the loop; call it right after ServoLoop::setScene.
     void addScene(const SceneRecord& scene);
-    /// Notes an event at the newest tick. @param json  an object
+    /// Notes an event at the tick that is the newest now. @param json  an object
     void addEvent(const std::string& kind, const std::string& json);
     /// Asks to stop and returns at once; `status().isRecording` turns false when the file is closed.
     void requestStop();

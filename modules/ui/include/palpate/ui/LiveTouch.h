@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace palpate::ui {
 
@@ -59,7 +60,12 @@ class LiveTouch : public QObject
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_loop.realtime(); }
     [[nodiscard]] bool isRunning() const noexcept { return m_loop.isRunning(); }
 
-    core::Status startRecording(const std::filesystem::path& path);
+    /// @param scene   file that was opened; empty when it is several
+    /// @param embeds  put the surfaces into the recording too
+    core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
+                                bool embeds = false);
+    /// Notes something in the recording, at this tick; nothing when there is none. @param json  an object
+    void note(const std::string& kind, const std::string& json) { m_recorder.addEvent(kind, json); }
     /// @return what was lost, if anything
     core::Status stopRecording();
     [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
@@ -98,6 +104,7 @@ class LiveTouch : public QObject
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
     QString m_refused; ///< said last
+    bool m_embeds = false; ///< of the present recording
 };
 
 } // namespace palpate::ui

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -19,7 +20,8 @@ struct OpenedScene
     std::vector<std::filesystem::path> files;
     meshio::SceneFile scene;
     std::vector<StructureRow> rows;
-    QStringList problems; ///< files that could not be opened while others could, one line each
+    std::vector<meshio::SceneStructure> unopened; ///< what a scene file names but could not be opened
+    QStringList problems; ///< what could not be opened, or is another one now, while others could; one line each
     QStringList warnings; ///< one line each
     double seconds = 0.0; ///< from the wish to open to ready
 };
@@ -33,6 +35,11 @@ class SceneLoader : public QObject
   public:
     explicit SceneLoader(QObject* parent = nullptr);
     ~SceneLoader() override; ///< cancels
+
+    /// What opens one file; meshio::loadScene unless the window knows more kinds. Called on another thread.
+    using Reader =
+        std::function<core::Result<meshio::LoadedScene>(const std::filesystem::path&, const meshio::ReadOptions&)>;
+    void setReader(Reader reader) { m_reader = std::move(reader); }
 
     /// Opens mesh and scene files as one scene. What was being opened is cancelled.
     void open(std::vector<std::filesystem::path> files, double unit_mm);
@@ -56,6 +63,7 @@ class SceneLoader : public QObject
     struct Job;
     void finish();
 
+    Reader m_reader = meshio::loadScene;
     std::shared_ptr<Job> m_job;
     std::thread m_worker;
     std::vector<std::thread> m_builders;

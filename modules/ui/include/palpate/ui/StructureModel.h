@@ -69,7 +69,8 @@ class StructureModel : public QAbstractTableModel
     /// What the servo thread can feel now; numbers are the rows.
     /// @param greatest  stiffness and damping above what the device holds stably are bounded by it
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest) const;
-    [[nodiscard]] std::vector<session::StructureSource> sources() const;
+    /// Where the surfaces came from. @param embeds  give the surfaces that can be felt with them
+    [[nodiscard]] std::vector<session::StructureSource> sources(bool embeds = false) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

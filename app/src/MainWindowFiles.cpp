@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opening and saving: scenes, recordings, what is dropped on the window.
+#include "MainWindow.h"
+#include "Paths.h"
+
+#include <palpate/session/RecordingReader.h>
+
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <utility>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm)
+{
+    std::vector<std::filesystem::path> meshes;
+    std::optional<std::filesystem::path> recording;
+    for (const std::filesystem::path& file : files) {
+        if (session::isRecordingFile(file)) {
+            recording = file;
+        } else {
+            meshes.push_back(file);
+        }
+    }
+    if (meshes.empty() && recording && m_model.rowCount() == 0) {
+        // A recording alone: what it was made on is opened with it, as far as it holds it itself or it is still there.
+        const auto reader = session::RecordingReader::open(*recording);
+        if (reader.isOk() && !reader.value()->embeddedHashes().empty()) {
+            meshes.push_back(*recording);
+        } else if (reader.isOk() && !reader.value()->scenes().empty()) {
+            for (const session::StructureRecord& one : reader.value()->scenes().front().structures) {
+                const std::filesystem::path mesh = one.source.mesh;
+                std::error_code error;
+                if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end() &&
+                    std::filesystem::exists(mesh, error)) {
+                    meshes.push_back(mesh);
+                    unit_mm = one.source.unit_mm;
+                }
+            }
+        }
+    }
+    if (!meshes.empty() && !mayDiscard()) {
+        return;
+    }
+    m_message->hide();
+    if (meshes.empty()) {
+        if (recording) {
+            openRecording(*recording);
+        }
+        return;
+    }
+    m_waitingRecording = recording;
+    m_unit_mm = unit_mm;
+    m_loader.open(meshes, unit_mm);
+}
+
+void MainWindow::offerMetres()
+{
+    // No organ is this small; reference libraries write metres into files that cannot say so.
+    constexpr double kSmallest_mm = 3.0;
+    const double size_mm = m_viewport->view().bounds().diagonal().norm();
+    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm || meshio::isSceneFile(m_files.front())) {
+        return;
+    }
+    m_message->offer(
+        tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
+        tr("Read as metres"), [this] { open(m_files, 1000.0); });
+}
+
+void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
+{
+    m_playback->setRecording(nullptr);
+    m_files = scene->files;
+    std::vector<scene::ViewStructure> pictures;
+    pictures.reserve(scene->rows.size());
+    for (const StructureRow& row : scene->rows) {
+        pictures.push_back({scene::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
+                            row.loaded.description.palpable ? row.touch : nullptr});
+    }
+    scene::SceneView& view = m_viewport->view();
+    view.setStructures(std::move(pictures));
+    m_model.setRows(std::move(scene->rows));
+    m_document->take(*scene);
+    m_stack->setCurrentWidget(m_viewport);
+    if (scene->scene.camera) {
+        const meshio::SceneCamera& from = *scene->scene.camera;
+        view.camera().SetPosition(from.position_W.x(), from.position_W.y(), from.position_W.z());
+        view.camera().SetFocalPoint(from.focus_W.x(), from.focus_W.y(), from.focus_W.z());
+        view.camera().SetViewUp(from.up_W.x(), from.up_W.y(), from.up_W.z());
+        view.camera().SetViewAngle(from.viewAngle_deg);
+    } else {
+        view.look(scene::ViewFrom::Oblique);
+    }
+    m_palpation->setSceneSize(view.bounds().diagonal().norm());
+    const core::Status started = m_live.start();
+    if (!started.isOk()) {
+        showError(QString::fromStdString(started.message()));
+    }
+    m_structures->select(0);
+    m_viewport->setFocus();
+    m_viewport->update();
+    if (scene->files.size() == 1 && meshio::isSceneFile(m_files.front())) {
+        m_files.front() = m_document->file(); // unsaved changes that come back are those of their scene
+    }
+    showTitle();
+    if (m_files.size() == 1 && !m_files.front().empty()) { // parts opened one by one are no scene to come back to
+        remember(m_files.front());
+    }
+    const QString how = tr("P palpate, drag to press, wheel for depth");
+    const auto notes = static_cast<int>(scene->warnings.size());
+    const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
+    say(notes == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
+    constexpr int kToolTipLines = 24;
+    QStringList lines = scene->warnings.mid(0, kToolTipLines);
+    if (notes > kToolTipLines) {
+        lines << tr("… and %1 more").arg(notes - kToolTipLines);
+    }
+    m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
+    showWhatPlays();
+    if (!scene->problems.isEmpty()) {
+        showError(scene->problems.join(QLatin1Char('\n')));
+    }
+    offerMetres();
+    if (m_waitingRecording) {
+        openRecording(*std::exchange(m_waitingRecording, std::nullopt));
+    }
+    emit ready();
+}
+
+void MainWindow::openRecording(const std::filesystem::path& path)
+{
+    auto recording = RecordedTouch::open(path);
+    if (!recording.isOk()) {
+        showError(QString::fromStdString(recording.status().message()));
+        emit openFailed(QString::fromStdString(recording.status().message()));
+        return;
+    }
+    const QString losses = recording.value()->losses();
+    m_palpateAction->setChecked(false);
+    m_playback->setRecording(std::move(recording).value());
+    remember(path);
+    if (!losses.isEmpty()) {
+        showError(losses);
+    }
+    if (m_model.rowCount() == 0) {
+        showError(tr("%1 can be played, but the meshes that it was made on are not where they were. Open them to see "
+                     "what was touched.")
+                      .arg(toText(path.filename())));
+        m_stack->setCurrentWidget(m_viewport);
+        emit ready();
+    }
+}
+
+meshio::SceneCamera MainWindow::cameraNow() const
+{
+    vtkCamera& camera = m_viewport->view().camera();
+    return {core::Vec3(camera.GetPosition()), core::Vec3(camera.GetFocalPoint()), core::Vec3(camera.GetViewUp()),
+            camera.GetViewAngle()};
+}
+
+bool MainWindow::saveScene()
+{
+    return m_document->file().empty() ? saveSceneAs() : saveSceneTo(m_document->file());
+}
+
+bool MainWindow::saveSceneAs()
+{
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Save scene"), toText(m_document->file()),
+                                                        tr("Palpate scene (*.palpate.json)"));
+    if (chosen.isEmpty()) {
+        return false;
+    }
+    return saveSceneTo(
+        toPath(chosen.endsWith(QLatin1String(".json")) ? chosen : chosen + QStringLiteral(".palpate.json")));
+}
+
+bool MainWindow::saveSceneTo(const std::filesystem::path& path)
+{
+    const core::Status saved = m_document->save(path, cameraNow());
+    if (saved.isOk()) {
+        m_files = {path};
+        showTitle();
+        remember(path);
+        say(tr("Scene saved to %1").arg(toText(path)));
+    } else {
+        showError(QString::fromStdString(saved.message()));
+    }
+    return saved.isOk();
+}
+
+/// Asks what becomes of unsaved changes. @return false when they shall stay open
+bool MainWindow::mayDiscard()
+{
+    if (!m_document->isModified()) {
+        return true;
+    }
+    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes to this scene?"),
+                                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveScene());
+}
+
+void MainWindow::showTitle()
+{
+    const QString name =
+        m_files.empty() || m_files.front().empty() ? tr("Unsaved scene") : toText(m_files.front().filename());
+    setWindowTitle(tr("%1[*] – Palpate").arg(name));
+    setWindowModified(m_document->isModified());
+}
+
+void MainWindow::offerLeftover()
+{
+    const auto copy = SceneDocument::findLeftover();
+    if (copy && m_model.rowCount() == 0) {
+        m_message->offer(tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
+                         [this, copy] { open({*copy}); });
+    }
+}
+
+void MainWindow::chooseFiles()
+{
+    const QStringList chosen = QFileDialog::getOpenFileNames(
+        this, tr("Open anatomy"), QSettings().value(QStringLiteral("folder")).toString(),
+        tr("Anatomy, scenes and recordings (*.stl *.vtp *.obj *.ply *.json *.palpate);;All files (*)"));
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : chosen) {
+        files.push_back(toPath(file));
+    }
+    if (!files.empty()) {
+        QSettings().setValue(QStringLiteral("folder"), toText(files.front().parent_path()));
+        open(files);
+    }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            files.push_back(toPath(url.toLocalFile()));
+        }
+    }
+    if (!files.empty()) {
+        event->acceptProposedAction();
+        open(files);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState());
+    m_live.stop();
+    event->accept();
+}

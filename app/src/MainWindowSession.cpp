@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Recording, playing, marking and measuring.
+#include "MainWindow.h"
+#include "MeasuresDialog.h"
+#include "Paths.h"
+
+#include <palpate/session/Findings.h>
+
+#include <QInputDialog>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+
+#include <utility>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::toggleRecording()
+{
+    if (m_live.recording().isRecording) {
+        const core::Status stopped = m_live.stopRecording();
+        if (!stopped.isOk()) {
+            showError(QString::fromStdString(stopped.message()));
+        }
+        m_recordAction->setChecked(false);
+        const bool wasPalpating = m_palpation->isPalpating();
+        openRecording(m_recordingPath);
+        setPalpating(wasPalpating);
+        if (stopped.isOk()) {
+            m_message->offer(tr("Recorded to %1").arg(toText(m_recordingPath)), tr("What it says…"),
+                             [this] { showMeasures(); });
+        }
+    } else {
+        m_playback->setRecording(nullptr);
+        m_recordingPath = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
+        const core::Status started =
+            m_live.startRecording(m_recordingPath, m_files.size() == 1 ? m_files.front() : std::filesystem::path(),
+                                  m_embedAction->isChecked());
+        m_recordAction->setChecked(started.isOk());
+        if (!started.isOk()) {
+            showError(QString::fromStdString(started.message()));
+        } else {
+            m_touch->clearHistory();
+            m_session->showTitle(tr("Recording %1").arg(toText(m_recordingPath.filename())));
+            setPalpating(true);
+        }
+    }
+    showStatus();
+    showWhatPlays();
+}
+
+void MainWindow::togglePlaying()
+{
+    if (m_playback->isPlaying()) {
+        m_playback->pause();
+    } else {
+        m_palpateAction->setChecked(false);
+        m_playback->play();
+    }
+}
+
+void MainWindow::showMeasures()
+{
+    if (m_playback->recording() == nullptr) {
+        return;
+    }
+    session::MeshesByHash meshes;
+    for (const StructureRow& row : m_model.rows()) {
+        if (!row.sha256.empty()) {
+            meshes[row.sha256] = row.loaded.surface;
+        }
+    }
+    auto* dialog = new MeasuresDialog(m_playback->recording()->path(), std::move(meshes), this);
+    dialog->show();
+}
+
+/// Marks the place that is touched, by the hand or in the recording that plays.
+void MainWindow::markFinding()
+{
+    const scene::TouchState& touch = m_viewport->view().cursor().state();
+    if (!touch.isInContact) {
+        say(tr("Nothing is touched: press on the place first, then mark it (M)."));
+        return;
+    }
+    session::Finding finding;
+    finding.name = tr("Finding %1").arg(m_document->findings().size() + 1).toStdString();
+    finding.structure = m_touchedStructure.toStdString();
+    finding.p_W = touch.p_WG;
+    finding.force_N = touch.f_W.norm();
+    finding.depth_mm = (touch.p_WG - touch.p_WH).norm();
+    m_document->addFinding({finding.name, finding.p_W, finding.structure});
+    m_live.note("finding", session::findingJson(finding));
+    say(tr("%1 marked on %2 with %3 N")
+            .arg(QString::fromStdString(finding.name), m_touchedStructure,
+                 QLocale().toString(finding.force_N, 'f', 2)));
+}
+
+void MainWindow::writeNote()
+{
+    const QString text = QInputDialog::getText(this, tr("Note"), tr("Note at this moment of the recording:"));
+    if (!text.isEmpty()) {
+        m_live.note("note", QJsonDocument(QJsonObject{{"text", text}}).toJson(QJsonDocument::Compact).toStdString());
+    }
+}
+
+void MainWindow::saveSnapshot()
+{
+    const std::filesystem::path file = newFile(QStandardPaths::PicturesLocation, QStringLiteral(".png"));
+    m_viewport->refineNext();
+    if (m_viewport->grabFramebuffer().save(toText(file))) {
+        say(tr("Picture saved to %1").arg(toText(file)), 15000);
+    } else {
+        showError(tr("%1: the picture could not be written. Is the folder writable and the disk not full?")
+                      .arg(toText(file)));
+    }
+}

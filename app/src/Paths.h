@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+#include <QString>
+
+#include <filesystem>
+
+[[nodiscard]] inline std::filesystem::path toPath(const QString& text)
+{
+    return std::filesystem::path(text.toStdU16String());
+}
+
+[[nodiscard]] inline QString toText(const std::filesystem::path& path)
+{
+    return QString::fromStdU16String(path.u16string());
+}
+
+/// A new file "2026-11-21 05.12.33" in the user's folder of that kind.
+[[nodiscard]] inline std::filesystem::path newFile(QStandardPaths::StandardLocation kind, const QString& ending)
+{
+    const QString folder = QStandardPaths::writableLocation(kind) + QStringLiteral("/Palpate");
+    QDir().mkpath(folder);
+    return toPath(folder + QLatin1Char('/') +
+                  QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd hh.mm.ss")) + ending);
+}

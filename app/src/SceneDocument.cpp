@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneDocument.h"
+
+#include "Paths.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUndoCommand>
+
+#include <map>
+#include <utility>
+
+using namespace palpate;
+
+namespace {
+
+constexpr int kCopyDelay_ms = 1500; // after the newest edit
+constexpr const char* kCopyOf = "copy_of";
+
+QString copyFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/unsaved");
+}
+
+QString lockOf(const std::filesystem::path& copy)
+{
+    return toText(copy) + QStringLiteral(".lock");
+}
+
+bool isCopy(const std::filesystem::path& file)
+{
+    std::error_code error;
+    return std::filesystem::equivalent(file.parent_path(), toPath(copyFolder()), error);
+}
+
+} // namespace
+
+class SceneDocument::AddFinding final : public QUndoCommand
+{
+  public:
+    AddFinding(SceneDocument& document, meshio::SceneFinding finding)
+        : QUndoCommand(tr("Mark %1").arg(QString::fromStdString(finding.name)))
+        , m_document(document)
+        , m_finding(std::move(finding))
+    {
+    }
+    void redo() override
+    {
+        m_document.m_rest.findings.push_back(m_finding);
+        emit m_document.findingsChanged();
+    }
+    void undo() override
+    {
+        m_document.m_rest.findings.pop_back();
+        emit m_document.findingsChanged();
+    }
+
+  private:
+    SceneDocument& m_document;
+    meshio::SceneFinding m_finding;
+};
+
+SceneDocument::SceneDocument(ui::StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_model(model)
+{
+    m_copyTimer.setSingleShot(true);
+    m_copyTimer.setInterval(kCopyDelay_ms);
+    connect(&m_copyTimer, &QTimer::timeout, this, &SceneDocument::writeCopy);
+    connect(&model.undoStack(), &QUndoStack::indexChanged, &m_copyTimer, qOverload<>(&QTimer::start));
+    connect(&model.undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
+        if (isClean) {
+            m_copyTimer.stop();
+            dropCopy();
+        }
+    });
+}
+
+SceneDocument::~SceneDocument()
+{
+    dropCopy();
+}
+
+void SceneDocument::take(const ui::OpenedScene& scene)
+{
+    dropCopy();
+    m_rest = scene.scene;
+    m_rest.structures.clear();
+    m_unopened = scene.unopened;
+    const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
+    m_file = isScene ? scene.files.front() : std::filesystem::path();
+    if (isScene && isCopy(m_file)) {
+        // Unsaved changes come back as such: of the file that they were made on, which is as it was.
+        QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(m_rest.extra)).object();
+        m_file = toPath(extra.take(QLatin1String(kCopyOf)).toString());
+        m_rest.extra =
+            extra.isEmpty() ? std::string() : QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
+        m_model.undoStack().resetClean();
+        writeCopy();
+        if (m_copy != scene.files.front()) {
+            discardLeftover(scene.files.front());
+        }
+    }
+    emit findingsChanged();
+}
+
+void SceneDocument::addFinding(const meshio::SceneFinding& finding)
+{
+    m_model.undoStack().push(new AddFinding(*this, finding));
+}
+
+meshio::SceneFile SceneDocument::content() const
+{
+    meshio::SceneFile scene = m_rest;
+    for (const ui::StructureRow& row : m_model.rows()) {
+        scene.structures.push_back(row.loaded.description);
+    }
+    scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
+    return scene;
+}
+
+core::Status SceneDocument::save(const std::filesystem::path& file, const meshio::SceneCamera& camera)
+{
+    const std::string unknown = m_rest.camera ? m_rest.camera->extra : std::string();
+    m_rest.camera = camera;
+    m_rest.camera->extra = unknown;
+    meshio::SceneFile scene = content();
+    std::map<std::filesystem::path, std::string> hashes; // what is open now is what the scene means
+    for (std::size_t i = 0; i < m_model.rows().size(); ++i) {
+        meshio::SceneStructure& structure = scene.structures[i];
+        const auto [hash, isNew] = hashes.emplace(structure.mesh, std::string());
+        if (isNew) {
+            hash->second = meshio::fileHash(structure.mesh);
+        }
+        structure.sha256 = hash->second;
+    }
+    const core::Status saved = meshio::writeScene(file, scene);
+    if (saved.isOk()) {
+        m_file = file;
+        m_model.undoStack().setClean();
+        m_copyTimer.stop();
+        dropCopy();
+    }
+    return saved;
+}
+
+void SceneDocument::writeCopy()
+{
+    if (!isModified() || m_model.rows().empty()) {
+        return;
+    }
+    if (m_copy.empty()) {
+        QDir().mkpath(copyFolder());
+        m_copy = toPath(copyFolder() + QStringLiteral("/%1.palpate.json").arg(QCoreApplication::applicationPid()));
+        m_lock = std::make_unique<QLockFile>(lockOf(m_copy));
+        m_lock->setStaleLockTime(0);
+        (void)m_lock->tryLock(0);
+    }
+    meshio::SceneFile scene = content();
+    QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();
+    extra[QLatin1String(kCopyOf)] = toText(m_file);
+    scene.extra = QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
+    (void)meshio::writeScene(m_copy, scene); // a copy for bad days; the next edit tries again
+}
+
+void SceneDocument::dropCopy()
+{
+    if (!m_copy.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(m_copy, ignored);
+        m_copy.clear();
+        m_lock.reset();
+    }
+}
+
+std::optional<std::filesystem::path> SceneDocument::findLeftover()
+{
+    const QDir folder(copyFolder());
+    for (const QString& name : folder.entryList({QStringLiteral("*.palpate.json")}, QDir::Files, QDir::Time)) {
+        const std::filesystem::path copy = toPath(folder.filePath(name));
+        QLockFile lock(lockOf(copy));
+        lock.setStaleLockTime(0);
+        if (lock.tryLock(0)) { // nobody holds it: its program is gone
+            return copy;
+        }
+    }
+    return std::nullopt;
+}
+
+void SceneDocument::discardLeftover(const std::filesystem::path& copy)
+{
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+}

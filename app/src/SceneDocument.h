@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/ui/SceneLoader.h>
+#include <palpate/ui/StructureModel.h>
+
+#include <QLockFile>
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// The open scene as a document: what its file says beside the structures, whether it was changed, saving, and a copy
+/// of unsaved changes that survives a crash.
+class SceneDocument : public QObject
+{
+    Q_OBJECT
+  public:
+    /// @param model  holds the structures and the undo stack of all edits; must outlive this
+    explicit SceneDocument(palpate::ui::StructureModel& model, QObject* parent = nullptr);
+    ~SceneDocument() override; ///< an orderly end: the copy of unsaved changes goes
+
+    /// Takes a scene that was just opened; the rows are the model's already.
+    void take(const palpate::ui::OpenedScene& scene);
+    /// The scene file that it came from or was saved to; empty when there is none.
+    [[nodiscard]] const std::filesystem::path& file() const noexcept { return m_file; }
+    [[nodiscard]] bool isModified() const { return !m_model.undoStack().isClean(); }
+    [[nodiscard]] const std::vector<palpate::meshio::SceneFinding>& findings() const noexcept
+    {
+        return m_rest.findings;
+    }
+    /// Adds a finding, undoably.
+    void addFinding(const palpate::meshio::SceneFinding& finding);
+
+    /// Saves all of it: what could not be opened and what this version does not know is kept.
+    palpate::core::Status save(const std::filesystem::path& file, const palpate::meshio::SceneCamera& camera);
+
+    /// @return the copy of unsaved changes that a crashed program left, if there is one.
+    [[nodiscard]] static std::optional<std::filesystem::path> findLeftover();
+    /// Deletes such a copy.
+    static void discardLeftover(const std::filesystem::path& copy);
+
+  signals:
+    void findingsChanged();
+
+  private:
+    class AddFinding;
+    [[nodiscard]] palpate::meshio::SceneFile content() const;
+    void writeCopy();
+    void dropCopy();
+
+    palpate::ui::StructureModel& m_model;
+    std::filesystem::path m_file;
+    palpate::meshio::SceneFile m_rest; ///< camera, findings, unknown fields
+    std::vector<palpate::meshio::SceneStructure> m_unopened;
+    QTimer m_copyTimer;
+    std::filesystem::path m_copy;
+    std::unique_ptr<QLockFile> m_lock; ///< held as long as the copy is ours
+};

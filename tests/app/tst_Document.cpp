@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneDocument.h"
+#include "TestRunner.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+using namespace palpate;
+
+class Document : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+
+    static QString copies()
+    {
+        return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/unsaved";
+    }
+
+    /// A scene of one structure, as the window opens it.
+    static ui::OpenedScene opened(ui::StructureModel& model, const std::filesystem::path& file)
+    {
+        ui::OpenedScene scene;
+        scene.files = {file};
+        if (auto read = meshio::readScene(file); read.isOk()) {
+            scene.scene = read.value();
+        }
+        std::vector<ui::StructureRow> rows(1);
+        rows[0].loaded.description = scene.scene.structures.at(0);
+        model.setRows(std::move(rows));
+        return scene;
+    }
+
+    QJsonObject json(const std::filesystem::path& file) const
+    {
+        QFile in(QString::fromStdString(file.string()));
+        return in.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(in.readAll()).object() : QJsonObject();
+    }
+
+  private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QDir(copies()).removeRecursively();
+        QFile file(m_folder.filePath("a.palpate.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"version": 1, "author": "A", "structures": [{"mesh": "a.stl", "friction": 1}],
+                       "findings": [{"name": "old", "position": [1, 2, 3], "size": 4}]})");
+        QFile mesh(m_folder.filePath("a.stl"));
+        QVERIFY(mesh.open(QIODevice::WriteOnly));
+        mesh.write("mesh");
+    }
+
+    void cleanupTestCase() { QDir(copies()).removeRecursively(); }
+
+    void savesEverythingAndKeepsWhatItDoesNotKnow()
+    {
+        ui::StructureModel model;
+        SceneDocument document(model);
+        ui::OpenedScene scene = opened(model, path("a.palpate.json"));
+        meshio::SceneStructure gone;
+        gone.mesh = path("gone.stl");
+        scene.unopened = {gone};
+        document.take(scene);
+        QVERIFY(!document.isModified());
+        document.addFinding({"new", {4, 5, 6}, "hard"});
+        meshio::SceneStructure edited = model.structure(0);
+        edited.stiffness_N_per_mm = 0.9;
+        model.edit(0, edited);
+        QVERIFY(document.isModified());
+        QCOMPARE(document.findings().size(), std::size_t{2});
+        model.undoStack().undo();
+        model.undoStack().undo();
+        QCOMPARE(document.findings().size(), std::size_t{1});
+        QVERIFY(!document.isModified());
+        model.undoStack().redo();
+        model.undoStack().redo();
+        QCOMPARE(document.findings().size(), std::size_t{2});
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.9);
+
+        QVERIFY(QDir(m_folder.path()).mkpath("elsewhere"));
+        QVERIFY(document.save(path("elsewhere/b.palpate.json"), {}).isOk());
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.file(), path("elsewhere/b.palpate.json"));
+        const QJsonObject saved = json(path("elsewhere/b.palpate.json"));
+        QCOMPARE(saved["author"].toString(), QString("A"));
+        const QJsonArray structures = saved["structures"].toArray();
+        QCOMPARE(structures.size(), 2); // with the one that is not there
+        QCOMPARE(structures[0]["mesh"].toString(), QString("../a.stl"));
+        QCOMPARE(structures[0]["friction"].toInt(), 1);
+        QCOMPARE(structures[0]["sha256"].toString().toStdString(), meshio::fileHash(path("a.stl")));
+        QCOMPARE(structures[1]["mesh"].toString(), QString("../gone.stl"));
+        QCOMPARE(saved["findings"].toArray().size(), 2);
+        QCOMPARE(saved["findings"].toArray()[0]["size"].toInt(), 4);
+        QVERIFY(!document.save(path("no/such/folder.palpate.json"), {}).isOk());
+    }
+
+    void unsavedChangesSurviveACrash()
+    {
+        QByteArray copy;
+        {
+            ui::StructureModel model;
+            SceneDocument document(model);
+            document.take(opened(model, path("a.palpate.json")));
+            document.addFinding({"unsaved", {7, 8, 9}, {}});
+            QTRY_COMPARE_WITH_TIMEOUT(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).size(), 1, 20000);
+            QVERIFY(!SceneDocument::findLeftover()); // its program is alive
+            QFile file(QDir(copies()).filePath(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files)[0]));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            copy = file.readAll();
+        }
+        QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty()); // an orderly end
+        QFile left(QDir(copies()).filePath("1.palpate.json"));                        // of a program that is gone
+        QVERIFY(left.open(QIODevice::WriteOnly));
+        left.write(copy);
+        left.close();
+        const auto found = SceneDocument::findLeftover();
+        QVERIFY(found.has_value());
+
+        ui::StructureModel model;
+        SceneDocument document(model);
+        document.take(opened(model, *found));
+        QCOMPARE(document.file(), path("a.palpate.json"));
+        QVERIFY(document.isModified());
+        QCOMPARE(document.findings().size(), std::size_t{2});
+        QCOMPARE(document.findings()[1].name, std::string("unsaved"));
+        QVERIFY(!SceneDocument::findLeftover()); // it is ours now
+        QVERIFY(document.save(path("c.palpate.json"), {}).isOk());
+        QVERIFY(!json(path("c.palpate.json")).contains("copy_of"));
+        QCOMPARE(json(path("c.palpate.json"))["author"].toString(), QString("A"));
+        QCOMPARE(json(path("c.palpate.json"))["structures"].toArray()[0]["mesh"].toString(), QString("a.stl"));
+        QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty());
+    }
+};
+
+PALPATE_TEST(Document)
+#include "tst_Document.moc"
