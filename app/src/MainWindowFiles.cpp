@@ -69,7 +69,8 @@ void MainWindow::offerMetres()
     // No organ is this small; reference libraries write metres into files that cannot say so.
     constexpr double kSmallest_mm = 3.0;
     const double size_mm = m_viewport->view().bounds().diagonal().norm();
-    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm || meshio::isSceneFile(m_files.front())) {
+    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm || m_files.front().empty() ||
+        meshio::isSceneFile(m_files.front())) {
         return;
     }
     m_message->offer(

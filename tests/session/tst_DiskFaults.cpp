@@ -267,7 +267,7 @@ class DiskFaults : public QObject
         QVERIFY(lost >= 500);
         QCOMPARE(reader.value()->extent().dropped, lost);
         QCOMPARE(reader.value()->events().back().kind, std::string("dropped"));
-        QCOMPARE(reader.value()->events().back().json, "{\"ticks\": " + std::to_string(lost) + "}");
+        QCOMPARE(QString::fromStdString(reader.value()->events().back().json), QString("{\"ticks\": %1}").arg(lost));
         QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
         std::int64_t expected = reader.value()->extent().firstTick;
         int gaps = 0;
