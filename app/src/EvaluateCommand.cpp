@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "PhantomFolder.h"
 #include "ProgressLine.h"
 #include "SceneForTouch.h"
 
 #include <palpate/evaluation/Report.h>
-#include <palpate/evaluation/Shapes.h>
 #include <palpate/session/MotionFile.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -29,35 +33,67 @@ struct EvaluateOptions
 {
     std::vector<fs::path> scenes;
     fs::path motion, out = "evaluation";
-    std::string unit = "mm", stiffness = "0.5";
+    std::string unit = "mm", stiffness;
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
+    bool isLong = false;
+    bool withLaidMotions = false; ///< beside a given one
 };
 
-/// @param losses  gets what of the scenes could not be opened
-core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm, std::vector<std::string>& losses)
+// A quick run ends within 30 s with all that can't be cut short: loading, the step it is in, writing.
+constexpr double kQuick_s = 22.0, kQuickLeast_s = 3.0;
+
+/// Keeps Ctrl-C from cutting a file short while it is written.
+class Uninterrupted
+{
+  public:
+    Uninterrupted()
+    {
+        for (std::size_t i = 0; i < kSignals.size(); ++i) {
+            m_before[i] = std::signal(kSignals[i], SIG_IGN);
+        }
+    }
+    ~Uninterrupted()
+    {
+        for (std::size_t i = 0; i < kSignals.size(); ++i) {
+            (void)std::signal(kSignals[i], m_before[i]);
+        }
+    }
+
+  private:
+    static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+    std::array<void (*)(int), kSignals.size()> m_before{};
+};
+
+/// @param losses  gets a line for what could not be opened
+core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm, std::optional<double> stiffness,
+                                    std::vector<std::string>& losses)
 {
     Subjects subjects;
     for (const fs::path& path : options.scenes) {
         meshio::ReadOptions read;
         read.unit_mm = unit_mm;
-        const auto loaded = loadSceneOrFolder(path, read);
+        auto loaded = loadSceneOrFolder(path, read);
         if (!loaded.isOk()) {
             return loaded.status();
         }
+        meshio::LoadedScene scene = std::move(loaded).value();
+        losses.insert(losses.end(), scene.losses.begin(), scene.losses.end());
+        for (meshio::LoadedStructure& structure : scene.structures) {
+            double& own = structure.description.stiffness_N_per_mm;
+            own = stiffness.value_or(own);
+        }
         const fs::path named = path.has_filename() ? path : path.parent_path();
-        losses.insert(losses.end(), loaded.value().losses.begin(), loaded.value().losses.end());
-        auto subject = evaluation::subjectOf(named.filename().string(), loaded.value());
+        std::string name = named.filename().string();
+        if (std::any_of(subjects.begin(), subjects.end(), [&](const auto& s) { return s->name == name; })) {
+            name = path.string(); // two folders may hold a liver.stl each
+        }
+        auto subject = evaluation::subjectOf(std::move(name), scene);
         if (subject == nullptr) {
             return Status(StatusCode::Empty, path.string() + ": found nothing palpable, expected a surface to touch");
         }
         subjects.push_back(std::move(subject));
-    }
-    if (subjects.empty()) {
-        // Hills and hollows of some 10 mm on a ball of 120 mm: as bumpy as an organ, and there without a file.
-        subjects.push_back(
-            evaluation::subjectOf("bumpy ball of 120 mm", evaluation::shapes::bumpySphere(32, 60.0, 0.02)));
     }
     return subjects;
 }
@@ -80,13 +116,14 @@ core::Result<evaluation::HandMotion> loadMotion(const fs::path& path)
     return evaluation::resampled(path.filename().string(), motion.value().p_WH, motion.value().dt_s);
 }
 
-int runStability()
+int runStability(bool withLong)
 {
     std::vector<evaluation::HardCaseResult> results;
     {
         ProgressLine progress;
-        results = evaluation::runHardCases(
-            false, [&](double share, const std::string& what) { return progress.show(share, what); });
+        results =
+            evaluation::runHardCases(withLong ? evaluation::HardCaseChoice::All : evaluation::HardCaseChoice::Ordinary,
+                                     [&](double share, const std::string& what) { return progress.show(share, what); });
     }
     std::size_t passed = 0;
     for (const auto& result : results) {
@@ -99,26 +136,87 @@ int runStability()
     return passed == results.size() ? kDone : kSomeLost;
 }
 
-int runEvaluate(const EvaluateOptions& options)
+void printSummary(const evaluation::Evaluation& result)
+{
+    for (const evaluation::Advice& advice : result.advice) {
+        print("%s: %s\n", advice.subject.c_str(), advice.setting.c_str());
+        for (const std::string& line : advice.why) {
+            print("  %s\n", line.c_str());
+        }
+        if (!advice.warning.empty()) {
+            print("  %s\n", advice.warning.c_str());
+        }
+    }
+    for (const evaluation::Ratio& ratio : result.ratios) {
+        print("Sphere of %s triangles: a tick of %s takes %.3g times as long",
+              grouped(static_cast<long long>(ratio.triangles)).c_str(), ratio.solver.c_str(), ratio.times);
+        if (ratio.wanted > 0.0) {
+            print(" (wanted: at least %g)", ratio.wanted);
+        }
+        print("\n");
+    }
+    std::size_t passed = 0;
+    for (const auto& hardCase : result.hardCases) {
+        passed += hardCase.passed() ? 1 : 0;
+    }
+    print("%zu of %zu hard cases pass\n", passed, result.hardCases.size());
+    for (const std::string& line : result.leftOut) {
+        print("Left out: %s\n", line.c_str());
+    }
+}
+
+core::Result<std::optional<double>> stiffnessOption(const std::string& text)
+{
+    if (text.empty()) {
+        return std::optional<double>();
+    }
+    const auto given = numberOption("--stiffness", text, 0.0, true);
+    return given.isOk() ? core::Result<std::optional<double>>(std::optional(given.value())) : given.status();
+}
+
+/// Without a scene, the bundled phantom with the recorded palpation of it.
+core::Status chooseScene(EvaluateOptions& options)
+{
+    if (!options.scenes.empty()) {
+        return {};
+    }
+    const auto folder = phantomFolder();
+    if (!folder) {
+        return {StatusCode::BadCommandLine,
+                "evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file"};
+    }
+    options.scenes.push_back(*folder / "phantom.palpate.json");
+    if (options.motion.empty()) {
+        options.motion = *folder / "palpation.palpate";
+        options.withLaidMotions = true;
+    }
+    return {};
+}
+
+int runEvaluate(EvaluateOptions options)
 {
     if (options.isStability) {
-        return runStability();
+        return runStability(options.isLong);
     }
+    const auto started = std::chrono::steady_clock::now();
     const auto unit = unitOption(options.unit);
     if (!unit.isOk()) {
         return report(unit.status());
     }
-    const auto stiffness = numberOption("--stiffness", options.stiffness, 0.0, true);
+    const auto stiffness = stiffnessOption(options.stiffness);
     if (!stiffness.isOk()) {
         return report(stiffness.status());
     }
-    std::optional<evaluation::HandMotion> motion;
+    if (const Status status = chooseScene(options); !status.isOk()) {
+        return report(status);
+    }
+    std::vector<evaluation::HandMotion> motions;
     if (!options.motion.empty()) {
         auto loaded = loadMotion(options.motion);
         if (!loaded.isOk()) {
             return report(loaded.status());
         }
-        motion = std::move(loaded).value();
+        motions.push_back(std::move(loaded).value());
     }
     // Before minutes of work, not after.
     std::error_code error;
@@ -128,7 +226,7 @@ int runEvaluate(const EvaluateOptions& options)
                              "--out: " + options.out.string() + " cannot be made: " + error.message()));
     }
     std::vector<std::string> losses;
-    const auto subjects = loadSubjects(options, unit.value(), losses);
+    const auto subjects = loadSubjects(options, unit.value(), stiffness.value(), losses);
     if (!subjects.isOk()) {
         return report(subjects.status());
     }
@@ -137,23 +235,23 @@ int runEvaluate(const EvaluateOptions& options)
         ProgressLine progress;
         evaluation::EvaluateOptions how;
         how.isQuick = options.isQuick;
-        how.stiffness_N_per_mm = stiffness.value();
         how.seed = options.seed;
+        how.withLaidMotions = options.withLaidMotions;
         how.progress = [&](double share, const std::string& what) { return progress.show(share, what); };
-        result = evaluation::evaluate(subjects.value(), motion ? &*motion : nullptr, how);
+        if (options.isQuick) {
+            const std::chrono::duration<double> loading = std::chrono::steady_clock::now() - started;
+            how.seconds = std::max(kQuickLeast_s, kQuick_s - loading.count());
+        }
+        result = evaluation::evaluate(subjects.value(), motions, how);
     }
-    if (const Status status = evaluation::writeReport(options.out, result); !status.isOk()) {
-        return report(status);
+    {
+        const Uninterrupted whole;
+        if (const Status status = evaluation::writeReport(options.out, result); !status.isOk()) {
+            return report(status);
+        }
     }
-    for (const evaluation::Advice& advice : result.advice) {
-        print("%s: %s\n  %s\n", advice.subject.c_str(), advice.setting.c_str(), advice.why.c_str());
-    }
-    std::size_t passed = 0;
-    for (const auto& hardCase : result.hardCases) {
-        passed += hardCase.passed() ? 1 : 0;
-    }
-    print("%zu of %zu hard cases pass\n%s\n", passed, result.hardCases.size(),
-          (options.out / "report.html").string().c_str());
+    printSummary(result);
+    print("%s\n", (options.out / "report.html").string().c_str());
     return reportLosses(losses);
 }
 
@@ -165,16 +263,18 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
     CLI::App* command =
         app.add_subcommand("evaluate", "Measure speed against error: every solver and setting, on your meshes");
     command->add_option("SCENE", options->scenes,
-                        "Mesh files, scene files or folders of meshes; without any, a bumpy ball");
+                        "Mesh files, scene files or folders of meshes; without any, the bundled phantom");
     command->add_option("--motion", options->motion,
                         "CSV with x,y,z in mm, or a recording; without it, motions are laid on the surfaces");
-    command->add_option("--out", options->out, "Folder for report.html, results.csv and results.json")
+    command->add_option("--out", options->out, "Folder for report.html, chart.svg, results.json and the tables as CSV")
         ->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
-    command->add_option("--stiffness", options->stiffness, "Stiffness for forces [N/mm]")->capture_default_str();
+    command->add_option("--stiffness", options->stiffness,
+                        "Stiffness of every tissue [N/mm]; without it, the scene's own");
     command->add_option("--seed", options->seed, "Seed of the motions")->capture_default_str();
     command->add_flag("--quick", options->isQuick, "End within half a minute");
     command->add_flag("--stability", options->isStability, "Run the hard cases alone; exit code 3 when one fails");
+    command->add_flag("--long", options->isLong, "With --stability: the hard cases of millions of ticks as well");
     command->callback([options, &chosen] { chosen = [options] { return runEvaluate(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MainWindow.h"
 #include "Paths.h"
+#include "PhantomFolder.h"
 #include "SceneForTouch.h"
 
 #include <palpate/ui/Theme.h>
@@ -17,32 +18,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 using namespace palpate;
 using namespace palpate::ui;
-
-std::optional<std::filesystem::path> phantomFolder()
-{
-    std::vector<std::filesystem::path> candidates;
-    if (const char* named = std::getenv("PALPATE_DATA_DIR")) {
-        candidates.emplace_back(std::filesystem::path(named) / "phantom");
-    }
-    const std::filesystem::path program = toPath(QCoreApplication::applicationDirPath());
-    candidates.push_back(program / "../share/palpate/phantom");
-    // In a build tree: the source's data folder is a few folders up.
-    for (std::filesystem::path up = program; up.has_relative_path(); up = up.parent_path()) {
-        candidates.push_back(up / "data/phantom");
-    }
-    for (const std::filesystem::path& folder : candidates) {
-        std::error_code error;
-        if (std::filesystem::exists(folder / "phantom.palpate.json", error)) {
-            return std::filesystem::weakly_canonical(folder, error);
-        }
-    }
-    return std::nullopt;
-}
 
 MainWindow::MainWindow()
 {
@@ -238,7 +217,7 @@ void MainWindow::connectParts()
     connect(m_welcome, &WelcomePage::openWanted, this, &MainWindow::chooseFiles);
     connect(m_welcome, &WelcomePage::recentWanted, this, [this](const QString& path) { open({toPath(path)}); });
     connect(m_welcome, &WelcomePage::phantomWanted, this, [this] {
-        if (const auto folder = phantomFolder()) {
+        if (const auto folder = app::phantomFolder()) {
             open({*folder / "phantom.palpate.json", *folder / "palpation.palpate"});
         }
     });

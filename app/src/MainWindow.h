@@ -153,6 +153,3 @@ class MainWindow : public QMainWindow
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there
     std::filesystem::path m_recordingPath;
 };
-
-/// The bundled phantom's folder: beside the installed program, in the source tree, or where PALPATE_DATA_DIR says.
-[[nodiscard]] std::optional<std::filesystem::path> phantomFolder();

@@ -2,6 +2,8 @@
 // Menus, tool bar, chips and what they show of the parts' state.
 #include "MainWindow.h"
 
+#include "PhantomFolder.h"
+
 #include <palpate/ui/Theme.h>
 
 #include <QDockWidget>
@@ -235,7 +237,7 @@ void MainWindow::refreshRecent()
             recent << path;
         }
     }
-    m_welcome->setChoices(phantomFolder().has_value(), recent);
+    m_welcome->setChoices(app::phantomFolder().has_value(), recent);
     m_recentMenu->clear();
     m_recentMenu->setEnabled(!recent.isEmpty());
     for (const QString& path : recent) {

@@ -12,12 +12,44 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <set>
 
 using namespace palpate;
 using namespace palpate::evaluation;
 
 namespace {
+
+/// How many columns a line of comma-separated values has.
+qsizetype columnsOf(const QByteArray& line)
+{
+    qsizetype columns = 1;
+    bool isQuoted = false;
+    for (const char c : line) {
+        isQuoted = isQuoted != (c == '"');
+        columns += c == ',' && !isQuoted ? 1 : 0;
+    }
+    return columns;
+}
+
+/// A soft cube around a stiffer ball in the layer below it, 2 mm under the top, and beside it a third tissue.
+meshio::LoadedScene layeredScene()
+{
+    const auto structure = [](const char* name, const geometry::TriangleMesh& mesh, double stiffness,
+                              std::uint32_t layer) {
+        meshio::LoadedStructure result;
+        result.description.name = name;
+        result.description.stiffness_N_per_mm = stiffness;
+        result.description.layer = layer;
+        result.surface = std::make_shared<geometry::RepairedMesh>(geometry::repair(mesh));
+        return result;
+    };
+    meshio::LoadedScene scene;
+    scene.structures.push_back(structure("soft", shapes::box({-20, -20, -20}, {20, 20, 20}, 2), 0.2, 0));
+    scene.structures.push_back(structure("beside", shapes::box({30, -20, -20}, {50, 20, 20}, 2), 0.3, 0));
+    scene.structures.push_back(structure("lump", shapes::box({-5, -5, 8}, {5, 5, 18}, 2), 0.6, 7));
+    return scene;
+}
 
 QByteArray contentOf(const QString& path)
 {
@@ -39,13 +71,13 @@ class Report : public QObject
         const auto subject = subjectOf("ball <& co>", shapes::bumpySphere(10, 60.0, 0.01));
         QVERIFY(subject != nullptr);
         const HandMotion motion = [&] {
-            HandMotion m = standardMotions(subject->surface, 3, 400).front();
+            HandMotion m = standardMotions(subject->layers[0].surface, 3, 400).front();
             m.name = "slide";
             return m;
         }();
         EvaluateOptions options;
         options.isQuick = true;
-        options.withHardCases = false;
+        options.withHardCases = options.withLaidMotions = false;
         int calls = 0;
         double last = 0.0;
         bool isRising = true;
@@ -55,7 +87,7 @@ class Report : public QObject
             ++calls;
             return true;
         };
-        m_evaluation = evaluate({subject}, &motion, options);
+        m_evaluation = evaluate({subject}, {motion}, options);
         QVERIFY(calls > 5);
         QVERIFY(isRising);
         m_evaluation.hardCases.push_back(evaluation::run(hardCases().front()));
@@ -74,8 +106,8 @@ class Report : public QObject
              {"exact", "Palpate", "paper (brute force)", "VTK static cell locator", "vector field, nearest"}) {
             QVERIFY2(solvers.count(name) == 1, name);
         }
-        for (const char* name :
-             {"one pass a tick", "500 Hz held", "4000 Hz held", "50 % of the triangles", "1 % of the triangles"}) {
+        for (const char* name : {"one pass a tick", "force held at 500 Hz", "force held at 4000 Hz",
+                                 "50 % of the triangles", "1 % of the triangles"}) {
             QVERIFY2(settings.count(name) == 1, name);
         }
         QVERIFY(!m_evaluation.sizes.empty());
@@ -108,15 +140,57 @@ class Report : public QObject
     {
         const auto subject = subjectOf("ball", shapes::bumpySphere(6, 60.0, 0.01));
         EvaluateOptions options;
-        options.withHardCases = false;
+        options.withHardCases = options.withLaidMotions = false;
         options.isQuick = true;
-        const HandMotion motion = standardMotions(subject->surface, 9, 150).front();
-        const Evaluation a = evaluate({subject}, &motion, options), b = evaluate({subject}, &motion, options);
+        const HandMotion motion = standardMotions(subject->layers[0].surface, 9, 150).front();
+        const Evaluation a = evaluate({subject}, {motion}, options), b = evaluate({subject}, {motion}, options);
         for (std::size_t i = 0; i < a.trials.size(); ++i) {
             if (a.trials[i].ticks == a.trials[i].wanted && b.trials[i].ticks == b.trials[i].wanted) {
                 QCOMPARE(a.trials[i].position_mm.max, b.trials[i].position_mm.max);
             }
         }
+    }
+
+    void layersAreFeltTogether()
+    {
+        const auto subject = subjectOf("layers", layeredScene());
+        QCOMPARE(subject->layers.size(), std::size_t(2));
+        QCOMPARE(subject->layers[0].stiffnessAt(Vec3(3, 3, 20)), 0.2);
+        QCOMPARE(subject->layers[0].stiffnessAt(Vec3(40, 3, 20)), 0.3);
+        QCOMPARE(subject->layers[1].stiffnessAt(Vec3(0, 0, 18)), 0.6);
+        HandMotion press{"press", {}};
+        for (int i = 0; i <= 400; ++i) {
+            press.p_WH.emplace_back(1.0, 0.5, 22.0 - 0.02 * i); // to 14: 6 mm into the cube, 4 mm into the lump
+        }
+        EvaluateOptions options;
+        options.isQuick = true;
+        options.withHardCases = options.withLaidMotions = false;
+        const Evaluation e = evaluate({subject}, {press}, options);
+        QCOMPARE(e.subjects[0].layers, std::size_t(2));
+        QCOMPARE(e.subjects[0].structures.size(), std::size_t(3));
+        const auto product = std::find_if(e.trials.begin(), e.trials.end(), [](const Trial& t) {
+            return t.solver == "Palpate" && t.knob == Knob::Solver;
+        });
+        QVERIFY(product != e.trials.end());
+        QCOMPARE(product->triangles, subject->triangleCount());
+        QVERIFY(product->position_mm.max <= 1e-6 && product->force_N.max <= 1e-6);
+        // A force held over 2 ms lags by 0.16 mm of both springs once the lump is touched.
+        const auto slow =
+            std::find_if(e.trials.begin(), e.trials.end(), [](const Trial& t) { return t.rate_Hz == 500.0; });
+        QVERIFY(std::abs(slow->force_N.max - 0.16 * (0.2 + 0.6)) < 1e-6);
+    }
+
+    void timeIsKept()
+    {
+        const auto subject = subjectOf("ball", shapes::bumpySphere(6, 60.0, 0.01));
+        EvaluateOptions options;
+        options.isQuick = true;
+        options.seconds = 1e-3;
+        const Evaluation e = evaluate({subject}, {}, options);
+        QVERIFY(!e.isCancelled);
+        QVERIFY(e.leftOut.size() > 5); // nearly all of it, each named
+        QVERIFY(reportHtml(e).find("Left out for lack of time") != std::string::npos);
+        QCOMPARE(e.trials.back().solver, std::string("Palpate")); // what is asked about is measured all the same
     }
 
     void cancellingEndsIt()
@@ -125,7 +199,7 @@ class Report : public QObject
         EvaluateOptions options;
         options.isQuick = true;
         options.progress = [](double, const std::string&) { return false; };
-        const Evaluation e = evaluate({subject}, nullptr, options);
+        const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(e.isCancelled);
         QVERIFY(e.trials.empty());
         QVERIFY(reportHtml(e).find("Cancelled") != std::string::npos);
@@ -136,7 +210,8 @@ class Report : public QObject
         QTemporaryDir folder;
         const QString out = folder.filePath("a/b");
         QVERIFY(writeReport(out.toStdString(), m_evaluation).isOk());
-        QCOMPARE(QDir(out).entryList(QDir::Files), (QStringList{"report.html", "results.csv", "results.json"}));
+        QCOMPARE(QDir(out).entryList(QDir::Files),
+                 (QStringList{"chart.svg", "hard_cases.csv", "report.html", "results.csv", "results.json"}));
 
         const QJsonObject json = QJsonDocument::fromJson(contentOf(out + "/results.json")).object();
         QCOMPARE(json["trials"].toArray().size(), qsizetype(m_evaluation.trials.size()));
@@ -147,11 +222,23 @@ class Report : public QObject
         QVERIFY(!json["machine"].toObject()["build"].toString().isEmpty());
 
         const QList<QByteArray> lines = contentOf(out + "/results.csv").trimmed().split('\n');
-        QCOMPARE(lines.size(), qsizetype(m_evaluation.trials.size() + 1));
-        const auto columns = lines[0].count(',');
-        for (qsizetype i = 1; i < lines.size(); ++i) {
-            QCOMPARE(lines[i].count(','), columns + lines[i].count(", h") + lines[i].count("field, "));
+        QCOMPARE(lines.size(), qsizetype(m_evaluation.trials.size() + m_evaluation.sizes.size() + 1));
+        for (const QByteArray& line : lines) {
+            QCOMPARE(columnsOf(line), columnsOf(lines[0]));
         }
+        QVERIFY(lines[0].endsWith("mesh_sha256,seed,cpu,compiler,build"));
+        QVERIFY(lines[1].contains(m_evaluation.subjects[0].hash.c_str()));
+        const QList<QByteArray> cases = contentOf(out + "/hard_cases.csv").trimmed().split('\n');
+        QCOMPARE(cases.size(), qsizetype(m_evaluation.hardCases[0].figures.size() + 1));
+        for (const QByteArray& line : cases) {
+            QCOMPARE(columnsOf(line), columnsOf(cases[0]));
+        }
+
+        QXmlStreamReader chart(contentOf(out + "/chart.svg"));
+        while (!chart.atEnd()) {
+            chart.readNext();
+        }
+        QVERIFY2(!chart.hasError(), qPrintable(chart.errorString()));
 
         QByteArray html = contentOf(out + "/report.html");
         QVERIFY(html.startsWith("<!DOCTYPE html>"));

@@ -23,8 +23,9 @@ inline void checkHardCase()
     QFETCH(int, index);
     const evaluation::HardCaseResult result = evaluation::run(evaluation::hardCases()[static_cast<std::size_t>(index)]);
     QVERIFY(result.ticks > 0 && result.triangles > 0);
-    QString failed;
+    QString failed, all;
     for (const evaluation::HardCaseFigure& f : result.figures) {
+        all += QString("; %1 %2").arg(QString::fromStdString(f.what)).arg(f.measured);
         if (!f.passed()) {
             failed += QString("%1: %2, bound %3, at tick %4; ")
                           .arg(QString::fromStdString(f.what))
@@ -33,6 +34,7 @@ inline void checkHardCase()
                           .arg(f.worstTick);
         }
     }
+    qInfo("%s", qPrintable(QString("%1 triangles, %2 ticks").arg(result.triangles).arg(result.ticks) + all));
     QVERIFY2(failed.isEmpty(), qPrintable(failed));
 }
 

@@ -15,7 +15,7 @@ using geometry::TriangleMesh;
 
 void addCreases(std::vector<HardCase>& rows)
 {
-    for (const double angle : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9}) {
+    for (const double angle : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
         for (const double side : {1.0, -1.0}) {
             rows.push_back(row(
                 formatted("%s of planes %.0e rad apart", side > 0 ? "ridge" : "valley", angle),
@@ -135,14 +135,14 @@ void addPlates(std::vector<HardCase>& rows)
             hit));
         if (thickness == 0.0) {
             rows.back().intrusion_mm = [](const Vec3& p) {
-                return std::min(20.0 - std::max(std::abs(p.x()), std::abs(p.y())), -p.z() - 1e-6);
+                return std::min(20.0 - std::max(std::abs(p.x()), std::abs(p.y())), -p.z());
             };
         }
     }
     rows.push_back(row(
         "open shell from below", [] { return shapes::sheet(20.0, 6); },
         HandPath({1, 2, -4}).to({1, 2, 3}, 0.2).to({-7, 9, 3}, 0.1).to({-7, 9, -2}, 0.2)));
-    rows.back().intrusion_mm = [](const Vec3& p) { return p.z() - 1e-6; };
+    rows.back().intrusion_mm = [](const Vec3& p) { return p.z(); };
     rows.push_back(row(
         "inward-facing closed sphere",
         [] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CostOnSphere.h"
 
+#include "Interruptions.h"
 #include "TrialRun.h"
 #include "palpate/evaluation/PaperSolver.h"
 #include "palpate/evaluation/ProductSolver.h"
@@ -16,50 +17,94 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kRadius_mm = 50.0, kPress_mm = 45.0;
-constexpr int kApproach = 50, kTicks = 2000;
+constexpr double kRadius_mm = 50.0, kDepth_mm = 5.0, kStep_mm = 0.1;
+constexpr int kApproach = 50, kTicks = 2000, kTurn = 50;
 constexpr std::uint32_t kMostForPaper = 100000; // triangles: beyond, a tick of brute force says nothing new
 
-void measure(ReferenceSolver& solver, std::uint32_t triangles, double seconds, std::vector<SizePoint>& points)
+/// One solver on its way over the sphere.
+struct Slide
 {
-    const TimeLimit limit(seconds);
+    std::unique_ptr<ReferenceSolver> solver;
+    double seconds; ///< that it may still take
+    int tick = -kApproach;
     std::vector<double> time_us;
-    solver.start(Vec3(0, 0, 1.1 * kRadius_mm));
-    for (int i = -kApproach; i < kTicks && !limit.isOver(); ++i) {
-        const double a = 2e-3 * std::max(i, 0), r = i < 0 ? kPress_mm - 0.2 * i : kPress_mm;
+};
+
+/// @return false when it is at its end
+bool advance(Slide& slide)
+{
+    const TimeLimit limit(slide.seconds);
+    const auto started = core::monotonicNow_ns();
+    for (int i = 0; i < kTurn && slide.tick < kTicks && !limit.isOver(); ++i, ++slide.tick) {
+        const double a = kStep_mm / kRadius_mm * std::max(slide.tick, 0);
+        const double r = kRadius_mm - kDepth_mm + 0.2 * std::max(0, -slide.tick);
         const Vec3 hip = r * Vec3(std::sin(a), 0.3 * std::sin(0.7 * a), std::cos(a)).normalized();
+        const long interruptionsBefore = interruptions();
         const auto before = core::monotonicNow_ns();
-        (void)solver.step(hip);
-        if (i >= 0) {
-            time_us.push_back(1e-3 * static_cast<double>(core::monotonicNow_ns() - before));
+        (void)slide.solver->step(hip);
+        const double took_us = 1e-3 * static_cast<double>(core::monotonicNow_ns() - before);
+        if (slide.tick >= 0 && interruptions() == interruptionsBefore) {
+            slide.time_us.push_back(took_us);
         }
     }
-    if (!time_us.empty()) {
-        const std::size_t ticks = time_us.size();
-        points.push_back({solver.name(), triangles, ticks, percentilesOf(std::move(time_us))});
-    }
+    slide.seconds -= 1e-9 * static_cast<double>(core::monotonicNow_ns() - started);
+    return slide.tick < kTicks && slide.seconds > 0.0;
 }
 
 } // namespace
 
 std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds)
 {
-    std::vector<SizePoint> points;
     const Surface surface(geometry::repair(shapes::bumpySphere(n, kRadius_mm, 0.0)));
     const std::uint32_t triangles = surface.triangleCount();
-    ProductSolver product(sceneOf(surface.repaired()), "Palpate");
-    measure(product, triangles, seconds, points);
-    RaySolver vtk(surface, makeVtkCaster(surface));
-    measure(vtk, triangles, seconds, points);
+    std::vector<Slide> slides;
+    const auto add = [&](std::unique_ptr<ReferenceSolver> solver, double limit) {
+        solver->start(Vec3(0, 0, 1.1 * kRadius_mm));
+        slides.push_back({std::move(solver), limit, -kApproach, {}});
+    };
+    add(std::make_unique<ProductSolver>(sceneOf(surface.repaired()), "Palpate"), seconds);
+    add(std::make_unique<RaySolver>(surface, makeVtkCaster(surface)), seconds);
     if (auto caster = makeEmbreeCaster(surface)) {
-        RaySolver embree(surface, std::move(caster));
-        measure(embree, triangles, seconds, points);
+        add(std::make_unique<RaySolver>(surface, std::move(caster)), seconds);
     }
     if (triangles <= kMostForPaper) {
-        PaperSolver paper(surface);
-        measure(paper, triangles, 0.5 * bruteForceSeconds, points);
+        add(std::make_unique<PaperSolver>(surface), bruteForceSeconds);
+    }
+    for (bool isGoing = true; isGoing;) {
+        isGoing = false;
+        for (Slide& slide : slides) {
+            isGoing = advance(slide) || isGoing;
+        }
+    }
+    std::vector<SizePoint> points;
+    for (Slide& slide : slides) {
+        if (!slide.time_us.empty()) {
+            const std::size_t ticks = slide.time_us.size();
+            points.push_back({slide.solver->name(), triangles, ticks, percentilesOf(std::move(slide.time_us))});
+        }
     }
     return points;
+}
+
+std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes)
+{
+    // What is wanted of the product: the paper's bound is for 20,000 triangles.
+    constexpr std::size_t kPaperTriangles = 20480;
+    std::vector<Ratio> ratios;
+    for (const SizePoint& own : sizes) {
+        for (const SizePoint& other : sizes) {
+            if (own.solver != "Palpate" || other.solver == own.solver || other.triangles != own.triangles ||
+                own.time_us.p50 <= 0.0) {
+                continue;
+            }
+            const double wanted = other.solver.starts_with("VTK")                                         ? 5.0
+                                  : other.solver == "Embree"                                              ? 1.0
+                                  : other.solver.starts_with("paper") && own.triangles == kPaperTriangles ? 1000.0
+                                                                                                          : 0.0;
+            ratios.push_back({other.solver, own.triangles, other.time_us.p50 / own.time_us.p50, wanted});
+        }
+    }
+    return ratios;
 }
 
 } // namespace palpate::evaluation

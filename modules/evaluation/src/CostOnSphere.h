@@ -3,12 +3,14 @@
 
 #include "palpate/evaluation/Evaluation.h"
 
-#include <vector>
-
 namespace palpate::evaluation {
 
-/// Measures what a tick costs on a sphere of 50 mm radius and 20 n² triangles, sliding 5 mm deep at 100 mm/s.
-/// @param seconds,bruteForceSeconds  that a solver may take
+/// Slides each solver over a sphere of 50 mm and 20 n² triangles at 100 mm/s, 5 mm deep, in turns of a few ticks, so
+/// that what else the machine does falls on all of them.
+/// @param seconds,bruteForceSeconds  that one solver may take
 [[nodiscard]] std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds);
+
+/// The medians of the other solvers over the product's, on each sphere.
+[[nodiscard]] std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes);
 
 } // namespace palpate::evaluation

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Advice.h"
 #include "CostOnSphere.h"
 #include "Machine.h"
 #include "TrialRun.h"
@@ -26,6 +27,9 @@ struct Times
 constexpr Times kQuick{2.5, 0.3, 1.0, 600, 64};
 constexpr Times kFull{60.0, 3.0, 20.0, 3000, 256};
 constexpr double kNoLimit_s = 1e6;
+// Of a limited time, the subjects' share; the spheres and the hard cases get the rest. And the truth's share of that.
+constexpr double kSubjectsShare = 0.6, kTruthShare = 0.3;
+constexpr double kDecimation_s = 2e-5; // for each triangle removed, until it has been measured
 
 std::string percent(double share)
 {
@@ -40,16 +44,31 @@ class Evaluator
     Evaluator(const EvaluateOptions& options, std::size_t subjects)
         : m_options(options)
         , m_times(options.isQuick ? kQuick : kFull)
-        , m_parts(static_cast<double>(subjects * 9 + (options.withHardCases ? 6 : 0) + 2))
+        , m_limit_s(options.seconds > 0.0 ? options.seconds : kNoLimit_s)
+        , m_subjects(static_cast<double>(subjects))
+        , m_parts(m_subjects * kPartsOfASubject + (options.withHardCases ? 6 : 0) + 2)
     {
-        m_times.truth /= static_cast<double>(subjects);
-        m_times.other /= static_cast<double>(subjects);
-        m_times.bruteForce /= static_cast<double>(subjects);
+        m_times.truth /= m_subjects;
+        m_times.other /= m_subjects;
+        m_times.bruteForce /= m_subjects;
     }
 
-    Evaluation run(const std::vector<std::shared_ptr<const Subject>>& subjects, const HandMotion* given);
+    Evaluation run(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given);
 
   private:
+    static constexpr double kPartsOfASubject = 16.0; // about, for the progress
+
+    /// One thing that is measured of a subject.
+    struct Part
+    {
+        std::string what;
+        std::function<void(double)> measure; ///< told the seconds that it may take
+    };
+
+    [[nodiscard]] double elapsed_s() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
+    }
     bool next(const std::string& what, double weight = 1.0)
     {
         m_result.isCancelled =
@@ -57,50 +76,62 @@ class Evaluator
         m_done += weight;
         return !m_result.isCancelled;
     }
-    void evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions);
-    void feel(Trial description, ReferenceSolver& solver, const Surface& own, bool isGodObject, double seconds);
-    void feelDecimated(const Subject& subject);
+    void evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions, double seconds);
+    void findTruth(const Subject& subject, double seconds);
+    [[nodiscard]] std::vector<Part> partsOf(const Subject& subject);
+    void feel(Trial description, LayerSolvers solvers, const std::vector<const Surface*>& own, bool isOnTruth,
+              double seconds, bool fromContact = false);
+    template<class Make>
+    void feelOn(const Subject& subject, Trial description, bool isGodObject, double seconds, bool fromContact,
+                const Make& make);
+    void feelDecimated(const Subject& subject, double share, double seconds);
     void feelSpheres();
+    void runHard();
     void elimination();
 
     const EvaluateOptions& m_options;
     Times m_times;
-    double m_parts, m_done = 0.0;
+    double m_limit_s, m_subjects, m_parts, m_done = 0.0;
+    std::chrono::steady_clock::time_point m_started = std::chrono::steady_clock::now();
     Evaluation m_result;
     const Subject* m_subject = nullptr;
     const std::vector<HandMotion>* m_motions = nullptr;
     std::vector<Truth> m_truths;
+    std::vector<geometry::TriangleMesh> m_fewer; ///< the last decimated copy of each layer
+    double m_decimation_s = kDecimation_s;
+    double m_subjectEnd_s = 0.0;
 };
 
-Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& subjects, const HandMotion* given)
+Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& subjects,
+                          const std::vector<HandMotion>& given)
 {
-    const auto started = std::chrono::steady_clock::now();
     m_result.machine = thisMachine();
     m_result.seed = m_options.seed;
-    m_result.stiffness_N_per_mm = m_options.stiffness_N_per_mm;
     m_result.isQuick = m_options.isQuick;
     m_result.vectorField = measureVectorField();
     elimination();
+    double remaining = m_subjects;
     for (const auto& subject : subjects) {
-        const std::vector<HandMotion> motions =
-            given != nullptr ? std::vector{*given}
-                             : standardMotions(subject->surface, m_options.seed, m_times.motion_ms);
+        std::vector<HandMotion> motions;
+        if (given.empty() || m_options.withLaidMotions) {
+            motions = standardMotions(subject->layers.front().surface, m_options.seed, m_times.motion_ms);
+        }
+        motions.insert(motions.end(), given.begin(), given.end());
         if (m_result.motions.empty()) {
             for (const HandMotion& motion : motions) {
                 m_result.motions.push_back(motion.name);
             }
         }
-        evaluateSubject(*subject, motions);
+        const double left = std::max(0.0, kSubjectsShare * m_limit_s - elapsed_s());
+        evaluateSubject(*subject, motions, left / remaining);
+        remaining -= 1.0;
     }
     feelSpheres();
     if (m_options.withHardCases && !m_result.isCancelled) {
-        const double from = m_done / m_parts;
-        m_result.hardCases = runHardCases(m_options.isQuick, [&](double share, const std::string& what) {
-            return !m_options.progress || m_options.progress(from + share * (1.0 - from), what);
-        });
+        runHard();
     }
     m_result.advice = adviceFor(m_result);
-    m_result.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    m_result.duration_s = elapsed_s();
     return std::move(m_result);
 }
 
@@ -113,16 +144,17 @@ void Evaluator::elimination()
     }
 }
 
-void Evaluator::feel(Trial description, ReferenceSolver& solver, const Surface& own, bool isGodObject, double seconds)
+void Evaluator::feel(Trial description, LayerSolvers solvers, const std::vector<const Surface*>& own, bool isOnTruth,
+                     double seconds, bool fromContact)
 {
     description.subject = m_subject->name;
-    description.solver = solver.name();
-    description.triangles = own.triangleCount();
-    TrialRun run(std::move(description), own, isGodObject ? &m_subject->surface : nullptr,
-                 m_options.stiffness_N_per_mm);
+    description.solver = solvers.front()->name();
+    for (const Surface* surface : own) {
+        description.triangles += surface->triangleCount();
+    }
+    TrialRun run(std::move(description), own, isOnTruth);
     for (std::size_t i = 0; i < m_motions->size(); ++i) {
-        run.feel(solver, (*m_motions)[i], m_truths[i],
-                 seconds >= kNoLimit_s ? seconds : seconds / static_cast<double>(m_motions->size()));
+        run.feel(solvers, (*m_motions)[i], m_truths[i], seconds / static_cast<double>(m_motions->size()), fromContact);
         if (i == 0 && run.result().knob == Knob::Solver) {
             m_result.series.push_back(run.series());
         }
@@ -130,25 +162,37 @@ void Evaluator::feel(Trial description, ReferenceSolver& solver, const Surface& 
     m_result.trials.push_back(run.result());
 }
 
-void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions)
+/// @param make  makes the solver of one layer, told its surface and its number
+template<class Make>
+void Evaluator::feelOn(const Subject& subject, Trial description, bool isGodObject, double seconds, bool fromContact,
+                       const Make& make)
 {
-    m_subject = &subject;
-    m_motions = &motions;
+    LayerSolvers solvers;
+    std::vector<const Surface*> own;
+    for (std::size_t l = 0; l < subject.layers.size(); ++l) {
+        own.push_back(&subject.layers[l].surface);
+        solvers.push_back(make(subject.layers[l].surface, l));
+        if (solvers.back() == nullptr) {
+            return; // not in this build
+        }
+    }
+    feel(std::move(description), std::move(solvers), own, isGodObject, seconds, fromContact);
+}
+
+void Evaluator::findTruth(const Subject& subject, double seconds)
+{
     m_truths.clear();
-    const double extent = subject.surface.bounds().sizes().maxCoeff();
-    m_result.subjects.push_back({subject.name, subject.hash, subject.surface.triangleCount(), extent,
-                                 subject.scene->byteSize(), subject.build_ms});
     Trial exact;
     exact.subject = subject.name;
     exact.solver = "exact";
-    exact.triangles = subject.surface.triangleCount();
+    exact.triangles = subject.triangleCount();
     exact.isReference = true;
-    for (const HandMotion& motion : motions) {
+    for (const HandMotion& motion : *m_motions) {
         if (!next(subject.name + ": exact, " + motion.name)) {
             return;
         }
-        const Truth& truth = m_truths.emplace_back(
-            truthOf(subject.surface, motion, m_times.truth / static_cast<double>(motions.size())));
+        const Truth& truth =
+            m_truths.emplace_back(truthOf(subject, motion, seconds / static_cast<double>(m_motions->size())));
         exact.ticks += truth.samples / 4;
         exact.wanted += motion.p_WH.size() / 4;
         if (exact.time_us.count == 0 || truth.time_us.p50 > exact.time_us.p50) {
@@ -156,68 +200,140 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMo
         }
     }
     m_result.trials.push_back(exact);
+}
 
-    const Surface& surface = subject.surface;
-    if (!next(subject.name + ": product")) {
-        return;
-    }
-    ProductSolver product(subject.scene, "Palpate");
-    feel({}, product, surface, true, kNoLimit_s);
+std::vector<Evaluator::Part> Evaluator::partsOf(const Subject& subject)
+{
+    using Solver = std::unique_ptr<ReferenceSolver>;
+    std::vector<Part> parts;
+    const auto product = [this, &subject](const Trial& trial, std::uint32_t iterations) {
+        return [this, &subject, trial, iterations](double seconds) {
+            feelOn(subject, trial, true, seconds, false, [&](const Surface&, std::size_t layer) -> Solver {
+                return std::make_unique<ProductSolver>(subject.scene, "Palpate", iterations, layer);
+            });
+        };
+    };
+    parts.push_back({"Palpate", product({}, 0)});
     Trial onePass;
     onePass.knob = Knob::OnePass;
     onePass.setting = "one pass a tick";
-    ProductSolver single(subject.scene, "Palpate", 1);
-    feel(onePass, single, surface, true, kNoLimit_s);
+    parts.push_back({"one pass a tick", product(onePass, 1)});
     for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
         Trial trial;
         trial.knob = Knob::Rate;
         trial.knobValue = trial.rate_Hz = rate;
-        trial.setting = std::to_string(std::lround(rate)) + " Hz held";
-        feel(trial, product, surface, true, kNoLimit_s);
+        trial.setting = "force held at " + std::to_string(std::lround(rate)) + " Hz";
+        parts.push_back({trial.setting, product(trial, 0)});
     }
-    if (!next(subject.name + ": VTK locator")) {
+    const auto other = [&](const std::string& what, bool isGodObject, bool isBruteForce, auto make) {
+        parts.push_back({what, [this, &subject, isGodObject, isBruteForce, make](double seconds) {
+                             feelOn(subject, {}, isGodObject,
+                                    std::min(seconds, isBruteForce ? m_times.bruteForce : m_times.other), isBruteForce,
+                                    make);
+                         }});
+    };
+    other("VTK locator", true, false, [](const Surface& surface, std::size_t) -> Solver {
+        return std::make_unique<RaySolver>(surface, makeVtkCaster(surface));
+    });
+    other("Embree", true, false, [](const Surface& surface, std::size_t) -> Solver {
+        auto caster = makeEmbreeCaster(surface);
+        return caster == nullptr ? nullptr : std::make_unique<RaySolver>(surface, std::move(caster));
+    });
+    other("paper", true, true,
+          [](const Surface& surface, std::size_t) -> Solver { return std::make_unique<PaperSolver>(surface); });
+    other("vector field", false, true,
+          [](const Surface& surface, std::size_t) -> Solver { return std::make_unique<VectorFieldSolver>(surface); });
+    const auto isWorthSumming = [](const SubjectLayer& layer) {
+        return layer.surface.componentCount() > 1 && layer.surface.componentCount() < 100;
+    };
+    if (std::any_of(subject.layers.begin(), subject.layers.end(), isWorthSumming)) {
+        other("vector field, summed", false, true, [](const Surface& surface, std::size_t) -> Solver {
+            return std::make_unique<VectorFieldSolver>(surface, VectorFieldSolver::Overlap::Sum);
+        });
+    }
+    for (const double share : {0.5, 0.25, 0.1, 0.05, 0.01}) {
+        parts.push_back(
+            {percent(share), [this, &subject, share](double seconds) { feelDecimated(subject, share, seconds); }});
+    }
+    return parts;
+}
+
+void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions, double seconds)
+{
+    if (m_result.isCancelled) {
         return;
     }
-    RaySolver vtk(surface, makeVtkCaster(surface));
-    feel({}, vtk, surface, true, m_times.other);
-    if (auto caster = makeEmbreeCaster(surface)) {
-        RaySolver embree(surface, std::move(caster));
-        feel({}, embree, surface, true, m_times.other);
+    m_subject = &subject;
+    m_motions = &motions;
+    m_fewer.clear();
+    m_subjectEnd_s = elapsed_s() + seconds;
+    SubjectInfo info;
+    info.name = subject.name;
+    info.hash = subject.hash;
+    for (const SubjectLayer& layer : subject.layers) {
+        info.structures.insert(info.structures.end(), layer.structures.begin(), layer.structures.end());
     }
-    if (!next(subject.name + ": paper and vector field")) {
-        return;
+    info.layers = subject.layers.size();
+    info.triangles = subject.triangleCount();
+    info.extent_mm = subject.bounds().sizes().maxCoeff();
+    info.bytes = subject.scene->byteSize();
+    info.build_ms = subject.build_ms;
+    m_result.subjects.push_back(std::move(info));
+
+    findTruth(subject, std::min(m_times.truth, kTruthShare * seconds));
+    const std::vector<Part> parts = partsOf(subject);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!next(subject.name + ": " + parts[i].what, (kPartsOfASubject - 3.0) / static_cast<double>(parts.size()))) {
+            return;
+        }
+        const double left = m_subjectEnd_s - elapsed_s();
+        if (i > 0 && left <= 0.0) {
+            m_result.leftOut.push_back(subject.name + ": " + parts[i].what);
+            continue;
+        }
+        parts[i].measure(std::min(m_times.other, left / static_cast<double>(parts.size() - i)));
     }
-    {
-        PaperSolver paper(surface);
-        feel({}, paper, surface, true, m_times.bruteForce);
-    }
-    VectorFieldSolver nearest(surface), sum(surface, VectorFieldSolver::Overlap::Sum);
-    feel({}, nearest, surface, false, m_times.bruteForce);
-    if (surface.componentCount() > 1 && surface.componentCount() < 100) {
-        feel({}, sum, surface, false, m_times.bruteForce);
-    }
-    feelDecimated(subject);
     markFront(m_result.trials, subject.name);
 }
 
-void Evaluator::feelDecimated(const Subject& subject)
+/// Each copy is made from the one before, which takes a quarter of the time of making each from all triangles.
+void Evaluator::feelDecimated(const Subject& subject, double share, double seconds)
 {
-    for (const double share : {0.5, 0.25, 0.1, 0.05, 0.01}) {
-        if (!next(subject.name + ": " + percent(share), 0.5)) {
+    if (m_fewer.empty()) {
+        for (const SubjectLayer& layer : subject.layers) {
+            m_fewer.push_back(layer.surface.repaired().mesh);
+        }
+    }
+    double removed = 0.0;
+    for (std::size_t l = 0; l < m_fewer.size(); ++l) {
+        removed += static_cast<double>(m_fewer[l].triangles.size()) - share * subject.layers[l].surface.triangleCount();
+    }
+    if (removed * m_decimation_s > m_subjectEnd_s - elapsed_s()) {
+        m_result.leftOut.push_back(subject.name + ": " + percent(share));
+        return;
+    }
+    const double before = elapsed_s();
+    for (std::size_t l = 0; l < m_fewer.size(); ++l) {
+        const auto now = static_cast<double>(m_fewer[l].triangles.size());
+        m_fewer[l] = decimated(m_fewer[l], share * subject.layers[l].surface.triangleCount() / std::max(1.0, now));
+    }
+    m_decimation_s = std::max(kDecimation_s, (elapsed_s() - before) / std::max(1.0, removed));
+    std::vector<Surface> surfaces;
+    std::vector<const Surface*> own;
+    LayerSolvers solvers;
+    surfaces.reserve(m_fewer.size());
+    for (const geometry::TriangleMesh& mesh : m_fewer) {
+        own.push_back(&surfaces.emplace_back(geometry::repair(mesh)));
+        if (own.back()->triangleCount() < 8) {
             return;
         }
-        const geometry::TriangleMesh fewer = decimated(subject.surface.repaired().mesh, share);
-        const Surface own(geometry::repair(fewer));
-        if (own.triangleCount() < 8) {
-            continue;
-        }
-        Trial trial;
-        trial.knob = Knob::Decimated;
-        trial.knobValue = share;
-        trial.setting = percent(share);
-        ProductSolver product(sceneOf(own.repaired()), "Palpate");
-        feel(trial, product, own, false, kNoLimit_s);
+        solvers.push_back(std::make_unique<ProductSolver>(sceneOf(own.back()->repaired()), "Palpate"));
     }
+    Trial trial;
+    trial.knob = Knob::Decimated;
+    trial.knobValue = share;
+    trial.setting = percent(share);
+    feel(trial, std::move(solvers), own, false, seconds);
 }
 
 void Evaluator::feelSpheres()
@@ -230,33 +346,34 @@ void Evaluator::feelSpheres()
             m_result.sizes.push_back(std::move(point));
         }
     }
+    m_result.ratios = ratiosOf(m_result.sizes);
+}
+
+void Evaluator::runHard()
+{
+    const double from = m_done / m_parts;
+    const HardCaseChoice choice = m_options.isQuick ? HardCaseChoice::Quick : HardCaseChoice::Ordinary;
+    bool isTimeUp = false;
+    m_result.hardCases = runHardCases(choice, [&](double share, const std::string& what) {
+        isTimeUp = isTimeUp || elapsed_s() > m_limit_s;
+        return !isTimeUp && (!m_options.progress || m_options.progress(from + share * (1.0 - from), what));
+    });
+    if (const std::size_t missing = hardCaseCount(choice) - m_result.hardCases.size(); missing > 0) {
+        m_result.isCancelled = !isTimeUp;
+        m_result.leftOut.push_back(std::to_string(missing) + " of " + std::to_string(hardCaseCount(choice)) +
+                                   " hard cases");
+    }
+    if (const std::size_t longer = hardCaseCount(HardCaseChoice::All) - hardCaseCount(choice); longer > 0) {
+        m_result.leftOut.push_back(std::to_string(longer) + " long hard cases: palpate evaluate --stability --long");
+    }
 }
 
 } // namespace
 
-Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects, const HandMotion* given,
+Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given,
                     const EvaluateOptions& options)
 {
     return Evaluator(options, subjects.size()).run(subjects, given);
-}
-
-std::vector<HardCaseResult> runHardCases(bool isQuick, const std::function<bool(double, const std::string&)>& progress)
-{
-    constexpr std::int64_t kQuickTicks = 20000;
-    std::vector<HardCaseResult> results;
-    const auto& cases = hardCases();
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(cases.size());
-        if (cases[i].isLong || (isQuick && cases[i].ticks > kQuickTicks)) {
-            continue;
-        }
-        const auto keepGoing = [&] { return !progress || progress(share, cases[i].name); };
-        if (!keepGoing()) {
-            break;
-        }
-        results.push_back(run(cases[i], keepGoing));
-    }
-    return results;
 }
 
 } // namespace palpate::evaluation

@@ -106,7 +106,7 @@ void addHandRows(std::vector<HardCase>& rows)
         rows.push_back(std::move(c));
     }
     HardCase random = wanderingRow("1e5 ticks of random motion at 300 to 500 mm/s", 100000, 0.3, 0.5, 61);
-    random.checkEvery = 5;
+    random.checkEvery = 2;
     rows.push_back(random);
     random.name = "1e7 ticks of random motion at 300 to 500 mm/s";
     random.ticks = 10000000;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Advice.h"
 #include "HtmlStyle.h"
-#include "Machine.h"
 #include "ReportCharts.h"
 #include "SvgChart.h"
 #include "palpate/evaluation/LagrangeElimination.h"
 #include "palpate/evaluation/Report.h"
 
 #include <algorithm>
+#include <map>
 
 namespace palpate::evaluation {
 
@@ -50,8 +51,8 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
         }
         const bool isSampled = t.ticks + 200 < t.wanted;
         std::string row = cell(escaped(t.solver + (t.setting.empty() ? "" : ", " + t.setting)), true) +
-                          cell(std::to_string(t.triangles)) + cell(number(t.time_us.p50)) +
-                          cell(number(t.time_us.p999)) +
+                          cell(groupedNumber(t.triangles)) + cell(t.time_us.count > 0 ? number(t.time_us.p50) : "–") +
+                          cell(t.time_us.count > 0 ? number(t.time_us.p999) : "–") +
                           cell(t.freeTime_us.count > 0 ? number(t.freeTime_us.p50) : "–");
         if (t.isReference) {
             row += "<td colspan='6' class='left soft'>the truth: what the others are compared with</td>";
@@ -64,13 +65,15 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
                    cell(t.popThroughs > 0 ? "<span class='fail'>" + std::to_string(t.popThroughs) + "</span>" : "0");
         }
         row += cell(t.isReference ? "" : std::to_string(t.otherMinimum)) +
-               cell(std::to_string(t.ticks) + (isSampled ? " of " + std::to_string(t.wanted) : ""));
+               cell(t.isReference ? "" : std::to_string(t.interrupted)) +
+               cell(groupedNumber(t.ticks) + (isSampled ? " of " + groupedNumber(t.wanted) : ""));
         rows += tag("tr", row, t.knob == Knob::Solver && t.solver == "Palpate" ? "class='strong'" : "");
     }
-    return tag("table", head({"Solver", "triangles", "time [µs]<br>median", "<br>99.9 %", "<br>in free<br>space",
-                              "error [mm]<br>mean", "<br>99 %", "force error<br>[%], 99 %", "direction<br>[°], 99 %",
-                              "residual<br>[mm], max", "pop-<br>throughs", "other<br>minimum", "ticks"}) +
-                            tag("tbody", rows));
+    return tag("table",
+               head({"Solver", "triangles", "time [µs]<br>median", "<br>99.9 %", "<br>in free<br>space",
+                     "error [mm]<br>mean", "<br>99 %", "force error<br>[%], 99 %", "direction<br>[°], 99 %",
+                     "residual<br>[mm], max", "pop-<br>throughs", "other<br>minimum", "inter-<br>rupted", "ticks"}) +
+                   tag("tbody", rows));
 }
 
 std::string hardCaseSection(const Evaluation& evaluation)
@@ -101,18 +104,37 @@ std::string hardCaseSection(const Evaluation& evaluation)
         }
         rows += tag("tr", "<td class='left case'>" + name + "</td>" +
                               cell(r->passed() ? "<span class='pass'>pass</span>" : "<span class='fail'>FAIL</span>") +
-                              figures + cell(std::to_string(r->triangles)) + cell(std::to_string(r->ticks)));
+                              figures + cell(groupedNumber(r->triangles)) +
+                              cell(groupedNumber(static_cast<std::size_t>(r->ticks))));
     }
     return tag("h2", "Hard cases: " + std::to_string(passed) + " of " + std::to_string(order.size()) + " pass") +
            "<p class='soft'>Each requires as well: nothing non-finite, bad input without effect, every tick converged, "
            "at "
-           "rest elsewhere than the exact solver in at most 1 % of the ticks. Lengths of scaled scenes have scaled "
+           "rest elsewhere than the exact solver in at most 0.1 % of the ticks. Lengths of scaled scenes have scaled "
            "bounds.</p><div class='card'>" +
            tag("table", head({"Case", "", "pop-<br>throughs<br>= 0", "residual<br>[mm]<br>≤ 10⁻⁶",
                               "spring beyond<br>the exact [mm]<br>≤ 10⁻³", "jump beyond<br>the exact [mm]<br>≤ 10⁻³",
                               "most moves<br>in a tick<br>&lt; 512", "triangles", "ticks"}) +
                             tag("tbody", rows)) +
            "</div>";
+}
+
+/// Each stiffness once, with the structures that have it where there are few.
+std::string tissuesOf(const SubjectInfo& subject)
+{
+    std::map<double, std::vector<std::string>> byStiffness;
+    for (const SubjectStructure& s : subject.structures) {
+        byStiffness[s.stiffness_N_per_mm].push_back(escaped(s.name));
+    }
+    std::string text;
+    for (const auto& [stiffness, names] : byStiffness) {
+        text += (text.empty() ? "" : "<br>") + number(stiffness) +
+                " N/mm: " + (names.size() <= 3 ? names.front() : std::to_string(names.size()) + " structures");
+        for (std::size_t i = 1; names.size() <= 3 && i < names.size(); ++i) {
+            text += ", " + names[i];
+        }
+    }
+    return text + (subject.layers > 1 ? "<br>" + std::to_string(subject.layers) + " layers" : "");
 }
 
 std::string methodSection(const Evaluation& evaluation)
@@ -125,7 +147,7 @@ std::string methodSection(const Evaluation& evaluation)
     }
     std::string hashes;
     for (const SubjectInfo& s : evaluation.subjects) {
-        hashes += tag("tr", cell(escaped(s.name), true) + cell(std::to_string(s.triangles)) +
+        hashes += tag("tr", cell(escaped(s.name), true) + cell(tissuesOf(s), true) + cell(groupedNumber(s.triangles)) +
                                 cell(number(s.extent_mm)) + cell(number(static_cast<double>(s.bytes) / 1e6)) +
                                 cell(number(static_cast<double>(s.bytes) / static_cast<double>(s.triangles))) +
                                 cell(number(s.build_ms)) + cell("<code>" + s.hash + "</code>", true));
@@ -145,9 +167,10 @@ std::string methodSection(const Evaluation& evaluation)
            operations + ".</p></div>" + tag("h2", "How it was measured") +
            "<div class='card small'><p>Motions: " + motions +
            ". Position error: distance to the god-object of the exact solver (long double, every side decided exactly, "
-           "brute force, four steps a tick) at the same tick, while either touches. Force at " +
-           number(evaluation.stiffness_N_per_mm) +
-           " N/mm; percentages and directions where the exact force is at least 2 % of its largest. Residual: how much "
+           "brute force, four steps a tick) at the same tick, while either touches; with several layers the largest of "
+           "them. Force: the layers' springs together, each with the stiffness of the tissue that the exact "
+           "god-object touches; percentages and directions where the exact force is at least 2 % of its largest. "
+           "Residual: how much "
            "nearer to "
            "the "
            "HIP legal moves could still bring the god-object. Other minimum: ticks in which it rests legally elsewhere "
@@ -157,15 +180,51 @@ std::string methodSection(const Evaluation& evaluation)
            "own ways at ridges: that is in their last hundredth. Brute-force solvers get through fewer ticks in their "
            "time: "
            "the column says how many. Times are of the solver's step alone, by the monotonic clock, in contact unless "
-           "said otherwise.</p>" +
-           tag("table", head({"Mesh", "triangles", "extent [mm]", "haptic copy [MB]", "bytes a triangle", "index [ms]",
-                              "SHA-256"}) +
+           "said otherwise; ticks in which another program took the core are counted apart (interrupted).</p>" +
+           tag("table", head({"Scene", "stiffness", "triangles", "extent [mm]", "haptic copy [MB]", "bytes a triangle",
+                              "index [ms]", "SHA-256"}) +
                             tag("tbody", hashes)) +
            "<p class='soft'>" + escaped(evaluation.machine.cpu) + ", " + std::to_string(evaluation.machine.cores) +
-           " cores; " + escaped(evaluation.machine.compiler) + "; build " + escaped(evaluation.machine.build) +
-           "; seed " + std::to_string(evaluation.seed) + "; " + escaped(evaluation.machine.startedUtc) + ", " +
-           number(evaluation.duration_s) + " s" + (evaluation.isQuick ? ", quick run" : "") +
-           ". The same numbers: results.csv, results.json.</p></div>";
+           " cores, load " + number(evaluation.machine.load) + "; " + escaped(evaluation.machine.compiler) +
+           "; build " + escaped(evaluation.machine.build) + "; seed " + std::to_string(evaluation.seed) + "; " +
+           escaped(evaluation.machine.startedUtc) + ", " + number(evaluation.duration_s) + " s" +
+           (evaluation.isQuick ? ", quick run" : "") + ". The same numbers: results.csv, results.json.</p></div>";
+}
+
+/// The product against what others would write, with what is wanted of it.
+std::string ratioCard(const Evaluation& evaluation)
+{
+    if (evaluation.ratios.empty()) {
+        return "";
+    }
+    std::string rows;
+    for (const Ratio& r : evaluation.ratios) {
+        const char* style = r.wanted <= 0.0 ? "" : r.times >= r.wanted ? "class='good'" : "class='missed'";
+        rows += tag("tr", cell(groupedNumber(r.triangles)) + cell(escaped(r.solver), true) +
+                              cell(tag("span", number(r.times) + " ×", style)) +
+                              cell(r.wanted > 0.0 ? "≥ " + number(r.wanted) + " ×" : ""));
+    }
+    return card("Median time of a tick over Palpate's (spheres, in turns)",
+                tag("table", head({"triangles", "", "takes", "wanted"}) + tag("tbody", rows)));
+}
+
+std::string notes(const Evaluation& evaluation)
+{
+    std::string text;
+    if (evaluation.machine.load > evaluation.machine.cores) {
+        text += "<p class='soft small'>The machine was busy (load " + number(evaluation.machine.load) + " on " +
+                std::to_string(evaluation.machine.cores) +
+                " cores): ticks in which another program "
+                "took the core are left out of the times, those slowed by cold caches are not.</p>";
+    }
+    if (!evaluation.leftOut.empty()) {
+        std::string list;
+        for (const std::string& line : evaluation.leftOut) {
+            list += (list.empty() ? "" : "; ") + escaped(line);
+        }
+        text += "<p class='soft small'>Left out for lack of time: " + list + ".</p>";
+    }
+    return text;
 }
 
 std::string legend()
@@ -177,20 +236,38 @@ std::string legend()
 
 } // namespace
 
+std::string chartSvg(const Evaluation& evaluation)
+{
+    if (evaluation.subjects.empty()) {
+        return "<svg xmlns='http://www.w3.org/2000/svg'/>\n";
+    }
+    std::string svg = speedAgainstErrorChart(evaluation, evaluation.subjects.front().name);
+    svg.insert(svg.find("<title>"),
+               std::string("<style>") + kChartStyle + "</style><rect width='100%' height='100%' fill='#fff'/>");
+    return svg + "\n";
+}
+
 std::string reportHtml(const Evaluation& evaluation)
 {
     std::string advice;
     for (const Advice& a : evaluation.advice) {
+        std::string why;
+        for (const std::string& line : a.why) {
+            why += tag("li", escaped(line));
+        }
+        if (!a.warning.empty()) {
+            advice += "<div class='card warning'>" + escaped(a.warning) + "</div>";
+        }
         advice += "<div class='card advice'><span class='soft small'>" + escaped(a.subject) + ": use</span><br><b>" +
-                  escaped(a.setting) + "</b><p>" + escaped(a.why) + "</p></div>";
+                  escaped(a.setting) + "</b>" + tag("ul", why) + "</div>";
     }
     std::string body = tag("h1", "Speed against error") +
                        "<p class='soft'>What a servo tick costs and how far off the "
                        "god-object is, solver by solver, knob by knob." +
                        (evaluation.isCancelled ? " <b>Cancelled: not all was measured.</b>" : "") + "</p>";
-    body += "<div class='cards'>" + advice + "</div>";
+    body += advice + notes(evaluation);
     for (const SubjectInfo& s : evaluation.subjects) {
-        body += card(s.name + ", " + std::to_string(s.triangles) + " triangles",
+        body += card(s.name + ", " + groupedNumber(s.triangles) + " triangles",
                      speedAgainstErrorChart(evaluation, s.name) + legend());
         body += "<details" + std::string(evaluation.subjects.size() == 1 ? " open" : "") + "><summary>All figures of " +
                 escaped(s.name) + "</summary><div class='card' style='overflow-x:auto'>" +
@@ -200,7 +277,7 @@ std::string reportHtml(const Evaluation& evaluation)
     if (!evaluation.sizes.empty()) {
         body += card("Cost by mesh size (spheres; dashed: 99.9 %)", costBySizeChart(evaluation));
     }
-    body += card("Palpate's moves in a tick", iterationsChart(evaluation));
+    body += ratioCard(evaluation) + card("Palpate's moves in a tick", iterationsChart(evaluation));
     for (const SubjectInfo& s : evaluation.subjects) {
         body +=
             card("Error over time, " + (evaluation.motions.empty() ? "" : evaluation.motions.front()) + ": " + s.name,
@@ -209,7 +286,7 @@ std::string reportHtml(const Evaluation& evaluation)
     body += "</div>" + hardCaseSection(evaluation) + methodSection(evaluation);
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
            "content='width=device-width, initial-scale=1'><title>Palpate: speed against error</title><style>" +
-           std::string(kReportStyle) + "</style></head><body>" + tag("main", body) + "</body></html>\n";
+           std::string(kReportStyle) + kChartStyle + "</style></head><body>" + tag("main", body) + "</body></html>\n";
 }
 
 } // namespace palpate::evaluation

@@ -4,9 +4,10 @@
 namespace palpate::evaluation {
 
 ProductSolver::ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, std::string name,
-                             std::uint32_t iterations)
+                             std::uint32_t iterations, std::size_t layer)
     : m_scene(std::move(scene))
     , m_name(std::move(name))
+    , m_layer(layer)
 {
     if (iterations > 0) {
         m_limits.iterations = iterations;
@@ -22,11 +23,11 @@ void ProductSolver::start(const Vec3& p_WH)
 SolverStep ProductSolver::step(const Vec3& p_WH)
 {
     SolverStep result;
-    if (m_scene->layerCount() == 0) {
+    if (m_layer >= m_scene->layerCount()) {
         result.p_WG = p_WH;
         return result;
     }
-    const haptics::GodObjectStep step = m_god.step(p_WH, *m_scene, 0, m_limits);
+    const haptics::GodObjectStep step = m_god.step(p_WH, *m_scene, m_layer, m_limits);
     result.p_WG = step.p_WG;
     result.constraints = step.constraints;
     result.iterations = step.iterations;

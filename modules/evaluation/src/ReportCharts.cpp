@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportCharts.h"
 
-#include "Machine.h"
+#include "Advice.h"
 #include "SvgChart.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::string labelOf(const Trial& t)
 {
     switch (t.knob) {
     case Knob::Solver:
-        return t.solver;
+        return t.solver + (2 * t.ticks < t.wanted ? ", " + groupedNumber(t.ticks) + " ticks only" : "");
     case Knob::Decimated:
         return shortNumber(100.0 * t.knobValue) + " %";
     case Knob::OnePass:

@@ -8,6 +8,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+
 namespace palpate::evaluation {
 
 namespace {
@@ -56,6 +58,15 @@ QJsonArray array(const std::vector<std::int64_t>& values)
     return result;
 }
 
+QJsonArray array(const std::vector<std::string>& lines)
+{
+    QJsonArray result;
+    for (const std::string& line : lines) {
+        result.append(text(line));
+    }
+    return result;
+}
+
 QJsonObject object(const Trial& t)
 {
     return {{"subject", text(t.subject)},
@@ -67,6 +78,7 @@ QJsonObject object(const Trial& t)
             {"rate_hz", t.rate_Hz},
             {"ticks", qint64(t.ticks)},
             {"ticks_of_motion", qint64(t.wanted)},
+            {"ticks_interrupted", qint64(t.interrupted)},
             {"time_us", object(t.time_us)},
             {"free_time_us", object(t.freeTime_us)},
             {"position_error_mm", object(t.position_mm)},
@@ -109,36 +121,73 @@ void appendPercentiles(std::string& out, const Percentiles& p)
 
 std::string resultsCsv(const Evaluation& evaluation)
 {
-    std::string out = "subject,solver,setting,knob,knob_value,triangles,rate_hz,ticks,ticks_of_motion,pop_throughs,"
-                      "ticks_in_another_minimum,is_on_pareto_front";
+    std::string out =
+        "subject,solver,setting,knob,knob_value,triangles,rate_hz,ticks,ticks_of_motion,ticks_interrupted,pop_throughs,"
+        "ticks_in_another_minimum,is_on_pareto_front";
     for (const char* what : {"time_us", "free_time_us", "position_error_mm", "force_error_n", "force_error_percent",
                              "direction_error_deg", "residual_mm"}) {
         for (const char* share : {"mean", "p50", "p99", "p99_9", "max"}) {
             out += std::string(",") + what + "_" + share;
         }
     }
-    out += '\n';
+    out += ",mesh_sha256,seed,cpu,compiler,build\n";
+    const auto origin = [&evaluation](const std::string& hash) {
+        return ',' + hash + ',' + std::to_string(evaluation.seed) + ',' + quoted(evaluation.machine.cpu) + ',' +
+               quoted(evaluation.machine.compiler) + ',' + quoted(evaluation.machine.build) + '\n';
+    };
     for (const Trial& t : evaluation.trials) {
         out += quoted(t.subject) + ',' + quoted(t.solver) + ',' + quoted(t.setting) + ',' + nameOf(t.knob) + ',';
         core::appendNumber(out, t.knobValue);
         out += ',' + std::to_string(t.triangles) + ',';
         core::appendNumber(out, t.rate_Hz);
-        out += ',' + std::to_string(t.ticks) + ',' + std::to_string(t.wanted) + ',' + std::to_string(t.popThroughs) +
-               ',' + std::to_string(t.otherMinimum) + ',' + (t.isOnFront ? "1" : "0");
+        out += ',' + std::to_string(t.ticks) + ',' + std::to_string(t.wanted) + ',' + std::to_string(t.interrupted) +
+               ',' + std::to_string(t.popThroughs) + ',' + std::to_string(t.otherMinimum) + ',' +
+               (t.isOnFront ? "1" : "0");
         for (const Percentiles* p : {&t.time_us, &t.freeTime_us, &t.position_mm, &t.force_N, &t.forcePercent,
                                      &t.direction_deg, &t.residual_mm}) {
             appendPercentiles(out, *p);
         }
-        out += '\n';
+        const auto subject = std::find_if(evaluation.subjects.begin(), evaluation.subjects.end(),
+                                          [&t](const SubjectInfo& s) { return s.name == t.subject; });
+        out += origin(subject != evaluation.subjects.end() ? subject->hash : "");
+    }
+    for (const SizePoint& p : evaluation.sizes) {
+        out += "sphere," + quoted(p.solver) + ",,size," + std::to_string(p.triangles) + ',' +
+               std::to_string(p.triangles) + ",1000," + std::to_string(p.ticks) + ",,,,,";
+        appendPercentiles(out, p.time_us);
+        out += std::string(30, ',') + origin("");
+    }
+    return out;
+}
+
+std::string hardCasesCsv(const Evaluation& evaluation)
+{
+    std::string out = "case,required,measured,bound,passed,worst_tick,triangles,ticks\n";
+    for (const HardCaseResult& r : evaluation.hardCases) {
+        for (const HardCaseFigure& f : r.figures) {
+            out += quoted(r.name) + ',' + quoted(f.what) + ',';
+            core::appendNumber(out, f.measured);
+            out += ',';
+            core::appendNumber(out, f.bound);
+            out += std::string(f.passed() ? ",1," : ",0,") + std::to_string(f.worstTick) + ',' +
+                   std::to_string(r.triangles) + ',' + std::to_string(r.ticks) + '\n';
+        }
     }
     return out;
 }
 
 std::string resultsJson(const Evaluation& evaluation)
 {
-    QJsonArray subjects, trials, sizes, cases, advice, motions, operations;
+    QJsonArray subjects, trials, sizes, cases, advice, ratios, operations;
     for (const SubjectInfo& s : evaluation.subjects) {
+        QJsonArray structures;
+        for (const SubjectStructure& structure : s.structures) {
+            structures.append(QJsonObject{{"name", text(structure.name)},
+                                          {"layer", qint64(structure.layer)},
+                                          {"stiffness_n_per_mm", structure.stiffness_N_per_mm}});
+        }
         subjects.append(QJsonObject{{"name", text(s.name)},
+                                    {"structures", structures},
                                     {"sha256", text(s.hash)},
                                     {"triangles", qint64(s.triangles)},
                                     {"extent_mm", s.extent_mm},
@@ -158,10 +207,16 @@ std::string resultsJson(const Evaluation& evaluation)
         cases.append(object(r));
     }
     for (const Advice& a : evaluation.advice) {
-        advice.append(QJsonObject{{"subject", text(a.subject)}, {"setting", text(a.setting)}, {"why", text(a.why)}});
+        advice.append(QJsonObject{{"subject", text(a.subject)},
+                                  {"setting", text(a.setting)},
+                                  {"why", array(a.why)},
+                                  {"warning", text(a.warning)}});
     }
-    for (const std::string& m : evaluation.motions) {
-        motions.append(text(m));
+    for (const Ratio& r : evaluation.ratios) {
+        ratios.append(QJsonObject{{"solver", text(r.solver)},
+                                  {"triangles", qint64(r.triangles)},
+                                  {"times_the_median", r.times},
+                                  {"wanted_at_least", r.wanted}});
     }
     for (const int n : evaluation.eliminationOperations) {
         operations.append(n);
@@ -171,18 +226,20 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"version", 1},
                           {"machine", QJsonObject{{"cpu", text(evaluation.machine.cpu)},
                                                   {"cores", evaluation.machine.cores},
+                                                  {"load", evaluation.machine.load},
                                                   {"compiler", text(evaluation.machine.compiler)},
                                                   {"build", text(evaluation.machine.build)},
                                                   {"started_utc", text(evaluation.machine.startedUtc)}}},
                           {"seed", qint64(evaluation.seed)},
-                          {"stiffness_n_per_mm", evaluation.stiffness_N_per_mm},
                           {"is_quick", evaluation.isQuick},
                           {"is_cancelled", evaluation.isCancelled},
+                          {"left_out", array(evaluation.leftOut)},
                           {"duration_s", evaluation.duration_s},
-                          {"motions", motions},
+                          {"motions", array(evaluation.motions)},
                           {"subjects", subjects},
                           {"trials", trials},
                           {"cost_by_size", sizes},
+                          {"ratios", ratios},
                           {"hard_cases", cases},
                           {"advice", advice},
                           {"vector_field", QJsonObject{{"plate_mm", v.plate_mm},
@@ -202,7 +259,9 @@ core::Status writeReport(const std::filesystem::path& folder, const Evaluation& 
         return {core::StatusCode::Unreadable, folder.string() + ": cannot be made: " + error.message()};
     }
     const std::pair<const char*, std::string> files[]{{"results.csv", resultsCsv(evaluation)},
+                                                      {"hard_cases.csv", hardCasesCsv(evaluation)},
                                                       {"results.json", resultsJson(evaluation)},
+                                                      {"chart.svg", chartSvg(evaluation)},
                                                       {"report.html", reportHtml(evaluation)}};
     for (const auto& [name, content] : files) {
         auto file = session::AtomicFile::create(folder / name);

@@ -112,9 +112,9 @@ std::string html(const Result& result)
     }
     std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
                       "content='width=device-width, initial-scale=1'><title>Palpate: stability</title><style>" +
-                      std::string(kReportStyle) + "</style></head><body><main><h1>Stability</h1><p class='soft'>" +
-                      escaped(result.subject) + ", " + shortNumber(result.rate_Hz) + " Hz, a force acts " +
-                      std::to_string(result.delayTicks) +
+                      std::string(kReportStyle) + kChartStyle +
+                      "</style></head><body><main><h1>Stability</h1><p class='soft'>" + escaped(result.subject) + ", " +
+                      shortNumber(result.rate_Hz) + " Hz, a force acts " + std::to_string(result.delayTicks) +
                       " tick late. Device and hand are simulated, in virtual time; the servo's own tick closes the "
                       "loop. Held: no motion of " +
                       shortNumber(kLimitCycle_mm) +

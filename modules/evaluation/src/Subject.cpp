@@ -1,51 +1,153 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/Subject.h"
 
+#include "ClosestPoint.h"
+
 #include <palpate/session/GeometryHash.h>
 
+#include <algorithm>
 #include <chrono>
+#include <set>
 
 namespace palpate::evaluation {
 
 namespace {
 
-std::shared_ptr<const Subject> make(std::string name, const std::vector<const geometry::RepairedMesh*>& meshes)
+// A god-object is as far from what it touches as a skin or, for the ray solvers, a millionth of the scene.
+constexpr double kTouch_mm = 1e-3, kTouchShare = 4e-6;
+
+/// A structure before it is put into its layer.
+struct Part
 {
+    const geometry::RepairedMesh* mesh;
+    std::string name;
+    double stiffness_N_per_mm;
+    std::uint32_t layer;
+};
+
+/// Layers keep their order and lose gaps in their numbers; those beyond the most are merged, as in HapticScene.
+void numberLayers(std::vector<Part>& parts)
+{
+    std::set<std::uint32_t> used;
+    for (const Part& part : parts) {
+        used.insert(part.layer);
+    }
+    for (Part& part : parts) {
+        const auto rank = static_cast<std::size_t>(std::distance(used.begin(), used.find(part.layer)));
+        part.layer = static_cast<std::uint32_t>(std::min(rank, haptics::HapticScene::kMaxLayers - 1));
+    }
+}
+
+std::shared_ptr<const Subject> make(std::string name, std::vector<Part> parts)
+{
+    if (parts.empty()) {
+        return nullptr;
+    }
+    numberLayers(parts);
+    auto subject = std::make_shared<Subject>();
+    subject->name = std::move(name);
     const auto started = std::chrono::steady_clock::now();
     std::vector<haptics::HapticStructure> structures;
-    for (const geometry::RepairedMesh* mesh : meshes) {
+    for (const Part& part : parts) {
         haptics::HapticStructure structure;
-        structure.name = "structure " + std::to_string(structures.size() + 1);
-        structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*mesh));
+        structure.name = part.name;
+        structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*part.mesh));
+        structure.tissue.stiffness_N_per_mm = part.stiffness_N_per_mm;
+        structure.layer = part.layer;
         structures.push_back(std::move(structure));
     }
-    auto scene = std::make_shared<const haptics::HapticScene>(std::move(structures));
-    const double build_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
-    geometry::RepairedMesh all = merged(meshes);
-    std::string hash = session::geometryHash(all.mesh);
-    return std::make_shared<const Subject>(
-        Subject{std::move(name), std::move(hash), Surface(std::move(all)), std::move(scene), build_ms});
+    subject->scene = std::make_shared<const haptics::HapticScene>(std::move(structures));
+    subject->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
+
+    std::vector<const geometry::RepairedMesh*> meshes;
+    for (std::uint32_t layer = 0; layer < subject->scene->layerCount(); ++layer) {
+        std::vector<const geometry::RepairedMesh*> members;
+        std::vector<SubjectStructure> described;
+        std::size_t triangles = 0;
+        for (const Part& part : parts) {
+            if (part.layer == layer) {
+                described.push_back({part.name, part.stiffness_N_per_mm, layer, static_cast<std::uint32_t>(triangles)});
+                members.push_back(part.mesh);
+                triangles += part.mesh->mesh.triangles.size();
+            }
+        }
+        meshes.insert(meshes.end(), members.begin(), members.end());
+        subject->layers.push_back({Surface(merged(members)), std::move(described)});
+    }
+    subject->hash = session::geometryHash(subject->layers.size() == 1 ? subject->layers[0].surface.repaired().mesh
+                                                                      : merged(meshes).mesh);
+    return subject;
 }
 
 } // namespace
 
-std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedScene& scene)
+double SubjectLayer::stiffest() const
 {
-    std::vector<const geometry::RepairedMesh*> meshes;
-    for (const meshio::LoadedStructure& structure : scene.structures) {
-        if (structure.description.palpable && structure.surface != nullptr &&
-            !structure.surface->mesh.triangles.empty()) {
-            meshes.push_back(structure.surface.get());
+    double result = 0.0;
+    for (const SubjectStructure& structure : structures) {
+        result = std::max(result, structure.stiffness_N_per_mm);
+    }
+    return result;
+}
+
+double SubjectLayer::stiffnessAt(const Vec3& p_WG) const
+{
+    const auto differs = [this](const SubjectStructure& s) {
+        return s.stiffness_N_per_mm != structures.front().stiffness_N_per_mm;
+    };
+    if (std::none_of(structures.begin(), structures.end(), differs)) {
+        return structures.front().stiffness_N_per_mm;
+    }
+    const double reach = std::min(kTouch_mm, kTouchShare * surface.bounds().sizes().maxCoeff());
+    std::vector<std::uint32_t> near;
+    surface.appendNear(Box(p_WG.array() - reach, p_WG.array() + reach), near);
+    double result = 0.0;
+    for (const std::uint32_t t : near) {
+        const Vec3 nearest =
+            closestPoint<double>(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2), p_WG);
+        if ((nearest - p_WG).norm() <= reach) {
+            const auto after = std::upper_bound(structures.begin(), structures.end(), t,
+                                                [](auto i, const auto& s) { return i < s.firstTriangle; });
+            result = std::max(result, std::prev(after)->stiffness_N_per_mm);
         }
     }
-    return meshes.empty() ? nullptr : make(std::move(name), meshes);
+    return result > 0.0 ? result : stiffest();
+}
+
+std::size_t Subject::triangleCount() const
+{
+    std::size_t count = 0;
+    for (const SubjectLayer& layer : layers) {
+        count += layer.surface.triangleCount();
+    }
+    return count;
+}
+
+Box Subject::bounds() const
+{
+    Box box;
+    for (const SubjectLayer& layer : layers) {
+        box.extend(layer.surface.bounds());
+    }
+    return box;
+}
+
+std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedScene& scene)
+{
+    std::vector<Part> parts;
+    for (const meshio::LoadedStructure& structure : scene.structures) {
+        const meshio::SceneStructure& d = structure.description;
+        if (d.palpable && structure.surface != nullptr && !structure.surface->mesh.triangles.empty()) {
+            parts.push_back({structure.surface.get(), d.name, d.stiffness_N_per_mm, d.layer});
+        }
+    }
+    return make(std::move(name), std::move(parts));
 }
 
 std::shared_ptr<const Subject> subjectOf(std::string name, const geometry::TriangleMesh& mesh)
 {
     const geometry::RepairedMesh repaired = geometry::repair(mesh);
-    return repaired.mesh.triangles.empty() ? nullptr : make(std::move(name), {&repaired});
+    return repaired.mesh.triangles.empty() ? nullptr : make(name, {{&repaired, name, 0.5, 0}});
 }
 
 } // namespace palpate::evaluation

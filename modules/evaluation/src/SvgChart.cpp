@@ -66,12 +66,14 @@ void SvgChart::add(const Mark& mark)
         m_body += text("<path d='M%.1f %.1fV%.1fM%.1f %.1fh8' stroke='%s' stroke-width='1.2' opacity='0.3' "
                        "fill='none'/>",
                        x, y, end, x - 4, end, mark.colour.c_str());
+        m_taken.push_back({x - 2, end, 4, y - end});
     }
     if (mark.xEnd > mark.x) {
         const double end = px(mark.xEnd);
         m_body += text("<path d='M%.1f %.1fH%.1fM%.1f %.1fv8' stroke='%s' stroke-width='1.2' opacity='0.4' "
                        "fill='none'/>",
                        x, y, end, end, y - 4, mark.colour.c_str());
+        m_taken.push_back({x, y - 2, end - x, 4});
     }
     const std::string style = text("fill='%s' stroke='%s' stroke-width='1.8'", fill.c_str(), mark.colour.c_str());
     switch (mark.shape) {
@@ -106,8 +108,12 @@ void SvgChart::addLine(const std::vector<std::array<double, 2>>& points, std::st
     }
     m_back += "<polyline fill='none' stroke='" + std::string(colour) + text("' stroke-width='%.1f' ", width_px) +
               (isDashed ? "stroke-dasharray='5 4' " : "") + "stroke-linejoin='round' points='";
-    for (const auto& p : points) {
-        m_back += text("%.1f,%.1f ", px(p[0]), py(p[1]));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x = px(points[i][0]), y = py(points[i][1]);
+        m_back += text("%.1f,%.1f ", x, y);
+        if (const double before = i > 0 ? px(points[i - 1][0]) : x; x - before < 60.0) {
+            m_taken.push_back({before, y - 2, x - before, 4});
+        }
     }
     m_back += "'/>";
     if (!label.empty()) {

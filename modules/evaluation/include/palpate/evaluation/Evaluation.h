@@ -51,21 +51,23 @@ struct Trial
     double knobValue = 0.0; ///< share of the triangles, or Hz
     std::size_t triangles = 0;
     double rate_Hz = 1000.0;
-    std::size_t ticks = 0;    ///< run
-    std::size_t wanted = 0;   ///< that the motions have; a brute-force solver may get through fewer in its time
-    Percentiles time_us;      ///< a tick in which the exact solver touches
-    Percentiles freeTime_us;  ///< any other tick
-    Percentiles position_mm;  ///< |god-object - exact|
-    Percentiles force_N;      ///< |force - exact|
-    Percentiles forcePercent; ///< of the exact force
+    std::size_t ticks = 0;       ///< run
+    std::size_t wanted = 0;      ///< that the motions have; a brute-force solver may get through fewer in its time
+    std::size_t interrupted = 0; ///< ticks in which another program took the core: not in the times
+    Percentiles time_us;         ///< a tick in which the exact solver touches
+    Percentiles freeTime_us;     ///< any other tick
+    Percentiles position_mm;     ///< |god-object - exact|, of the layer where it is largest
+    Percentiles force_N;         ///< |force - exact|
+    Percentiles forcePercent;    ///< of the exact force
     Percentiles direction_deg;
     Percentiles residual_mm; ///< of a sample of ticks; god-objects on the full mesh only
     std::size_t popThroughs = 0;
     std::size_t otherMinimum = 0;
     std::vector<std::int64_t> iterations; ///< ticks by iterations
-    double spring_mm = 0.0;               ///< mean of the exact spring while it touches
-    bool isReference = false;             ///< the exact solver itself: its error is 0 by definition
-    bool isOnFront = false;               ///< no other trial of the subject is both faster and nearer
+    double spring_mm = 0.0;   ///< mean of the exact force over the stiffest tissue touched, while any is: with one
+                              ///< layer the spring's length
+    bool isReference = false; ///< the exact solver itself: its error is 0 by definition
+    bool isOnFront = false;   ///< no other trial of the subject is both faster and nearer
 };
 
 /// Error of one trial tick by tick, thinned for drawing.
@@ -88,6 +90,8 @@ struct SizePoint
 struct SubjectInfo
 {
     std::string name, hash;
+    std::vector<SubjectStructure> structures;
+    std::size_t layers = 1;
     std::size_t triangles = 0;
     double extent_mm = 0.0;
     std::size_t bytes = 0; ///< of the haptic copy
@@ -97,13 +101,25 @@ struct SubjectInfo
 /// What a person should do, worked out from the trials.
 struct Advice
 {
-    std::string subject, setting, why;
+    std::string subject, setting;
+    std::vector<std::string> why; ///< one sentence or two each: cost, error, what other settings would give
+    std::string warning;          ///< what to mend before all else; mostly empty
+};
+
+/// How many times the product's median on a sphere the median of another solver is, both in the same run.
+struct Ratio
+{
+    std::string solver;
+    std::size_t triangles = 0;
+    double times = 0.0;
+    double wanted = 0.0; ///< at least
 };
 
 struct Machine
 {
     std::string cpu, compiler, build, startedUtc;
     int cores = 0;
+    double load = 0.0; ///< programs that wanted a core in the minute before
 };
 
 /// All that the report shows.
@@ -111,15 +127,16 @@ struct Evaluation
 {
     Machine machine;
     std::uint64_t seed = 0;
-    double stiffness_N_per_mm = 0.5;
     bool isQuick = false;
     bool isCancelled = false;
+    std::vector<std::string> leftOut; ///< what there was no time for, one line each
     double duration_s = 0.0;
     std::vector<std::string> motions;
     std::vector<SubjectInfo> subjects;
     std::vector<Trial> trials;
     std::vector<ErrorSeries> series;
     std::vector<SizePoint> sizes;
+    std::vector<Ratio> ratios;
     std::vector<HardCaseResult> hardCases;
     std::vector<Advice> advice;
     VectorFieldFigures vectorField;
@@ -128,9 +145,10 @@ struct Evaluation
 
 struct EvaluateOptions
 {
-    bool isQuick = false; ///< ends within half a minute: shorter motions, smaller spheres, no long hard case
+    bool isQuick = false; ///< shorter motions, smaller spheres, no long hard case
+    double seconds = 0.0; ///< leaves out what it could not end within this time; 0: all of it, however long
     bool withHardCases = true;
-    double stiffness_N_per_mm = 0.5;
+    bool withLaidMotions = true; ///< beside given ones; without any they are laid in any case
     std::uint64_t seed = 1;
     /// Told the share done, 0 … 1, and what is being done; false cancels. May be empty.
     std::function<bool(double, const std::string&)> progress;
@@ -138,13 +156,22 @@ struct EvaluateOptions
 
 /// Runs every solver and every knob.
 /// @param subjects  at least one
-/// @param given     a motion to use instead of those that are laid on the surfaces; null for those
-[[nodiscard]] Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects, const HandMotion* given,
-                                  const EvaluateOptions& options);
+/// @param given     motions to use
+[[nodiscard]] Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects,
+                                  const std::vector<HandMotion>& given, const EvaluateOptions& options);
 
-/// Runs the rows of the table that are not left to the nightly run.
-/// @param isQuick  leaves out those of more than 20,000 ticks as well
-[[nodiscard]] std::vector<HardCaseResult> runHardCases(bool isQuick,
+/// Which rows of the table of hard cases are run.
+enum class HardCaseChoice
+{
+    Quick,    ///< none of more than 20,000 ticks
+    Ordinary, ///< those that are not left to the nightly run
+    All,
+};
+
+/// Runs the rows in their order. @param progress  as in EvaluateOptions; a row that it cancels is no result
+[[nodiscard]] std::vector<HardCaseResult> runHardCases(HardCaseChoice choice,
                                                        const std::function<bool(double, const std::string&)>& progress);
+/// How many rows that is.
+[[nodiscard]] std::size_t hardCaseCount(HardCaseChoice choice);
 
 } // namespace palpate::evaluation

@@ -61,8 +61,8 @@ struct HardCaseResult
 /// Runs the product on a case. Required: no pop-through, nothing non-finite, converged in every tick, the spring never
 /// more than 1e-3 mm longer than the exact solver's from the same place, residual <= 1e-6 mm, no jump larger than the
 /// exact solver's by more than 1e-3 mm, and the twin's answer the same. Where it rests (residual) in another local
-/// minimum than the exact solver, that tick is counted instead: at most 1 %. A HIP within 1e-6 mm is as good as the
-/// HIP.
+/// minimum than the exact solver, that tick is counted instead: at most 0.1 %. Lengths are for a scene
+/// of some 10 mm and scale with it.
 /// @param keepGoing  asked now and then; false cancels
 [[nodiscard]] HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGoing = {});
 

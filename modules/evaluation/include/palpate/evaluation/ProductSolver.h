@@ -13,9 +13,10 @@ namespace palpate::evaluation {
 class ProductSolver : public ReferenceSolver
 {
   public:
-    /// @param scene  its first layer is felt
+    /// @param layer  of the scene: each has a god-object of its own
     /// @param iterations  bound on the moves of a tick; 1 is one pass a tick, as in the paper; 0 is the product's own
-    ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, std::string name, std::uint32_t iterations = 0);
+    ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, std::string name, std::uint32_t iterations = 0,
+                  std::size_t layer = 0);
 
     [[nodiscard]] std::string name() const override { return m_name; }
     void start(const Vec3& p_WH) override;
@@ -24,6 +25,7 @@ class ProductSolver : public ReferenceSolver
   private:
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::string m_name;
+    std::size_t m_layer;
     haptics::GodObjectLimits m_limits;
     haptics::GodObject m_god;
 };

@@ -13,14 +13,37 @@
 
 namespace palpate::evaluation {
 
-/// What is touched in an evaluation: the palpable structures of a scene, all in one layer.
+/// One structure of a subject.
+struct SubjectStructure
+{
+    std::string name;
+    double stiffness_N_per_mm = 0.5;
+    std::uint32_t layer = 0;         ///< position in `Subject::layers`
+    std::uint32_t firstTriangle = 0; ///< in the layer's surface, which holds its structures one after the other
+};
+
+/// The structures that share one god-object, as one surface.
+struct SubjectLayer
+{
+    Surface surface;
+    std::vector<SubjectStructure> structures;
+
+    /// @return stiffness of the tissue that a god-object at `p_WG` touches: the stiffest of those it is at. [N/mm]
+    [[nodiscard]] double stiffnessAt(const Vec3& p_WG) const;
+    [[nodiscard]] double stiffest() const;
+};
+
+/// What is touched in an evaluation: the palpable structures of a scene in their layers, outermost first.
 struct Subject
 {
     std::string name;
-    std::string hash; ///< session::geometryHash of all triangles
-    Surface surface;
+    std::string hash;                                  ///< session::geometryHash of all triangles
+    std::vector<SubjectLayer> layers;                  ///< at least one
     std::shared_ptr<const haptics::HapticScene> scene; ///< the product's own copy
     double build_ms = 0.0;                             ///< time to index it
+
+    [[nodiscard]] std::size_t triangleCount() const;
+    [[nodiscard]] Box bounds() const; ///< [mm]
 };
 
 /// @return null when nothing of it can be touched
@@ -38,8 +61,8 @@ struct HandMotion
 /// Brings a path of another rate to the base rate, straight between its samples. @param dt_s  time between samples
 [[nodiscard]] HandMotion resampled(std::string name, const std::vector<Vec3>& p_WH, double dt_s);
 
-/// Lays motions on a surface: press and slide at 100 mm/s, quick pokes, and sliding with 0.1 mm of device noise; less
-/// on what is smaller than 200 mm or 100 mm.
+/// Lays motions on a surface, a scene's outermost: press and slide at 100 mm/s, quick pokes, and sliding with 0.1 mm of
+/// device noise; less on what is smaller than 200 mm or 100 mm.
 /// @param milliseconds  how long each lasts
 [[nodiscard]] std::vector<HandMotion> standardMotions(const Surface& surface, std::uint64_t seed, int milliseconds);
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `palpate evaluate` as a person runs it: exit codes, the files it leaves, what it does on Ctrl-C.
+#include "../support/Shapes.h"
+#include "TestRunner.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <memory>
+
+#include <csignal>
+
+using namespace palpate;
+using core::Vec3;
+
+class Evaluate : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    QString file(const QString& name) const { return m_folder->filePath(name); }
+
+    void write(const QString& name, const QByteArray& text) const
+    {
+        QFile out(file(name));
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(text);
+    }
+
+    void writeObj(const QString& name, const geometry::TriangleMesh& mesh) const
+    {
+        QByteArray text;
+        for (const Vec3& v : mesh.vertices) {
+            text += "v " + QByteArray::number(v.x()) + ' ' + QByteArray::number(v.y()) + ' ' +
+                    QByteArray::number(v.z()) + '\n';
+        }
+        for (const geometry::Triangle& t : mesh.triangles) {
+            text += "f " + QByteArray::number(t[0] + 1) + ' ' + QByteArray::number(t[1] + 1) + ' ' +
+                    QByteArray::number(t[2] + 1) + '\n';
+        }
+        write(name, text);
+    }
+
+    std::unique_ptr<QProcess> started(const QStringList& arguments) const
+    {
+        auto process = std::make_unique<QProcess>();
+        process->setWorkingDirectory(m_folder->path());
+        process->start(PALPATE_EXECUTABLE, QStringList{"evaluate"} + arguments);
+        return process;
+    }
+
+    int exitCodeOf(const QStringList& arguments, QByteArray* error = nullptr) const
+    {
+        const auto process = started(arguments);
+        process->waitForFinished(120000);
+        if (error != nullptr) {
+            *error = process->readAllStandardError();
+        }
+        return process->exitStatus() == QProcess::NormalExit ? process->exitCode() : -1;
+    }
+
+  private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QDir(m_folder->path()).mkdir("organs");
+        writeObj("organs/box.obj", test::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3));
+        writeObj("organs/ball.obj", test::sphere(4, 8.0));
+        QByteArray csv = "x,y,z\n";
+        for (int i = 0; i < 200; ++i) {
+            csv += QByteArray::number(0.02 * i) + ",1," + QByteArray::number(i < 100 ? 12 - 0.04 * i : 8) + '\n';
+        }
+        write("m.csv", csv);
+    }
+
+    void wrongCommandLinesEndWithCode2_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no such scene") << QStringList{"nothing.stl", "--out", "x"};
+        QTest::newRow("no such motion") << QStringList{"organs", "--motion", "none.csv", "--out", "x"};
+        QTest::newRow("not a motion") << QStringList{"organs", "--motion", "organs/box.obj", "--out", "x"};
+        QTest::newRow("folder that can't be made") << QStringList{"organs", "--out", "m.csv/x"};
+        QTest::newRow("unit") << QStringList{"organs", "--unit", "inch", "--out", "x"};
+        QTest::newRow("stiffness") << QStringList{"organs", "--stiffness", "-1", "--out", "x"};
+    }
+    void wrongCommandLinesEndWithCode2()
+    {
+        QFETCH(QStringList, arguments);
+        QByteArray error;
+        QCOMPARE(exitCodeOf(arguments, &error), 2);
+        QCOMPARE(error.count('\n'), qsizetype(1));
+        QVERIFY(QDir(file("x")).entryList(QDir::Files).isEmpty());
+    }
+
+    void aFolderIsEvaluatedAndItsLossesAreNamed()
+    {
+        write("organs/broken.stl", "no mesh at all");
+        QByteArray error;
+        QCOMPARE(exitCodeOf({"organs", "--quick", "--motion", "m.csv", "--stiffness", "0.7", "--out", "a/b"}, &error),
+                 3);
+        QVERIFY(error.contains("broken.stl"));
+        QCOMPARE(QDir(file("a/b")).entryList(QDir::Files | QDir::Hidden),
+                 (QStringList{"chart.svg", "hard_cases.csv", "report.html", "results.csv", "results.json"}));
+        QFile json(file("a/b/results.json"));
+        QVERIFY(json.open(QIODevice::ReadOnly));
+        const QJsonObject all = QJsonDocument::fromJson(json.readAll()).object();
+        QCOMPARE(all["motions"].toArray(), QJsonArray{"m.csv"});
+        const QJsonArray structures = all["subjects"][0].toObject()["structures"].toArray();
+        QCOMPARE(structures.size(), qsizetype(2));
+        QCOMPARE(structures[0]["stiffness_n_per_mm"].toDouble(), 0.7);
+        QVERIFY(all["hard_cases"].toArray().size() > 0);
+    }
+
+    void withoutASceneThePhantomIsTakenAndCtrlCLeavesNothing()
+    {
+        const auto process = started({"--quick", "--out", "out"});
+        QElapsedTimer clock;
+        clock.start();
+        QByteArray progress;
+        while (!progress.contains("phantom") && clock.elapsed() < 60000) {
+            process->waitForReadyRead(1000);
+            progress += process->readAllStandardError();
+        }
+        QVERIFY2(progress.contains("phantom"), progress);
+        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+        QVERIFY(process->waitForFinished(10000));
+        QVERIFY(process->exitStatus() == QProcess::CrashExit); // by the signal, as a shell expects it
+        QVERIFY(QDir(file("out")).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    }
+};
+
+PALPATE_TEST(Evaluate)
+#include "tst_Evaluate.moc"
