@@ -2,6 +2,7 @@
 #include "palpate/haptics/GodObject.h"
 
 #include "palpate/haptics/internal/ConstrainedPoint.h"
+#include "palpate/haptics/internal/Fan.h"
 
 #include <algorithm>
 #include <limits>
@@ -106,7 +107,10 @@ class Tick
             wanted, std::span(planes).first(static_cast<std::size_t>(m_count)), allowance(wanted));
         for (int i = 0; i < point.count; ++i) {
             // `active` ascends, so nothing is overwritten before it is used.
-            m_contacts[static_cast<std::size_t>(i)] = m_contacts[point.active[static_cast<std::size_t>(i)]];
+            const std::size_t kept = point.active[static_cast<std::size_t>(i)];
+            if (kept != static_cast<std::size_t>(i)) {
+                m_contacts[static_cast<std::size_t>(i)] = m_contacts[kept];
+            }
         }
         m_count = point.count;
         return m_god + point.u;
@@ -199,45 +203,63 @@ class Tick
     /// @return true when one of them led closer to the HIP.
     bool escape() noexcept
     {
-        std::array<Contact, kMostTouched> touched;
+        // Held contacts first: they lead on more often.
+        std::array<Facet, kMostTouched> touched;
+        std::array<int, kMostTouched> side{};
         std::size_t n = 0;
         double skin = m_skin_mm;
         for (int i = 0; i < m_count; ++i) {
-            touched[n++] = m_contacts[static_cast<std::size_t>(i)];
+            const Contact& c = m_contacts[static_cast<std::size_t>(i)];
+            touched[n] = c.facet;
+            side[n++] = c.side;
         }
-        const auto held = static_cast<std::ptrdiff_t>(n);
-        m_near.forEachNear(m_scene, m_layer, m_god, [&](const Facet& facet) {
-            const int side = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
-            const Contact contact{facet, side};
+        const std::size_t held = n;
+        bool isAll = true;
+        // Feet may lie a reach beside a facet.
+        m_near.forEachNear(m_scene, m_layer, m_god, 2.0 * kTouched * m_layer.skin_mm, [&](const Facet& facet) {
+            const int s = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
             const double reach = kTouched * facet.skin_mm;
-            if (n < touched.size() && internal::footOn(facet, side, m_god, reach, reach, 0.0) != Foot::Away &&
-                std::none_of(touched.begin(), touched.begin() + held,
-                             [&](const Contact& c) { return c.isSame(contact); })) {
-                touched[n++] = contact;
-                skin = std::max(skin, facet.skin_mm);
+            if (internal::footOn(facet, s, m_god, reach, reach, 0.0) == Foot::Away) {
+                return;
             }
+            for (std::size_t i = 0; i < held; ++i) {
+                if (touched[i].structure == facet.structure && touched[i].triangle == facet.triangle && side[i] == s) {
+                    return;
+                }
+            }
+            if (n == touched.size()) {
+                isAll = false;
+                return;
+            }
+            touched[n] = facet;
+            side[n++] = s;
+            skin = std::max(skin, facet.skin_mm);
         });
         // Within the skin's thickness a facet's very edge may stand in the way of what is open beyond it: the ways are
         // tried from a little above, away from the HIP.
         const Vec3 wanted = m_hip - m_god;
         const double spring = wanted.norm();
+        const double enough = spring - 16.0 * skin; // less gain is not worth a move
         Vec3 from = m_god - wanted * (kTouched * skin / spring);
+        if (isAll && enough > 0.0 &&
+            internal::isHeldByFan(std::span<const Facet>(touched).first(n), from, m_hip - from, enough)) {
+            return false;
+        }
         Crossing above;
         if (m_near.sweep(m_scene, m_layer, m_god, from, above)) {
             from = m_god + above.stop * (from - m_god);
         }
-        const double enough = spring - 16.0 * skin; // less gain is not worth a move
         if (follow(from, {}, enough)) {
             return true;
         }
         for (std::size_t i = 0; i < n; ++i) {
-            if (follow(from, std::span(&touched[i], 1), enough)) {
+            if (follow(from, std::array{Contact{touched[i], side[i]}}, enough)) {
                 return true;
             }
         }
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = i + 1; j < n; ++j) {
-                if (follow(from, std::array{touched[i], touched[j]}, enough)) {
+                if (follow(from, std::array{Contact{touched[i], side[i]}, Contact{touched[j], side[j]}}, enough)) {
                     return true;
                 }
             }
@@ -320,14 +342,28 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         m_state = {};
         m_state.p_WG = p_WH;
         m_state.placed = 1;
-        m_neighbourhood.clear();
+        clearCaches();
     }
     const HapticLayer& layer = scene.layer(layerNumber);
-    m_neighbourhood.beginTick(m_state.p_WG);
-    Tick tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG);
-    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+    for (std::size_t i = 0; i < m_state.constraints && !m_hasFacets; ++i) {
         const geometry::SurfaceIndex& surface = *scene.structures()[m_state.structure[i]].surface;
-        tick.touch(Facet::of(surface, m_state.structure[i], m_state.triangle[i]), m_state.side[i]);
+        m_facets[i] = Facet::of(surface, m_state.structure[i], m_state.triangle[i]);
+    }
+    if (scene.fingertip_mm() > 0.0) {
+        m_ballNeighbourhood.beginTick(m_state.p_WG);
+        run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, m_state.p_WG), limits, result);
+    } else {
+        m_neighbourhood.beginTick(m_state.p_WG);
+        run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG), limits, result);
+    }
+    return result;
+}
+
+template<class AnyTick>
+void GodObject::run(AnyTick tick, const GodObjectLimits& limits, GodObjectStep& result) noexcept
+{
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        tick.touch(m_facets[i], m_state.side[i]);
     }
     result.iterations = tick.converge(limits.iterations);
     if (result.iterations >= limits.iterations) {
@@ -337,25 +373,33 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
     result.constraints = m_state.constraints = static_cast<std::uint8_t>(std::min(tick.count(), 3));
     for (int i = 0; i < m_state.constraints; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Contact& contact = tick.contact(i);
+        const auto& contact = tick.contact(i);
         result.active[k] = {contact.facet.structure, contact.facet.triangle, contact.normal()};
         m_state.structure[k] = contact.facet.structure;
         m_state.triangle[k] = contact.facet.triangle;
         m_state.side[k] = static_cast<std::int8_t>(contact.side);
+        m_facets[k] = contact.facet;
     }
-    return result;
+    m_hasFacets = true;
+}
+
+void GodObject::clearCaches() noexcept
+{
+    m_hasFacets = false;
+    m_neighbourhood.clear();
+    m_ballNeighbourhood.clear();
 }
 
 void GodObject::forgetContacts() noexcept
 {
     m_state.constraints = 0;
-    m_neighbourhood.clear();
+    clearCaches();
 }
 
 void GodObject::restore(const GodObjectState& state) noexcept
 {
     m_state = state;
-    m_neighbourhood.clear();
+    clearCaches();
 }
 
 } // namespace palpate::haptics

@@ -7,8 +7,9 @@
 
 namespace palpate::haptics {
 
-HapticScene::HapticScene(std::vector<HapticStructure> structures)
+HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingertip_mm)
     : m_structures(std::move(structures))
+    , m_fingertip_mm(fingertip_mm)
 {
     std::map<std::uint32_t, std::vector<std::uint32_t>> byNumber;
     for (std::uint32_t i = 0; i < m_structures.size(); ++i) {
@@ -35,6 +36,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures)
             const geometry::SurfaceIndex& surface = *m_structures[i].surface;
             // A god-object within a few skins of a surface must find it.
             const double reach = 8.0 * surface.skin_mm();
+            layer.skin_mm = std::max(layer.skin_mm, surface.skin_mm());
             const core::Box box(surface.bounds().min().array() - reach, surface.bounds().max().array() + reach);
             boxes.push_back(geometry::FloatBox::around(box, bounds.center()));
             layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/Neighbourhood.h"
 
-#include <palpate/core/Float4.h>
+#include "palpate/haptics/internal/InsideShare.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,6 +17,7 @@ constexpr int kMany = 40;
 constexpr double kWidest = 16.0;
 constexpr double kTicksAhead = 10.0;
 constexpr double kRadiiAhead = 10.0;
+constexpr double kRadiiOfMove = 3.0; // how much of a longer move is gathered for
 
 bool isBefore(const Crossing& a, const Crossing& b) noexcept
 {
@@ -28,20 +29,6 @@ bool isBefore(const Crossing& a, const Crossing& b) noexcept
     }
     return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
                                                   : a.facet.triangle < b.facet.triangle;
-}
-
-/// Share of the move x → y that stays inside the box, which x is in.
-double insideShare(const core::Box& box, const Vec3& x, const Vec3& y) noexcept
-{
-    double share = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double d = y[axis] - x[axis];
-        const double room = d > 0.0 ? box.max()[axis] - x[axis] : x[axis] - box.min()[axis];
-        if (std::abs(d) > room) {
-            share = std::min(share, room / std::abs(d));
-        }
-    }
-    return share;
 }
 
 } // namespace
@@ -57,6 +44,16 @@ struct Neighbourhood::First
 
     void offer(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
+        // Most offers end here: a move that ends in front of a plane with only one side, or leaves it.
+        if (!surface.isTwoSided(triangle)) {
+            const geometry::Triangle t = surface.triangle(triangle);
+            const Vec3& a = surface.vertex(t[0]);
+            const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
+            const double end = n.dot(y - a);
+            if (end >= 0.0 || end >= n.dot(x - a)) {
+                return;
+            }
+        }
         const Facet facet = Facet::of(surface, structure, triangle);
         Crossing crossing;
         if (blocks(facet, x, y, limit, crossing) && (!found || isBefore(crossing, best))) {
@@ -75,66 +72,58 @@ void Neighbourhood::clear() noexcept
     m_region.setEmpty();
 }
 
-void Neighbourhood::hold(const geometry::SurfaceIndex& surface, std::uint32_t structure,
-                         std::uint32_t triangle) noexcept
+void Neighbourhood::fill(const HapticScene& scene) noexcept
 {
-    const auto k = static_cast<std::size_t>(m_count++);
-    const geometry::Triangle t = surface.triangle(triangle);
-    const Vec3 &a = surface.vertex(t[0]), &b = surface.vertex(t[1]), &c = surface.vertex(t[2]);
-    const Vec3 n = (b - a).cross(c - a).normalized();
-    const auto box =
-        geometry::FloatBox::around(core::Box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)), m_origin);
-    for (int axis = 0; axis < 3; ++axis) {
-        m_normal[axis][k] = static_cast<float>(n[axis]);
-        m_low[axis][k] = box.low[static_cast<std::size_t>(axis)];
-        m_high[axis][k] = box.high[static_cast<std::size_t>(axis)];
+    m_reach_mm = 0.0f;
+    for (int first = 0; first < m_count; first += FacetGroup::kLanes) {
+        Corners corners;
+        FacetGroup& group = m_groups[static_cast<std::size_t>(first / FacetGroup::kLanes)];
+        for (int i = 0; i < FacetGroup::kLanes; ++i) {
+            // Lanes left over repeat the last facet; they are never looked at.
+            const auto k = static_cast<std::size_t>(std::min(first + i, m_count - 1));
+            const geometry::SurfaceIndex& surface = *scene.structures()[m_structure[k]].surface;
+            const geometry::Triangle t = surface.triangle(m_triangle[k]);
+            const Vec3 &a = surface.vertex(t[0]), &b = surface.vertex(t[1]), &c = surface.vertex(t[2]);
+            for (int axis = 0; axis < 3; ++axis) {
+                corners.a[axis][i] = static_cast<float>(a[axis] - m_origin[axis]);
+                corners.ab[axis][i] = static_cast<float>(b[axis] - a[axis]);
+                corners.ac[axis][i] = static_cast<float>(c[axis] - a[axis]);
+            }
+            group.isTwoSided[i] = surface.isTwoSided(m_triangle[k]) ? -1 : 0;
+        }
+        m_reach_mm = std::max(m_reach_mm, derive(corners, group));
     }
-    m_offset[k] = static_cast<float>(n.dot(a - m_origin));
-    m_reach_mm = std::max(m_reach_mm, std::abs(m_offset[k]));
-    m_isTwoSided[k] = surface.isTwoSided(triangle) ? -1 : 0;
-    m_structure[k] = structure;
-    m_triangle[k] = triangle;
 }
 
 void Neighbourhood::offerGathered(const HapticScene& scene, First& first) const noexcept
 {
-    using core::Float4, core::load4, core::Mask4, core::splat4;
-    const Eigen::Vector3f x = (first.x - m_origin).cast<float>(), y = (first.y - m_origin).cast<float>();
-    // Rounding of a plane distance below, twice over: a few ulp of the largest numbers that enter it. The skin is far
-    // smaller than that, so contacts are always tested again.
-    const float rounding = 2e-6f * (x.cwiseAbs().maxCoeff() + y.cwiseAbs().maxCoeff() + m_reach_mm);
-    const Float4 above = splat4(rounding), below = splat4(-rounding);
-    const Eigen::Vector3f d = y - x;
-    for (int i = 0; i < m_count; i += 4) {
-        const Float4 n0 = load4(m_normal[0] + i), n1 = load4(m_normal[1] + i), n2 = load4(m_normal[2] + i);
-        const Float4 offset = load4(m_offset + i);
-        const Float4 start = n0 * x[0] + n1 * x[1] + n2 * x[2] - offset;
-        const Float4 end = n0 * y[0] + n1 * y[1] + n2 * y[2] - offset;
-        Mask4 twoSided;
-        std::memcpy(&twoSided, m_isTwoSided + i, sizeof twoSided);
-        // From the front to behind; or, where there is no inside, from any side to the other.
-        Mask4 crosses = ((start >= below) & (end <= above)) | (twoSided & (start <= above) & (end >= below));
-        if (core::laneBits(crosses) == 0) {
-            continue;
-        }
-        // Where the plane is met, against the triangle's box. In a plane the share is anything or not a number: not
-        // told off.
-        const Float4 share = start / (start - end);
-        const Mask4 isCertain = core::absolute(start - end) > splat4(8.0f * rounding);
-        Mask4 misses = {0, 0, 0, 0};
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float4 met = splat4(x[axis]) + share * splat4(d[axis]);
-            // The share is as uncertain as the two distances in it.
-            const Float4 slack =
-                splat4(rounding) + splat4(2.0f * rounding * std::abs(d[axis])) / core::absolute(start - end);
-            misses |= (met < load4(m_low[axis] + i) - slack) | (met > load4(m_high[axis] + i) + slack);
-        }
-        crosses &= ~(misses & isCertain);
-        for (std::uint32_t lanes = core::laneBits(crosses); lanes != 0; lanes &= lanes - 1) {
-            const std::size_t k = static_cast<std::size_t>(i + std::countr_zero(lanes));
-            first.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
-        }
+    float x[3], y[3], start = 0.0f, end = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        x[axis] = static_cast<float>(first.x[axis] - m_origin[axis]);
+        y[axis] = static_cast<float>(first.y[axis] - m_origin[axis]);
+        start = std::max(start, std::abs(x[axis]));
+        end = std::max(end, std::abs(y[axis]));
     }
+    for (std::uint64_t lanes = crossedLanes(m_groups.data(), m_count, x, y, start + end + m_reach_mm); lanes != 0;
+         lanes &= lanes - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
+        first.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
+    }
+}
+
+std::uint64_t Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
+                                  double reach_mm) noexcept
+{
+    // A region that holds too many is halved with each attempt; more than can be held at one point stay unknown.
+    for (int attempt = 0; attempt < 8 && !(m_isComplete && m_region.contains(g)); ++attempt) {
+        gather(scene, layer, g, g);
+    }
+    float at[3], coordinate = m_reach_mm;
+    for (int axis = 0; axis < 3; ++axis) {
+        at[axis] = static_cast<float>(g[axis] - m_origin[axis]);
+        coordinate = std::max(coordinate, std::abs(at[axis]));
+    }
+    return nearLanes(m_groups.data(), m_count, at, static_cast<float>(reach_mm), 2.0f * coordinate);
 }
 
 void Neighbourhood::gather(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y) noexcept
@@ -148,7 +137,6 @@ void Neighbourhood::gather(const HapticScene& scene, const HapticLayer& layer, c
     m_region = core::Box(x.cwiseMin(y).cwiseMin(ahead).array() - m_radius_mm,
                          x.cwiseMax(y).cwiseMax(ahead).array() + m_radius_mm);
     m_origin = x;
-    m_reach_mm = 0.0f;
     m_count = 0;
     m_isComplete = true;
     layer.hierarchy.visitBox(m_region, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
@@ -163,24 +151,26 @@ void Neighbourhood::gather(const HapticScene& scene, const HapticLayer& layer, c
                     m_isComplete = false;
                     return false;
                 }
-                for (const std::uint32_t end = first + n; first < end; ++first) {
-                    hold(surface, number, first);
+                surface.prefetchTriangles(first);
+                for (const std::uint32_t end = first + n; first < end; ++first, ++m_count) {
+                    m_structure[m_count] = number;
+                    m_triangle[m_count] = first;
                 }
                 return true;
             });
         }
         return m_isComplete;
     });
-    // Lanes that hold nothing: no move can end behind them.
-    for (int i = m_count; i % 4 != 0; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        m_normal[0][k] = m_normal[1][k] = m_normal[2][k] = 0.0f;
-        m_offset[k] = -1e30f;
-        m_isTwoSided[k] = 0;
+    // One round of waiting for memory rather than one for each facet.
+    for (int i = 0; i < m_count; ++i) {
+        scene.structures()[m_structure[i]].surface->prefetchCorners(m_triangle[i]);
     }
+    fill(scene);
+    // A region stretched along a long move tells nothing about the facets' size.
+    const bool isStretched = (y - x).cwiseAbs().maxCoeff() > m_radius_mm;
     if (!m_isComplete) {
         m_radius_mm *= 0.5;
-    } else if (m_count > kMany) {
+    } else if (m_count > kMany && !isStretched) {
         m_radius_mm *= 0.8;
     } else if (m_count < kFew) {
         m_radius_mm = std::min(1.25 * m_radius_mm, kWidest * layer.facetSize_mm);
@@ -191,6 +181,7 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
                           Crossing& first) noexcept
 {
     const std::vector<HapticStructure>& structures = scene.structures();
+    // In the region that is held; if the move leaves it, once more in one gathered along the first part of the move.
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (m_isComplete && m_region.contains(x)) {
             const double share = insideShare(m_region, x, y);
@@ -200,15 +191,11 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
                 return nearest.found;
             }
         }
-        // A move that leaves a region as large as this one soon again is not worth gathering for.
-        if (attempt == 1 || (y - x).cwiseAbs().maxCoeff() > 2.0 * m_radius_mm) {
-            if (attempt == 0 && !(m_isComplete && m_region.contains(x))) {
-                gather(scene, layer, x, x);
-                continue;
-            }
-            break;
+        if (attempt == 0) {
+            const double length = (y - x).cwiseAbs().maxCoeff();
+            const double most = kRadiiOfMove * std::max(m_radius_mm, layer.facetSize_mm);
+            gather(scene, layer, x, length > most ? Vec3(x + (y - x) * (most / length)) : y);
         }
-        gather(scene, layer, x, y);
     }
     First nearest{x, y, first, 1.0};
     layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {

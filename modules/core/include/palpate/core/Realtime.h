@@ -11,3 +11,17 @@
 #ifndef PALPATE_NONBLOCKING
 #define PALPATE_NONBLOCKING
 #endif
+
+namespace palpate::core {
+
+/// Asks for the memory at `p` without waiting for it. Never changes a result; `p` need not be readable.
+inline void prefetch(const void* p) noexcept PALPATE_NONBLOCKING
+{
+#if defined(__GNUC__)
+    __builtin_prefetch(p);
+#else
+    (void)p;
+#endif
+}
+
+} // namespace palpate::core

@@ -63,10 +63,12 @@ class BoxHierarchy
 
     /// Calls `leaf(first, count)` for the leaves whose box a segment touches, nearer ones first as a rule. `leaf`
     /// returns the share of the segment, 0 … 1, that is still of interest; what lies wholly beyond is left out.
+    /// @param around_mm  how far beside the segment a box may lie
     /// @par Source Segment against box by separating axes: Ericson, Real-Time Collision Detection (2005), 5.3.3.
     /// @par Real-time Wait-free; bounded by the number of nodes.
     template<class Leaf>
-    void visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+    void visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf,
+                      double around_mm = 0.0) const noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] const Vec3& origin() const noexcept { return m_origin; }
     [[nodiscard]] std::size_t byteSize() const noexcept { return m_nodes.capacity() * sizeof(Node); }

@@ -4,6 +4,8 @@
 #include "palpate/geometry/BoxHierarchy.h"
 #include "palpate/geometry/MeshReport.h"
 
+#include <palpate/core/Realtime.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +40,15 @@ class SurfaceIndex
     [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kTwoSidedBit) != 0; }
     /// @return the triangle's number in the repaired mesh that the index was built from.
     [[nodiscard]] std::uint32_t sourceTriangle(std::uint32_t i) const noexcept { return m_sources[i]; }
+
+    /// Asks for what will be read soon, without waiting for it: a triangle, or the corners of one.
+    void prefetchTriangles(std::uint32_t i) const noexcept { core::prefetch(&m_triangles[i]); }
+    void prefetchCorners(std::uint32_t i) const noexcept
+    {
+        for (const std::uint32_t corner : triangle(i)) {
+            core::prefetch(&m_vertices[corner]);
+        }
+    }
 
     /// The items of its leaves are positions of triangles.
     [[nodiscard]] const BoxHierarchy& hierarchy() const noexcept { return m_hierarchy; }

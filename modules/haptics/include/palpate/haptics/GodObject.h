@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/haptics/HapticScene.h"
+#include "palpate/haptics/internal/BallTick.h"
 #include "palpate/haptics/internal/Neighbourhood.h"
 
 #include <array>
@@ -76,8 +77,16 @@ class GodObject
     void restore(const GodObjectState& state) noexcept;
 
   private:
+    template<class AnyTick>
+    void run(AnyTick tick, const GodObjectLimits& limits, GodObjectStep& result) noexcept;
+    void clearCaches() noexcept;
+
     GodObjectState m_state;
-    internal::Neighbourhood m_neighbourhood; // a cache: never changes a result
+    // Caches: they never change a result.
+    internal::Neighbourhood m_neighbourhood;
+    internal::BallNeighbourhood m_ballNeighbourhood;
+    std::array<internal::Facet, 3> m_facets; ///< of the state's constraints
+    bool m_hasFacets = false;
 };
 
 } // namespace palpate::haptics

@@ -27,6 +27,7 @@ struct HapticLayer
     std::vector<std::uint32_t> structures; ///< numbers in the scene, in the order of the hierarchy's leaves
     geometry::BoxHierarchy hierarchy;      ///< over the structures' boxes: a tick pays only for those it is near
     double facetSize_mm = 0.0;             ///< of the finest structure
+    double skin_mm = 0.0;                  ///< the largest of the structures'
 };
 
 /// What the servo thread can touch: an immutable list of structures sorted into layers, outermost first. Built and
@@ -39,7 +40,12 @@ class HapticScene
 
     /// @param structures  those without a surface or without triangles are left out of every layer but keep their
     ///                    number. Layer numbers need not be contiguous: only their order counts.
-    explicit HapticScene(std::vector<HapticStructure> structures);
+    /// @param fingertip_mm  radius of the ball that touches, its centre being the god-object; 0 = a point
+    /// @pre 0 <= fingertip_mm <= kMostFingertip_mm
+    explicit HapticScene(std::vector<HapticStructure> structures, double fingertip_mm = 0.0);
+
+    static constexpr double kMostFingertip_mm = 50.0;
+    [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
 
     [[nodiscard]] const std::vector<HapticStructure>& structures() const noexcept { return m_structures; }
     [[nodiscard]] std::size_t layerCount() const noexcept { return m_layers.size(); }
@@ -50,6 +56,7 @@ class HapticScene
   private:
     std::vector<HapticStructure> m_structures;
     std::vector<HapticLayer> m_layers;
+    double m_fingertip_mm;
 };
 
 } // namespace palpate::haptics

@@ -70,7 +70,7 @@ void BoxHierarchy::visitBox(const Box& box, Leaf&& leaf) const noexcept
 }
 
 template<class Leaf>
-void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf) const noexcept
+void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf, double around_mm) const noexcept
 {
     if (m_nodes.empty()) {
         return;
@@ -91,7 +91,8 @@ void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf) c
         }
         // Rounding of the float arithmetic below: a few ulp of the largest number in it, so that boxes are kept rather
         // than lost.
-        slack = 8e-7f * static_cast<float>((start.cwiseAbs() + whole.cwiseAbs()).maxCoeff());
+        slack = static_cast<float>(1.000001 * around_mm) +
+                8e-7f * static_cast<float>((start.cwiseAbs() + whole.cwiseAbs()).maxCoeff());
     };
     clip(1.0);
     const Float4 along0 = splat(static_cast<float>(whole[0])), along1 = splat(static_cast<float>(whole[1])),

@@ -3,8 +3,10 @@
 
 #include "palpate/haptics/HapticScene.h"
 #include "palpate/haptics/internal/Facet.h"
+#include "palpate/haptics/internal/FacetGroup.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace palpate::haptics::internal {
@@ -32,16 +34,13 @@ class Neighbourhood
     [[nodiscard]] bool sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
                              Crossing& first) noexcept PALPATE_NONBLOCKING;
 
-    /// Calls `f(facet)` for every gathered facet near `g`, gathering them first when needed. Where more lie there than
-    /// can be held, those that were gathered last are missing.
+    /// Calls `f(facet)` for every facet that comes within `reach_mm` of `g`, and maybe for some that nearly do. Where
+    /// more lie there than can be held, those that were gathered last are missing.
     template<class F>
-    void forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, F&& f) noexcept
+    void forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
     {
-        if (!m_isComplete || !m_region.contains(g)) {
-            gather(scene, layer, g, g);
-        }
-        for (int i = 0; i < m_count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
+        for (std::uint64_t lanes = near(scene, layer, g, reach_mm); lanes != 0; lanes &= lanes - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
             f(Facet::of(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]));
         }
     }
@@ -50,9 +49,11 @@ class Neighbourhood
     static constexpr int kCapacity = 64;
 
     struct First;
-    void hold(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept;
+    [[nodiscard]] std::uint64_t near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
+                                     double reach_mm) noexcept;
     void offerGathered(const HapticScene& scene, First& first) const noexcept;
     void gather(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y) noexcept;
+    void fill(const HapticScene& scene) noexcept;
 
     core::Box m_region;
     double m_radius_mm = 0.0;
@@ -61,16 +62,9 @@ class Neighbourhood
     bool m_hasLast = false;
     bool m_isComplete = false; ///< every facet in the region is held
     int m_count = 0;
-
-    // The gathered facets as floats relative to m_origin, side by side, so that four are told off a move at once. What
-    // floats cannot tell is tested again in double precision.
     Vec3 m_origin = Vec3::Zero();
-    float m_reach_mm = 0.0f;                  ///< largest number in m_offset: decides what its rounding is
-    alignas(16) float m_normal[3][kCapacity]; ///< unit, of the front
-    alignas(16) float m_offset[kCapacity];    ///< of the plane from m_origin, along the normal [mm]
-    alignas(16) float m_low[3][kCapacity];    ///< box of the triangle, rounded outwards [mm]
-    alignas(16) float m_high[3][kCapacity];
-    alignas(16) std::int32_t m_isTwoSided[kCapacity]; ///< all ones or zero
+    float m_reach_mm = 0.0f;                                         ///< largest coordinate in m_groups
+    std::array<FacetGroup, kCapacity / FacetGroup::kLanes> m_groups; ///< relative to m_origin
     std::uint32_t m_structure[kCapacity];
     std::uint32_t m_triangle[kCapacity]; ///< position in the structure's SurfaceIndex
 };

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/core/Float4.h"
+
+/// For functions that work on eight lanes at once: compiled for the processors that have them, too, and chosen when the
+/// program starts. Not under the sanitizers, which cannot run that early.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&                           \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define PALPATE_WIDE_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define PALPATE_WIDE_LANES
+#endif
+
+#define PALPATE_ALWAYS_INLINE inline __attribute__((always_inline))
+
+// Nothing here is called across objects: all of it is inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+namespace palpate::core {
+
+/// Eight floats at once, by the compiler's portable vectors. Comparisons give a Mask8. A scalar operand stands for
+/// eight of it: a function that spread it would be compiled for narrow lanes.
+typedef float Float8 __attribute__((vector_size(32)));
+typedef std::int32_t Mask8 __attribute__((vector_size(32)));
+
+/// @param p  aligned to 32 bytes
+PALPATE_ALWAYS_INLINE Float8 load8(const float* p) noexcept
+{
+    return *reinterpret_cast<const Float8*>(p);
+}
+
+PALPATE_ALWAYS_INLINE void store8(float* p, Float8 v) noexcept
+{
+    *reinterpret_cast<Float8*>(p) = v;
+}
+
+PALPATE_ALWAYS_INLINE Float8 absolute(Float8 v) noexcept
+{
+    return reinterpret_cast<Float8>(reinterpret_cast<Mask8>(v) & 0x7fffffff);
+}
+
+PALPATE_ALWAYS_INLINE Float8 least(Float8 a, Float8 b) noexcept
+{
+    return a < b ? a : b;
+}
+
+PALPATE_ALWAYS_INLINE Float8 greatest(Float8 a, Float8 b) noexcept
+{
+    return a > b ? a : b;
+}
+
+/// @return bit i set where lane i is all ones.
+PALPATE_ALWAYS_INLINE std::uint32_t laneBits(Mask8 mask) noexcept
+{
+    Mask4 half[2];
+    std::memcpy(half, &mask, sizeof half);
+    return laneBits(half[0]) | laneBits(half[1]) << 4;
+}
+
+} // namespace palpate::core

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/haptics/internal/BallNeighbourhood.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palpate::haptics::internal {
+
+/// A facet that the ball touches, as seen from its centre.
+struct BallContact
+{
+    Facet facet;
+    int side = 1;
+    Vec3 n = Vec3::Zero();       ///< unit, from the contact point to the centre
+    Vec3 along = Vec3::Zero();   ///< direction of the touched edge; zero on a face or a corner
+    Vec3 contact = Vec3::Zero(); ///< contact point [mm]
+    double distance_mm = 0.0;    ///< of the centre from the facet
+    bool isCurved = false;       ///< an edge or a corner: the ball rolls around it
+
+    [[nodiscard]] const Vec3& normal() const noexcept { return n; }
+    void lookFrom(const Vec3& g) noexcept;
+};
+
+/// One tick of a ball-shaped god-object: its centre comes as near to the HIP as the ball can, by straight moves that no
+/// facet blocks.
+///
+/// At each place the contacts give half-spaces through the contact points, and Zilles & Salisbury's constrained point
+/// the next target, as for a point. Round edges and corners those planes turn with the ball: there the step is exact
+/// for one and Newton's for two, taken back when it leads away from the HIP, so that it converges in a few moves.
+/// @par Real-time Wait-free; bounded by `limit`.
+class BallTick
+{
+  public:
+    BallTick(const Vec3& hip, const HapticScene& scene, const HapticLayer& layer, BallNeighbourhood& near,
+             const Vec3& god) noexcept
+        : m_hip(hip)
+        , m_scene(scene)
+        , m_layer(layer)
+        , m_near(near)
+        , m_god(god)
+    {
+    }
+
+    void touch(const Facet& facet, int side) noexcept;
+    /// @return how many moves were tried, `limit` when it was not enough.
+    std::uint32_t converge(std::uint32_t limit) noexcept;
+
+    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
+    [[nodiscard]] int count() const noexcept { return m_count; }
+    [[nodiscard]] const BallContact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
+
+  private:
+    static constexpr std::size_t kMost = 4; // three constraints and the facet just met
+
+    void dropParted() noexcept;
+    [[nodiscard]] Vec3 nextMove() noexcept;
+    [[nodiscard]] Vec3 rolled(const Vec3& u, const Vec3& wanted) noexcept;
+
+    const Vec3& m_hip;
+    const HapticScene& m_scene;
+    const HapticLayer& m_layer;
+    BallNeighbourhood& m_near;
+    Vec3 m_god;
+    std::array<BallContact, kMost> m_contacts;
+    int m_count = 0;
+    double m_skin_mm = 0.0;
+
+    /// Where the last long step began, to be taken back.
+    struct Before
+    {
+        Vec3 god;
+        std::array<BallContact, kMost> contacts;
+        int count;
+        double spring_mm;
+    };
+    Before m_before;
+    bool m_isTrying = false;
+    double m_trust = 1.0;                                           ///< share of the longest steps that is still tried
+    std::array<Vec3, 2> m_rolledAround{Vec3::Zero(), Vec3::Zero()}; ///< tells one edge or corner, or two, from others
+};
+
+} // namespace palpate::haptics::internal

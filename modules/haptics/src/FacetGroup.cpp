@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/internal/FacetGroup.h"
+
+#include <palpate/core/Float8.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+using core::absolute;
+using core::Float8;
+using core::greatest;
+using core::least;
+using core::load8;
+using core::Mask8;
+
+// Rounding of a plane distance from floats: a few ulp of the largest numbers that enter it, twice over, times the
+// facet's slenderness. The skin is far smaller, so contacts are always tested again in double precision.
+constexpr float kRounding = 2e-6f;
+
+// Beyond these a squared doubled area has lost its digits.
+constexpr float kSmallest = 1e-30f;
+constexpr float kLargest = 1e30f;
+
+PALPATE_ALWAYS_INLINE std::uint64_t bitsOf(int count) noexcept
+{
+    return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+}
+
+} // namespace
+
+PALPATE_WIDE_LANES float derive(const Corners& corners, FacetGroup& group) noexcept
+{
+    Float8 a[3], ab[3], ac[3], n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        a[axis] = load8(corners.a[axis]);
+        ab[axis] = load8(corners.ab[axis]);
+        ac[axis] = load8(corners.ac[axis]);
+    }
+    const Float8 zero{};
+    Float8 reach = zero, area2 = zero, ab2 = zero, ac2 = zero, bc2 = zero;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+        n[axis] = ab[j] * ac[k] - ab[k] * ac[j];
+        area2 += n[axis] * n[axis];
+        ab2 += ab[axis] * ab[axis];
+        ac2 += ac[axis] * ac[axis];
+        const Float8 bc = ac[axis] - ab[axis];
+        bc2 += bc * bc;
+        const Float8 low = a[axis] + least(least(ab[axis], ac[axis]), zero);
+        const Float8 high = a[axis] + greatest(greatest(ab[axis], ac[axis]), zero);
+        // Rounding of the conversions and of the sum, twice over.
+        const Float8 outwards = (absolute(low) + absolute(high) + absolute(a[axis])) * 4e-7f + kSmallest;
+        core::store8(group.low[axis], low - outwards);
+        core::store8(group.high[axis], high + outwards);
+        reach = greatest(reach, greatest(absolute(low), absolute(high)));
+    }
+    const Mask8 isSound = (area2 > kSmallest) & (area2 < kLargest);
+    Float8 length;
+    for (int i = 0; i < FacetGroup::kLanes; ++i) {
+        length[i] = std::sqrt(area2[i]);
+    }
+    const Float8 scale = isSound ? 1.0f / length : zero;
+    Float8 offset = zero;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Float8 unit = isSound ? n[axis] * scale : zero;
+        core::store8(group.normal[axis], unit);
+        offset += unit * a[axis];
+    }
+    core::store8(group.offset, offset);
+    core::store8(group.slenderness, isSound ? greatest(greatest(ab2, ac2), bc2) * scale : kLargest);
+    float most = 0.0f;
+    for (int i = 0; i < FacetGroup::kLanes; ++i) {
+        most = std::max(most, reach[i]);
+    }
+    return most;
+}
+
+PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float* x, const float* y,
+                                              float coordinates_mm) noexcept
+{
+    const float rounding = kRounding * coordinates_mm;
+    std::uint64_t all = 0;
+    for (int first = 0; first < count; first += FacetGroup::kLanes) {
+        const FacetGroup& group = groups[first / FacetGroup::kLanes];
+        Float8 start = -load8(group.offset), end = start;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Float8 n = load8(group.normal[axis]);
+            start += n * x[axis];
+            end += n * y[axis];
+        }
+        const Float8 slack = rounding * load8(group.slenderness);
+        Mask8 twoSided;
+        std::memcpy(&twoSided, group.isTwoSided, sizeof twoSided);
+        // From the front to behind; or, where there is no inside, from any side to the other.
+        const std::uint32_t crosses =
+            core::laneBits(((start >= -slack) & (end <= slack)) | (twoSided & (start <= slack) & (end >= -slack)));
+        if (crosses == 0) {
+            continue;
+        }
+        // Where the plane is met, against the triangle's box. In a plane the share is anything or not a number: not
+        // told off.
+        const Float8 depth = start - end;
+        const Float8 share = start / depth;
+        const Mask8 isCertain = absolute(depth) > 8.0f * slack;
+        const Float8 shareSlack = 2.0f * slack / absolute(depth); // as uncertain as the two distances in it
+        Mask8 misses{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const float d = y[axis] - x[axis];
+            const Float8 met = x[axis] + share * d;
+            const Float8 around = slack + shareSlack * std::fabs(d);
+            misses |= (met < load8(group.low[axis]) - around) | (met > load8(group.high[axis]) + around);
+        }
+        all |= static_cast<std::uint64_t>(crosses & ~core::laneBits(misses & isCertain)) << first;
+    }
+    return all & bitsOf(count);
+}
+
+PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,
+                                           float coordinates_mm) noexcept
+{
+    const float reach = reach_mm + kRounding * coordinates_mm;
+    std::uint64_t all = 0;
+    for (int first = 0; first < count; first += FacetGroup::kLanes) {
+        const FacetGroup& group = groups[first / FacetGroup::kLanes];
+        Float8 distance = -load8(group.offset);
+        Mask8 isOutside{};
+        for (int axis = 0; axis < 3; ++axis) {
+            distance += load8(group.normal[axis]) * g[axis];
+            isOutside |= (load8(group.low[axis]) > (g[axis] + reach)) | (load8(group.high[axis]) < (g[axis] - reach));
+        }
+        const Mask8 isNear = ~isOutside & (absolute(distance) <= reach * load8(group.slenderness));
+        all |= static_cast<std::uint64_t>(core::laneBits(isNear)) << first;
+    }
+    return all & bitsOf(count);
+}
+
+} // namespace palpate::haptics::internal

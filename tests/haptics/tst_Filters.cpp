@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What floats tell off before the exact tests: they must never lose what the exact tests would find.
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/internal/Ball.h>
+#include <palpate/haptics/internal/FacetGroup.h>
+#include <palpate/haptics/internal/Fan.h>
+#include <palpate/haptics/internal/TriangleDistances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace palpate;
+using namespace palpate::haptics::internal;
+
+namespace {
+
+constexpr int kCount = FacetGroup::kLanes;
+
+Facet facetOf(const Vec3& a, const Vec3& b, const Vec3& c, bool isTwoSided = false)
+{
+    Facet f;
+    f.a = a;
+    f.b = b;
+    f.c = c;
+    f.n = (b - a).cross(c - a).normalized();
+    f.skin_mm = 1e-9;
+    f.structure = f.triangle = 0;
+    f.isTwoSided = isTwoSided;
+    return f;
+}
+
+Corners cornersOf(const std::vector<Facet>& facets, const Vec3& origin)
+{
+    Corners corners;
+    for (int i = 0; i < kCount; ++i) {
+        const Facet& f = facets[static_cast<std::size_t>(i)];
+        for (int axis = 0; axis < 3; ++axis) {
+            corners.a[axis][i] = static_cast<float>(f.a[axis] - origin[axis]);
+            corners.ab[axis][i] = static_cast<float>(f.b[axis] - f.a[axis]);
+            corners.ac[axis][i] = static_cast<float>(f.c[axis] - f.a[axis]);
+        }
+    }
+    return corners;
+}
+
+/// Triangles of all shapes near `origin`: fair, slivers, and some seen edge-on.
+std::vector<Facet> someFacets(std::mt19937_64& random, const Vec3& origin)
+{
+    std::normal_distribution<double> normal;
+    std::vector<Facet> facets;
+    for (int i = 0; i < kCount; ++i) {
+        const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+        const Vec3 a = origin + point(), b = a + point();
+        const double flatness = std::pow(10.0, -std::abs(2.5 * normal(random)));
+        facets.push_back(facetOf(a, b, a + 0.3 * (b - a) + flatness * point(), i % 3 == 0));
+    }
+    return facets;
+}
+
+} // namespace
+
+class Filters : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void noBlockingFacetIsToldOff()
+    {
+        std::mt19937_64 random(3);
+        std::normal_distribution<double> normal;
+        int blocking = 0, kept = 0, offered = 0;
+        for (int round = 0; round < 20000; ++round) {
+            const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
+            const std::vector<Facet> facets = someFacets(random, origin);
+            FacetGroup group;
+            for (int i = 0; i < kCount; ++i) {
+                group.isTwoSided[i] = facets[static_cast<std::size_t>(i)].isTwoSided ? -1 : 0;
+            }
+            const float reach = derive(cornersOf(facets, origin), group);
+            // Half of the moves go through a point of a facet, some of them starting in its plane or along its edge.
+            const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
+            const double s = std::abs(std::fmod(normal(random), 1.0)),
+                         t = (1 - s) * std::abs(std::fmod(normal(random), 1.0));
+            const Vec3 on = aimed.a + (round % 4 == 0 ? 0.0 : s) * (aimed.b - aimed.a) + t * (aimed.c - aimed.a);
+            const Vec3 aside(normal(random), normal(random), normal(random));
+            const Vec3 x = round % 2 == 0 ? Vec3(on + 1e-9 * aimed.n + (round % 6 == 0 ? 0.0 : 1.0) * aside)
+                                          : Vec3(origin + aside);
+            const Vec3 y = on - (on - x) * -std::abs(normal(random)) - 1e-3 * aimed.n;
+            float from[3], to[3], a = 0, b = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                from[axis] = static_cast<float>(x[axis] - origin[axis]);
+                to[axis] = static_cast<float>(y[axis] - origin[axis]);
+                a = std::max(a, std::abs(from[axis]));
+                b = std::max(b, std::abs(to[axis]));
+            }
+            const std::uint64_t lanes = crossedLanes(&group, kCount, from, to, a + b + reach);
+            for (int i = 0; i < kCount; ++i) {
+                Crossing crossing;
+                const bool isKept = (lanes >> i & 1u) != 0;
+                ++offered;
+                kept += isKept ? 1 : 0;
+                if (blocks(facets[static_cast<std::size_t>(i)], x, y, 1.0, crossing)) {
+                    ++blocking;
+                    QVERIFY2(isKept, qPrintable(QString("round %1, lane %2").arg(round).arg(i)));
+                }
+            }
+        }
+        qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
+        QVERIFY(blocking > 5000);
+        QVERIFY(kept < offered / 2); // it does tell off
+    }
+
+    void distancesAreThoseOfTheNearestPoint()
+    {
+        std::mt19937_64 random(4);
+        std::normal_distribution<double> normal;
+        for (int round = 0; round < 20000; ++round) {
+            const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
+            const std::vector<Facet> facets = someFacets(random, origin);
+            TriangleGroup group;
+            group.corners = cornersOf(facets, origin);
+            const float reach = derive(group);
+            const Vec3 p = origin + 2.0 * Vec3(normal(random), normal(random), normal(random));
+            float at[3], distance[kCount];
+            for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = static_cast<float>(p[axis] - origin[axis]);
+            }
+            distances(&group, kCount, at, distance);
+            for (int i = 0; i < kCount; ++i) {
+                const double exact = (p - nearestOn(facets[static_cast<std::size_t>(i)], p).q).norm();
+                // Never more than the truth beyond its rounding; and the truth, but for what is too flat.
+                QVERIFY2(distance[i] <= exact + 1e-5 * reach,
+                         qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(exact)));
+                QVERIFY(distance[i] == 0.0f || distance[i] >= exact - 1e-3 * reach);
+            }
+        }
+    }
+
+    void aPitHoldsWhatASaddleLetsGo()
+    {
+        // Six facets around the origin, their rims lifted by the given heights.
+        const auto fan = [](const std::vector<double>& height) {
+            std::vector<Facet> facets;
+            const auto rim = [&](std::size_t i) {
+                const double angle = static_cast<double>(i % 6) * std::numbers::pi / 3;
+                return Vec3(std::cos(angle), std::sin(angle), height[i % 6]);
+            };
+            for (std::size_t i = 0; i < 6; ++i) {
+                facets.push_back(facetOf(Vec3::Zero(), rim(i), rim(i + 1)));
+            }
+            return facets;
+        };
+        const Vec3 from(0, 0, 1e-7), down(0.02, 0.01, -1);
+        const double enough = down.norm() - 1e-6;
+        QVERIFY(isHeldByFan(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
+        QVERIFY(!isHeldByFan(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a gutter
+        QVERIFY(!isHeldByFan(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
+        QVERIFY(!isHeldByFan(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough)); // pulled off
+        std::vector<Facet> open = fan({.2, .2, .2, .2, .2, .2});
+        open.pop_back();
+        QVERIFY(!isHeldByFan(open, from, down, enough));
+    }
+};
+
+PALPATE_TEST(Filters)
+#include "tst_Filters.moc"

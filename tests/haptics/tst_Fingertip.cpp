@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A ball as god-object: closed forms, and the definition by brute force: never nearer to a surface than its radius, and
+// no small legal move brings it closer to the HIP.
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace palpate;
+using namespace palpate::test;
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::Palpator;
+using haptics::TickResult;
+using haptics::TickStatus;
+
+namespace {
+
+constexpr double kTick_s = 1e-3;
+constexpr double kBound_mm = 1e-6;
+
+struct Feel
+{
+    geometry::TriangleMesh mesh;
+    HapticScene scene;
+    Palpator palpator;
+
+    Feel(geometry::TriangleMesh m, double radius_mm)
+        : mesh(std::move(m))
+        , scene({HapticStructure{"it", indexed(mesh), {0.5, 0.0}, 0}}, radius_mm)
+    {
+        palpator.setScene(&scene);
+    }
+    TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
+    TickResult move(const Vec3& from, const Vec3& to, int ticks)
+    {
+        TickResult result = at(from);
+        for (int i = 1; i <= ticks; ++i) {
+            result = at(from + (to - from) * (double(i) / ticks));
+        }
+        return result;
+    }
+};
+
+#define QVERIFY_AT(result, expected)                                                                                   \
+    QVERIFY2((result.p_WG - (expected)).norm() <= kBound_mm,                                                           \
+             qPrintable(QString("off by %1 mm").arg((result.p_WG - (expected)).norm())))
+
+double toSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+    const Vec3 e = b - a;
+    return (p - a - std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm();
+}
+
+/// Smallest distance from p to the mesh, by its plane where p is over a triangle and its edges elsewhere.
+double clearance(const geometry::TriangleMesh& mesh, const Vec3& p)
+{
+    double least = 1e300;
+    for (const geometry::Triangle& t : mesh.triangles) {
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+        const Vec3 n = (b - a).cross(c - a).normalized();
+        const bool isOver =
+            n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 && n.dot((a - c).cross(p - c)) >= 0;
+        least = std::min({least, isOver ? std::abs(n.dot(p - a)) : 1e300, toSegment(p, a, b), toSegment(p, b, c),
+                          toSegment(p, c, a)});
+    }
+    return least;
+}
+
+} // namespace
+
+class Fingertip : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void restsOnAPlaneByItsRadius()
+    {
+        Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 1.5);
+        const TickResult r = feel.move(Vec3(1, 2, 8), Vec3(1.2, 1.7, -3), 200);
+        QVERIFY_AT(r, Vec3(1.2, 1.7, 1.5));
+        QCOMPARE(r.constraints, std::uint8_t(1));
+        QVERIFY((r.n_W - Vec3::UnitZ()).norm() < 1e-6);
+        QVERIFY((r.f_W - 0.5 * (r.p_WG - Vec3(1.2, 1.7, -3))).norm() < 1e-12);
+    }
+
+    void cannotEnterAGrooveNarrowerThanItself_data()
+    {
+        QTest::addColumn<double>("degrees");
+        for (const double degrees : {150.0, 90.0, 40.0, 10.0, 1.0}) {
+            QTest::newRow(qPrintable(QString("%1 degrees").arg(degrees))) << degrees;
+        }
+    }
+    void cannotEnterAGrooveNarrowerThanItself()
+    {
+        QFETCH(double, degrees);
+        const double half = degrees * std::numbers::pi / 360;
+        const double radius = std::min(0.5, 10 * std::tan(half));
+        Feel feel(groove(2 * half, 20.0, 12.0), radius);
+        // groove() opens upwards from the y axis; the ball sits where both walls are a radius away.
+        const double height = radius / std::sin(half);
+        TickResult r = feel.move(Vec3(0, 0, 19), Vec3(0, 0, -5), 400);
+        QVERIFY_AT(r, Vec3(0, 0, height));
+        QCOMPARE(r.constraints, std::uint8_t(2));
+        r = feel.move(Vec3(0, 0, -5), Vec3(0, 6, -5), 300);
+        QVERIFY_AT(r, Vec3(0, 6, height));
+    }
+
+    void rollsRoundAnEdgeAndACorner()
+    {
+        Feel feel(box(Vec3(-10, -10, -10), Vec3(0, 10, 0), 2), 2.0);
+        // Over the edge along y at x = 0, z = 0: on the quarter circle the pull decides where it stands.
+        feel.move(Vec3(-3, 1, 5), Vec3(-3, 1, 1), 50);
+        for (const double angle : {0.2, 0.6, 1.0, 1.4}) {
+            const Vec3 out(std::sin(angle), 0, std::cos(angle));
+            const Vec3 hip = Vec3(0, 1, 0) + 1.3 * out;
+            const TickResult r = feel.move(feel.palpator.state().p_WH, hip, 200);
+            QVERIFY_AT(r, Vec3(0, 1, 0) + 2.0 * out);
+        }
+        Feel corner(box(Vec3(-10, -10, -10), Vec3(0, 0, 0), 2), 2.0);
+        const Vec3 out = Vec3(1, 2, 3).normalized();
+        const TickResult r = corner.move(6 * out, 1.2 * out, 200);
+        QVERIFY_AT(r, 2.0 * out);
+        QVERIFY(r.iterations < 20);
+    }
+
+    void feelsASheetFromBothSides()
+    {
+        for (const double side : {1.0, -1.0}) {
+            Feel feel(sheet(10.0, 4), 1.0);
+            QVERIFY_AT(feel.move(Vec3(0.3, 0.2, 6 * side), Vec3(0.3, 0.2, -4 * side), 100), Vec3(0.3, 0.2, side));
+        }
+    }
+
+    void aThinPlateHitFastIsNotPassed()
+    {
+        // 2 m/s: 2 mm a tick, four times the plate's thickness.
+        Feel feel(box(Vec3(-10, -10, -0.5), Vec3(10, 10, 0), 4), 0.3);
+        const TickResult r = feel.move(Vec3(0.1, 0.2, 20), Vec3(0.1, 0.2, -20), 20);
+        QVERIFY_AT(r, Vec3(0.1, 0.2, 0.3));
+    }
+
+    void aBallThatStartsTooDeepIsLetOutWithoutAPush()
+    {
+        Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 2.0);
+        TickResult r = feel.at(Vec3(0, 0, 0.5));
+        QVERIFY(r.f_W.norm() == 0.0);
+        r = feel.at(Vec3(0, 0, 0.3)); // no deeper than it is
+        QVERIFY((r.p_WG - Vec3(0, 0, 0.5)).norm() < 1e-6);
+        r = feel.move(Vec3(0, 0, 0.3), Vec3(0, 0, 5), 50);
+        QVERIFY(r.f_W.norm() == 0.0);
+        QVERIFY_AT(feel.move(Vec3(0, 0, 5), Vec3(0, 0, -1), 50), Vec3(0, 0, 2));
+        QCOMPARE(feel.at(Vec3(0, 0, std::nan(""))).status, TickStatus::InvalidInput);
+    }
+
+    void noSmallLegalMoveComesCloser_data()
+    {
+        QTest::addColumn<geometry::TriangleMesh>("mesh");
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<double>("size");
+        geometry::TriangleMesh boxes = box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3);
+        append(boxes, box(Vec3(-4, -4, 3), Vec3(16, 5, 17), 2));
+        QTest::newRow("bumpy sphere, 0.1 mm") << bumpySphere(10, 10.0, 0.08) << 0.1 << 10.0;
+        QTest::newRow("bumpy sphere, 1 mm") << bumpySphere(10, 10.0, 0.08) << 1.0 << 10.0;
+        QTest::newRow("bumpy sphere, 4 mm") << bumpySphere(10, 10.0, 0.08) << 4.0 << 10.0;
+        QTest::newRow("crossing boxes, 1 mm") << boxes << 1.0 << 12.0;
+        QTest::newRow("groove of 10 degrees, 0.3 mm") << groove(std::numbers::pi / 18, 10.0, 12.0) << 0.3 << 8.0;
+    }
+    void noSmallLegalMoveComesCloser()
+    {
+        QFETCH(geometry::TriangleMesh, mesh);
+        QFETCH(double, radius);
+        QFETCH(double, size);
+        Feel feel(mesh, radius);
+        std::mt19937_64 random(7);
+        std::normal_distribution<double> normal;
+        const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+        Vec3 hip = direction() * (size * 3), goal = hip;
+        (void)feel.at(hip);
+        int contacts = 0, curved = 0;
+        std::uint32_t most = 0;
+        for (int tick = 0; tick < 6000; ++tick) {
+            if ((goal - hip).norm() < 0.3) {
+                goal = direction() * (size * (0.3 + 0.9 * std::abs(normal(random))));
+            }
+            hip += 0.3 * (goal - hip).normalized();
+            const TickResult r = feel.at(hip);
+            QVERIFY2(r.status == TickStatus::Converged, qPrintable(QString("tick %1").arg(tick)));
+            most = std::max(most, r.iterations);
+            if (r.constraints == 0) {
+                QVERIFY((r.p_WG - hip).norm() < 1e-9);
+                continue;
+            }
+            ++contacts;
+            if (tick % 10 != 0) {
+                continue;
+            }
+            const double gap = clearance(mesh, r.p_WG);
+            QVERIFY2(gap > radius - 1e-9 && gap < radius + kBound_mm,
+                     qPrintable(QString("tick %1: %2 mm from the surface").arg(tick).arg(gap - radius)));
+            curved += r.constraints < 3 ? 1 : 0;
+            const double spring = (hip - r.p_WG).norm();
+            for (int attempt = 0; attempt < 60; ++attempt) {
+                const double length = std::pow(10.0, -4 + 2.5 * (attempt % 10) / 9.0);
+                // Straight on, or aside of the normal: where a better place would be.
+                Vec3 d = direction();
+                d += (attempt % 3) * (hip - r.p_WG) / spring;
+                const Vec3 to = r.p_WG + length * d.normalized();
+                const double gain = spring - (hip - to).norm();
+                if (gain < kBound_mm) {
+                    continue;
+                }
+                bool isLegal = true;
+                for (int i = 1; i <= 4 && isLegal; ++i) {
+                    isLegal = clearance(mesh, r.p_WG + (to - r.p_WG) * (i / 4.0)) >= radius;
+                }
+                QVERIFY2(!isLegal, qPrintable(QString("tick %1: a move of %2 mm gains %3 mm, spring %4 mm")
+                                                  .arg(tick)
+                                                  .arg(length)
+                                                  .arg(gain)
+                                                  .arg(spring)));
+            }
+        }
+        qInfo("%d ticks in contact, at most %u moves", contacts, most);
+        QVERIFY(contacts > 500);
+    }
+
+    void radiusZeroIsThePoint()
+    {
+        Feel ball(bumpySphere(10, 10.0, 0.08), 0.0);
+        HapticScene scene({HapticStructure{"it", indexed(bumpySphere(10, 10.0, 0.08)), {0.5, 0.0}, 0}});
+        Palpator point;
+        point.setScene(&scene);
+        for (int i = 0; i < 500; ++i) {
+            const Vec3 hip = Vec3(std::sin(0.01 * i), std::cos(0.013 * i), 0.3) * (12 - 0.01 * i);
+            QCOMPARE(ball.at(hip).p_WG, point.step(hip, kTick_s).p_WG);
+        }
+    }
+};
+
+PALPATE_TEST(Fingertip)
+#include "tst_Fingertip.moc"
