@@ -14,11 +14,6 @@
 
 #define PALPATE_ALWAYS_INLINE inline __attribute__((always_inline))
 
-// Nothing here is called across objects: all of it is inlined.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
 namespace palpate::core {
 
 /// Eight floats at once, by the compiler's portable vectors. Comparisons give a Mask8. A scalar operand stands for
