@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Menus, tool bar, chips and what they show of the parts' state.
+#include "FingertipMenu.h"
 #include "MainWindow.h"
 
 #include "PhantomFolder.h"
@@ -71,6 +72,8 @@ void MainWindow::makeMenus()
     for (QAction* action : {m_findingAction, m_noteAction, m_measuresAction, m_embedAction}) {
         session->addAction(action);
     }
+    session->addSeparator();
+    addFingertipMenu(*session, m_live);
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addAction(m_keysAction);
 }

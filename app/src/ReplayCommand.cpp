@@ -19,6 +19,7 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--stiffness", options->stiffness, "Stiffness of every tissue [N/mm]");
     command->add_option("--damping", options->damping, "Damping of every tissue [N s/mm]");
+    command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
     command->add_option("--json", options->json, "Write the summary as JSON");
     command->add_option("--record", options->record, "Write a recording (*.palpate)");
     command->add_flag("--embed", options->embeds, "Put the surfaces into the recording, so that one file is all")

@@ -65,6 +65,12 @@ Status ReplayRun::checkOptions()
     if (Status status = number("--damping", m_options.damping, false, m_damping); !status.isOk()) {
         return status;
     }
+    if (Status status = number("--radius", m_options.radius, false, m_radius); !status.isOk()) {
+        return status;
+    }
+    if (m_radius && *m_radius > haptics::HapticScene::kMostFingertip_mm) {
+        return {StatusCode::BadCommandLine, "--radius: found " + m_options.radius + ", expected at most 50 mm"};
+    }
     std::vector<fs::path> outputs;
     for (const fs::path* path : {&m_options.out, &m_options.json, &m_options.record}) {
         if (!path->empty()) {
@@ -145,6 +151,9 @@ Status ReplayRun::loadScene()
         return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
     }
     m_losses = loaded.value().losses;
+    if (m_radius) {
+        m_scene = std::make_shared<haptics::HapticScene>(m_scene->structures(), *m_radius);
+    }
     if (m_stiffness || m_damping) {
         m_scene = std::make_shared<haptics::HapticScene>(session::withTissue(*m_scene, m_stiffness, m_damping));
     }
@@ -205,7 +214,7 @@ Status ReplayRun::feel()
         if (Status status = checkSameGeometry(); !status.isOk()) {
             return status;
         }
-        if (!m_stiffness && !m_damping && !m_options.isLive && m_options.record.empty()) {
+        if (!m_stiffness && !m_damping && !m_radius && !m_options.isLive && m_options.record.empty()) {
             return feelRecording();
         }
     }

@@ -26,7 +26,7 @@ namespace palpate::app {
 struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
-    std::string unit = "mm", stiffness, damping;
+    std::string unit = "mm", stiffness, damping, radius;
     std::string device; ///< the hand's, when live; empty: the motion itself
     std::vector<std::filesystem::path> pluginFolders;
     bool isLive = false;
@@ -86,7 +86,7 @@ class ReplayRun
 
     const ReplayOptions& m_options;
     double m_unit_mm = 1.0;
-    std::optional<double> m_stiffness, m_damping;
+    std::optional<double> m_stiffness, m_damping, m_radius;
     session::Motion m_motion;
     std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
     std::shared_ptr<const haptics::HapticScene> m_scene;

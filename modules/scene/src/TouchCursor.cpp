@@ -7,6 +7,8 @@
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
+
 namespace palpate::scene {
 
 namespace {
@@ -97,7 +99,8 @@ void TouchCursor::place(const ViewFrame& frame)
         return;
     }
     const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
-    placeBall(*m_ball, m_state.p_WG, 0.5 * kBall_px * pixel_mm);
+    const double ball_mm = std::max(0.5 * kBall_px * pixel_mm, m_state.fingertip_mm);
+    placeBall(*m_ball, m_state.p_WG, ball_mm);
     const Colour colour = ballColour();
     m_ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     m_ball->GetProperty()->SetOpacity(isTouching ? 1.0 : 0.35);
@@ -106,7 +109,7 @@ void TouchCursor::place(const ViewFrame& frame)
     if (!isTouching) {
         return;
     }
-    placeBall(*m_rim, m_state.p_WG, (0.5 * kBall_px + 1.4) * pixel_mm);
+    placeBall(*m_rim, m_state.p_WG, ball_mm + 1.4 * pixel_mm);
     placeBillboard(*m_outline, m_state.p_WG, frame);
     placeBillboard(*m_outlineDark, m_state.p_WG, frame);
     m_springDark.place(m_state.p_WH, m_state.p_WG, frame);

@@ -93,6 +93,7 @@ void packScene(std::string& out, const SceneRecord& scene)
 {
     put(out, scene.generation);
     put(out, static_cast<std::uint64_t>(scene.structures.size()));
+    put(out, scene.fingertip_mm);
     for (const StructureRecord& structure : scene.structures) {
         putText(out, structure.name);
         putText(out, structure.source.mesh);

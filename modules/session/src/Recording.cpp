@@ -20,6 +20,7 @@ SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& 
 {
     SceneRecord record;
     record.generation = generation;
+    record.fingertip_mm = scene.fingertip_mm();
     for (std::size_t i = 0; i < scene.structures().size(); ++i) {
         const auto& structure = scene.structures()[i];
         StructureRecord& out = record.structures.emplace_back();

@@ -86,7 +86,7 @@ RecordingStore::RecordingStore(Database database)
     , m_insertTick(m_database.prepare(kInsertTick))
     , m_insertCheck(m_database.prepare(kInsertCheck))
     , m_insertEvent(m_database.prepare("INSERT INTO events VALUES(?, ?, ?, ?)"))
-    , m_insertScene(m_database.prepare("INSERT INTO scenes VALUES(?, ?)"))
+    , m_insertScene(m_database.prepare("INSERT INTO scenes VALUES(?, ?, ?)"))
     , m_insertMesh(m_database.prepare("INSERT OR IGNORE INTO meshes(path, part, unit_mm, flipped, pose, sha256) "
                                       "VALUES(?1, ?2, ?3, ?4, ?5, ?6)"))
     , m_insertStructure(m_database.prepare(
@@ -170,6 +170,7 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
 {
     m_insertScene.bind(0, std::int64_t{scene.generation});
     m_insertScene.bind(1, static_cast<std::int64_t>(scene.structures.size()));
+    m_insertScene.bind(2, scene.fingertip_mm);
     if (m_insertScene.step() != Statement::Step::Done) {
         return failed();
     }

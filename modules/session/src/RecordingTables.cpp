@@ -91,10 +91,14 @@ Status RecordingTables::readMeta(MetaTable& out) const
 
 Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
 {
-    Statement generations = m_database.prepare("SELECT generation FROM scenes ORDER BY generation");
+    Statement generations =
+        m_database.prepare(m_version >= 2 ? "SELECT generation, fingertip_mm FROM scenes ORDER BY generation"
+                                          : "SELECT generation, 0.0 FROM scenes ORDER BY generation");
     Step step = generations.step();
     for (; step == Step::Row; step = generations.step()) {
-        out.emplace_back().generation = static_cast<std::uint32_t>(generations.integer(0));
+        SceneRecord& scene = out.emplace_back();
+        scene.generation = static_cast<std::uint32_t>(generations.integer(0));
+        scene.fingertip_mm = generations.real(1);
     }
     const Status status = step == Step::Failed ? damaged() : Status();
     Statement rows = m_database.prepare(

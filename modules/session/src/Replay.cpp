@@ -78,7 +78,7 @@ haptics::HapticScene withTissue(const haptics::HapticScene& scene, std::optional
         structure.tissue.stiffness_N_per_mm = stiffness.value_or(structure.tissue.stiffness_N_per_mm);
         structure.tissue.damping_Ns_per_mm = damping.value_or(structure.tissue.damping_Ns_per_mm);
     }
-    return haptics::HapticScene(std::move(structures));
+    return haptics::HapticScene(std::move(structures), scene.fingertip_mm());
 }
 
 } // namespace palpate::session

@@ -174,7 +174,13 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         }
         out.surface = found->second;
     }
-    return std::shared_ptr<const haptics::HapticScene>(std::make_shared<haptics::HapticScene>(std::move(structures)));
+    if (!(record.fingertip_mm >= 0.0 && record.fingertip_mm <= haptics::HapticScene::kMostFingertip_mm)) {
+        return Status(StatusCode::BadFormat, "found a fingertip radius of " + std::to_string(record.fingertip_mm) +
+                                                 " mm in the recording, expected 0 to " +
+                                                 std::to_string(haptics::HapticScene::kMostFingertip_mm));
+    }
+    return std::shared_ptr<const haptics::HapticScene>(
+        std::make_shared<haptics::HapticScene>(std::move(structures), record.fingertip_mm));
 }
 
 core::Result<Resimulation> resimulate(const RecordingReader& recording, const SurfacesByHash& surfaces,

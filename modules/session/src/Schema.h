@@ -10,7 +10,7 @@ CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE ticks(tick INTEGER PRIMARY KEY, time_ns, hip_x, hip_y, hip_z, god_x, god_y, god_z,
   force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, constraints, scene, buttons, solve_ns,
   iterations, flags);
-CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL);
+CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL, fingertip_mm REAL NOT NULL);
 CREATE TABLE meshes(mesh INTEGER PRIMARY KEY, path TEXT, part TEXT, unit_mm REAL, flipped INTEGER, pose TEXT,
   sha256 TEXT, UNIQUE(path, part, unit_mm, flipped, pose, sha256));
 CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh),

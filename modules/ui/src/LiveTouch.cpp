@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LiveTouch.h"
 
+#include <algorithm>
+
 #include <palpate/core/Clock.h>
 #include <palpate/servo/PassivityController.h>
 
@@ -75,6 +77,14 @@ bool LiveTouch::fetch(servo::TickRecord& tick)
     return true;
 }
 
+void LiveTouch::setFingertip(double radius_mm)
+{
+    if (radius_mm != m_fingertip_mm) {
+        m_fingertip_mm = std::clamp(radius_mm, 0.0, haptics::HapticScene::kMostFingertip_mm);
+        m_handOver.start();
+    }
+}
+
 core::Status LiveTouch::start()
 {
     if (m_loop.isRunning()) {
@@ -134,7 +144,7 @@ void LiveTouch::stop()
 
 void LiveTouch::handOverScene()
 {
-    m_scene = m_model.hapticScene(greatestTissue());
+    m_scene = m_model.hapticScene(greatestTissue(), m_fingertip_mm);
     m_generation = m_loop.setScene(m_scene);
     if (m_recorder.status().isRecording) {
         m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources(m_embeds)));

@@ -174,6 +174,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     state.p_WH = tick.p_WH;
     state.p_WG = tick.p_WG;
     state.f_W = tick.f_W;
+    state.fingertip_mm = m_live.fingertip_mm();
     state.isInContact = tick.structure >= 0;
     state.isPresent = true;
     if (!m_shown.isPresent || state.p_WH != m_shown.p_WH || state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {

@@ -140,6 +140,7 @@ void Playback::showMoment(double time_s)
     state.p_WH = tick->p_WH;
     state.p_WG = tick->p_WG;
     state.f_W = tick->f_W;
+    state.fingertip_mm = m_recording->fingertip_mm(*tick);
     state.isInContact = tick->structure >= 0;
     state.isPresent = (tick->flags & servo::kNoHand) == 0;
     m_viewport.view().cursor().setState(state);

@@ -54,6 +54,12 @@ QString RecordedTouch::structureName(const servo::TickRecord& tick) const
     return readableName(m_reader->structureName(tick));
 }
 
+double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
+{
+    const session::SceneRecord* scene = m_reader->scene(tick.scene);
+    return scene != nullptr ? scene->fingertip_mm : 0.0;
+}
+
 double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);

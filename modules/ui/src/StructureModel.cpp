@@ -166,7 +166,8 @@ scene::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& str
     return {structure.colour, structure.opacity, structure.visible};
 }
 
-std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest) const
+std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
+                                                                       double fingertip_mm) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_rows.size());
@@ -180,7 +181,7 @@ std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const ha
         to.surface = isFelt(from) ? row.touch : nullptr;
         structures.push_back(std::move(to));
     }
-    return std::make_shared<const haptics::HapticScene>(std::move(structures));
+    return std::make_shared<const haptics::HapticScene>(std::move(structures), fingertip_mm);
 }
 
 std::vector<session::StructureSource> StructureModel::sources(bool embeds) const

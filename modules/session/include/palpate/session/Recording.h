@@ -53,6 +53,7 @@ struct SceneRecord
 {
     std::uint32_t generation = 0; ///< see servo::ServoLoop::setScene
     std::vector<StructureRecord> structures;
+    double fingertip_mm = 0.0; ///< radius of the ball that touched, 0 = a point
 };
 
 /// Describes a haptic scene for a recording.

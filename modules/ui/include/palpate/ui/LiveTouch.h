@@ -45,6 +45,9 @@ class LiveTouch : public QObject
     /// Lays the device's workspace into the scene.
     void setMap(const servo::MapSettings& map);
     [[nodiscard]] const servo::MapSettings& map() const noexcept { return m_map; }
+    /// Touches with a ball of this radius from the next tick on; 0 = a point. [mm]
+    void setFingertip(double radius_mm);
+    [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
 
     /// @return true when a tick newer than the last one fetched was written to `tick`.
     bool fetch(servo::TickRecord& tick);
@@ -95,6 +98,7 @@ class LiveTouch : public QObject
     QTimer m_meter;
     QTimer m_handOver; ///< gathers changes of one event into one new scene
     std::shared_ptr<const haptics::HapticScene> m_scene;
+    double m_fingertip_mm = 0.0;
     std::uint32_t m_generation = 0;
     std::uint64_t m_ticks = 0;
     std::int64_t m_measured_ns = 0;

@@ -31,6 +31,8 @@ class RecordedTouch : public QObject
     /// @return the newest tick at `time_s` since the first.
     [[nodiscard]] std::optional<servo::TickRecord> at(double time_s) const;
     [[nodiscard]] QString structureName(const servo::TickRecord& tick) const;
+    /// Radius of the ball that touched, 0 = a point. [mm]
+    [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.

@@ -67,8 +67,10 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
     [[nodiscard]] static scene::Appearance appearanceOf(const meshio::SceneStructure& structure);
     /// What the servo thread can feel now; numbers are the rows.
+    /// @param fingertip_mm  radius of the ball that touches, 0 = a point
     /// @param greatest  stiffness and damping above what the device holds stably are bounded by it
-    [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest) const;
+    [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
+                                                                          double fingertip_mm = 0.0) const;
     /// Where the surfaces came from. @param embeds  give the surfaces that can be felt with them
     [[nodiscard]] std::vector<session::StructureSource> sources(bool embeds = false) const;
 

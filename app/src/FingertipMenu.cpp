@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FingertipMenu.h"
+
+#include <palpate/ui/LiveTouch.h>
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QSettings>
+
+namespace palpate::app {
+
+namespace {
+
+// A point, probes, and the pad of a finger.
+constexpr double kRadii_mm[] = {0.0, 0.5, 1.0, 2.0, 5.0, 8.0};
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("palpate::app::FingertipMenu", text);
+}
+
+} // namespace
+
+void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
+{
+    const QString key = QStringLiteral("fingertip_mm");
+    live.setFingertip(QSettings().value(key, 0.0).toDouble());
+    QMenu* radii = menu.addMenu(tr("Fingertip"));
+    auto* group = new QActionGroup(radii);
+    for (const double radius_mm : kRadii_mm) {
+        QAction* action = radii->addAction(radius_mm > 0.0 ? tr("Ball of %1 mm radius").arg(radius_mm) : tr("Point"));
+        action->setCheckable(true);
+        action->setChecked(radius_mm == live.fingertip_mm());
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, &live, [&live, key, radius_mm] {
+            live.setFingertip(radius_mm);
+            QSettings().setValue(key, radius_mm);
+        });
+    }
+}
+
+} // namespace palpate::app
