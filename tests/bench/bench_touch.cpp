@@ -6,6 +6,7 @@
 // slide/T   a HIP 5 mm below a sphere of 50 mm radius with about T triangles, moving at 100 mm/s: one contact
 // cold/T    the same with the data flushed from the caches before each tick
 // free/T    the same path 5 mm above the surface: no contact
+// finger/T  the slide with a ball of 1 mm radius instead of a point
 // bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
 //
 // Columns: p50, p99, p99_9 and max in ns of one tick, clock included (about 25 ns of each); iterations, the mean of
@@ -22,6 +23,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #if defined(__SSE2__)
@@ -36,14 +38,16 @@ using core::Vec3;
 constexpr double kRadius_mm = 50.0;
 
 /// 20 n^2 triangles, indexed once and kept for the next benchmark.
-const haptics::HapticScene& scene(int n, double bump)
+const haptics::HapticScene& scene(int n, double bump, double fingertip_mm)
 {
-    static std::map<std::pair<int, double>, haptics::HapticScene> scenes;
-    const auto key = std::pair(n, bump);
+    static std::map<std::tuple<int, double, double>, haptics::HapticScene> scenes;
+    const auto key = std::tuple(n, bump, fingertip_mm);
     if (scenes.find(key) == scenes.end()) {
         scenes.clear(); // one at a time: the largest is nearly a gigabyte while it is built
-        scenes.emplace(key, haptics::HapticScene({haptics::HapticStructure{
-                                "sphere", test::indexed(test::bumpySphere(n, kRadius_mm, bump)), {0.5, 0.0}, 0}}));
+        scenes.emplace(key, haptics::HapticScene(
+                                {haptics::HapticStructure{
+                                    "sphere", test::indexed(test::bumpySphere(n, kRadius_mm, bump)), {0.5, 0.0}, 0}},
+                                fingertip_mm));
     }
     return scenes.at(key);
 }
@@ -63,9 +67,10 @@ Vec3 direction(double arc)
     return Vec3(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc), std::sin(0.37 * arc));
 }
 
-void slide(benchmark::State& state, int n, double bump, double distance_mm, double speed_mm_s, bool isCold)
+void slide(benchmark::State& state, int n, double bump, double distance_mm, double speed_mm_s, bool isCold,
+           double fingertip_mm)
 {
-    const haptics::HapticScene& sphere = scene(n, bump);
+    const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm);
     haptics::Palpator palpator;
     palpator.setScene(&sphere);
     std::vector<std::int64_t> ns;
@@ -107,11 +112,12 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
     state.counters["hash"] = static_cast<double>(hash >> 40);
 }
 
-void add(const char* name, int n, double bump, double distance_mm, double speed_mm_s, bool isCold, int ticks)
+void add(const char* name, int n, double bump, double distance_mm, double speed_mm_s, bool isCold, int ticks,
+         double fingertip_mm = 0.0)
 {
     benchmark::RegisterBenchmark(
         (std::string(name) + "/" + std::to_string(20 * n * n)).c_str(),
-        [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold); })
+        [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold, fingertip_mm); })
         ->Iterations(ticks)
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
@@ -128,6 +134,7 @@ int main(int argc, char** argv)
     }
     add("cold", 256, 0.0, -5.0, 100.0, true, 300);
     add("bumpy", 128, 0.05, -5.0, 400.0, false, 100'000);
+    add("finger", 128, 0.0, -5.0, 100.0, false, 50'000, 1.0);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

@@ -230,6 +230,16 @@ class Fingertip : public QObject
         QVERIFY(contacts > 500);
     }
 
+    void whatIsKeptBetweenTicksChangesNothing()
+    {
+        Feel kept(bumpySphere(30, 10.0, 0.08), 1.0), thrownAway(bumpySphere(30, 10.0, 0.08), 1.0);
+        for (int i = 0; i < 800; ++i) {
+            const Vec3 hip = Vec3(std::sin(0.02 * i), std::cos(0.023 * i), std::sin(0.011 * i)).normalized() * 8.5;
+            thrownAway.palpator.restore(thrownAway.palpator.state());
+            QCOMPARE(kept.at(hip).p_WG, thrownAway.at(hip).p_WG);
+        }
+    }
+
     void radiusZeroIsThePoint()
     {
         Feel ball(bumpySphere(10, 10.0, 0.08), 0.0);

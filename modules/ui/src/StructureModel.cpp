@@ -167,7 +167,7 @@ scene::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& str
 }
 
 std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
-                                                                       double fingertip_mm) const
+                                                                        double fingertip_mm) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_rows.size());
