@@ -73,7 +73,7 @@ void MainWindow::makeMenus()
         session->addAction(action);
     }
     session->addSeparator();
-    addFingertipMenu(*session, m_live);
+    palpate::app::addFingertipMenu(*session, m_live);
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addAction(m_keysAction);
 }
