@@ -88,7 +88,7 @@ void markFront(std::vector<Trial>& trials, const std::string& subject)
 {
     const auto takesPart = [&](const Trial& t) {
         return t.subject == subject && !t.isReference && t.knob != Knob::Rate && t.position_mm.count > 0 &&
-               t.popThroughs == 0;
+               t.time_us.count > 0 && t.popThroughs == 0;
     };
     const auto error = [](const Trial& t) { return std::max(kNoError_mm, t.position_mm.mean); };
     for (Trial& t : trials) {

@@ -65,7 +65,7 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
     std::vector<const Trial*> shown;
     double spring_mm = 0.0;
     for (const Trial& t : evaluation.trials) {
-        if (t.subject != subject || t.isReference || t.position_mm.count == 0) {
+        if (t.subject != subject || t.isReference || t.position_mm.count == 0 || t.time_us.count == 0) {
             continue;
         }
         shown.push_back(&t);

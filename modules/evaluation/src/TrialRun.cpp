@@ -212,6 +212,9 @@ void TrialRun::feel(LayerSolvers& solvers, const HandMotion& motion, const Truth
         const double took_us = 1e-3 * static_cast<double>(core::monotonicNow_ns() - before);
         if (interruptions() != interruptionsBefore) {
             ++m_trial.interrupted;
+            if (truth.isTouching[sample] != 0) {
+                m_interrupted_us.push_back(took_us);
+            }
         } else {
             (truth.isTouching[sample] != 0 ? m_time_us : m_freeTime_us).push_back(took_us);
         }
@@ -240,7 +243,8 @@ void TrialRun::feel(LayerSolvers& solvers, const HandMotion& motion, const Truth
 Trial TrialRun::result() const
 {
     Trial trial = m_trial;
-    trial.time_us = percentilesOf(m_time_us);
+    // A tick longer than a program's turn is always interrupted: then those times are all there is.
+    trial.time_us = percentilesOf(m_time_us.empty() ? m_interrupted_us : m_time_us);
     trial.freeTime_us = percentilesOf(m_freeTime_us);
     trial.position_mm = percentilesOf(m_position_mm);
     trial.force_N = percentilesOf(m_force_N);

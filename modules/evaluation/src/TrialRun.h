@@ -76,8 +76,8 @@ class TrialRun
     std::vector<SolverStep> m_steps;                   ///< of this tick, by layer
     std::vector<int> m_windingAtStart;
     std::vector<char> m_isElsewhere; ///< by layer
-    std::vector<double> m_time_us, m_freeTime_us, m_position_mm, m_force_N, m_forcePercent, m_direction_deg,
-        m_residual_mm;
+    std::vector<double> m_time_us, m_interrupted_us, m_freeTime_us, m_position_mm, m_force_N, m_forcePercent,
+        m_direction_deg, m_residual_mm;
     double m_springSum_mm = 0.0;
     std::size_t m_residuals = 0;
     ErrorSeries m_series;

@@ -53,7 +53,7 @@ struct Trial
     double rate_Hz = 1000.0;
     std::size_t ticks = 0;       ///< run
     std::size_t wanted = 0;      ///< that the motions have; a brute-force solver may get through fewer in its time
-    std::size_t interrupted = 0; ///< ticks in which another program took the core: not in the times
+    std::size_t interrupted = 0; ///< ticks in which another program took the core: not in the times, unless all are
     Percentiles time_us;         ///< a tick in which the exact solver touches
     Percentiles freeTime_us;     ///< any other tick
     Percentiles position_mm;     ///< |god-object - exact|, of the layer where it is largest
