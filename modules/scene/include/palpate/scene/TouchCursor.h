@@ -9,9 +9,9 @@ namespace palpate::scene {
 /// What the cursor shows of one tick.
 struct TouchState
 {
-    Vec3 p_WH = Vec3::Zero(); ///< HIP [mm]
-    Vec3 p_WG = Vec3::Zero(); ///< god-object [mm]
-    Vec3 f_W = Vec3::Zero();  ///< force on the hand [N]
+    Vec3 p_WH = Vec3::Zero();  ///< HIP [mm]
+    Vec3 p_WG = Vec3::Zero();  ///< god-object [mm]
+    Vec3 f_W = Vec3::Zero();   ///< force on the hand [N]
     double fingertip_mm = 0.0; ///< radius of the ball that touches, 0 = a point
     bool isInContact = false;
     bool isPresent = false; ///< false: no hand, nothing is drawn

@@ -107,7 +107,7 @@ class LiveTouch : public QObject
     bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
-    QString m_refused; ///< said last
+    QString m_refused;     ///< said last
     bool m_embeds = false; ///< of the present recording
 };
 
