@@ -103,7 +103,9 @@ void TouchCursor::place(const ViewFrame& frame)
     placeBall(*m_ball, m_state.p_WG, ball_mm);
     const Colour colour = ballColour();
     m_ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    m_ball->GetProperty()->SetOpacity(isTouching ? 1.0 : 0.35);
+    // A fingertip larger than the cursor must not hide the tissue it presses.
+    const bool isLarge = m_state.fingertip_mm > 0.5 * kBall_px * pixel_mm;
+    m_ball->GetProperty()->SetOpacity(!isTouching ? 0.35 : isLarge ? 0.5 : 1.0);
     placeBillboard(*m_hip, m_state.p_WH, frame);
     placeBillboard(*m_hipDark, m_state.p_WH, frame);
     if (!isTouching) {
