@@ -10,6 +10,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -150,7 +151,12 @@ void MainWindow::makeDocks()
     auto* left = dock(tr("Structures"), "structures", m_structures, Qt::LeftDockWidgetArea);
     auto* right = dock(tr("Touch"), "touch", m_touch, Qt::RightDockWidgetArea);
     m_hand = new HandPanel(this);
-    dock(tr("Device"), "device", m_hand, Qt::RightDockWidgetArea);
+    auto* scrolled = new QScrollArea(this); // a low window has no room for all of it
+    scrolled->setWidget(m_hand);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    dock(tr("Device"), "device", scrolled, Qt::RightDockWidgetArea);
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
     resizeDocks({left, right}, {264, 292}, Qt::Horizontal);
     resizeDocks({below}, {128}, Qt::Vertical);
