@@ -172,7 +172,7 @@ class Recording : public QObject
                                         << "scene 1: found 0 rows, expected 1";
         QTest::newRow("lost scene") << "DELETE FROM scenes WHERE generation = 2"
                                     << "scene 2: found 0 rows, expected 1";
-        QTest::newRow("added scene") << "INSERT INTO scenes VALUES(3, 0)"
+        QTest::newRow("added scene") << "INSERT INTO scenes VALUES(3, 0, 0)"
                                      << "scene 3: found without a checksum";
         QTest::newRow("event") << "UPDATE events SET tick = tick + 1 WHERE kind = 'clutch'"
                                << "events 2 to ";
