@@ -13,12 +13,12 @@ using core::Vec3;
 /// A triangle ready to be tested against moves.
 struct Facet
 {
-    Vec3 a, b, c;   ///< corners [mm]
-    Vec3 n;         ///< unit normal of the front
-    double skin_mm; ///< gap that the god-object keeps to it
-    std::uint32_t structure;
-    std::uint32_t triangle; ///< position in the structure's SurfaceIndex
-    bool isTwoSided;
+    Vec3 a, b, c;         ///< corners [mm]
+    Vec3 n;               ///< unit normal of the front
+    double skin_mm = 0.0; ///< gap that the god-object keeps to it
+    std::uint32_t structure = 0;
+    std::uint32_t triangle = 0; ///< position in the structure's SurfaceIndex
+    bool isTwoSided = false;
 
     [[nodiscard]] static Facet of(const geometry::SurfaceIndex& surface, std::uint32_t structure,
                                   std::uint32_t triangle) noexcept PALPATE_NONBLOCKING;
