@@ -119,6 +119,62 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
     return all & bitsOf(count);
 }
 
+PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float (*path)[3], int points,
+                                              float coordinates_mm) noexcept
+{
+    const float rounding = kRounding * coordinates_mm;
+    float low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = high[axis] = path[0][axis];
+        for (int i = 1; i < points; ++i) {
+            low[axis] = std::min(low[axis], path[i][axis]);
+            high[axis] = std::max(high[axis], path[i][axis]);
+        }
+    }
+    std::uint64_t all = 0;
+    for (int first = 0; first < count; first += FacetGroup::kLanes) {
+        const FacetGroup& group = groups[first / FacetGroup::kLanes];
+        const Float8 slack = rounding * load8(group.slenderness);
+        Mask8 misses{};
+        for (int axis = 0; axis < 3; ++axis) {
+            misses |= (low[axis] - slack > load8(group.high[axis])) | (high[axis] + slack < load8(group.low[axis]));
+        }
+        if (core::laneBits(misses) == 0xffu) {
+            continue;
+        }
+        const Float8 nx = load8(group.normal[0]), ny = load8(group.normal[1]), nz = load8(group.normal[2]);
+        const Float8 offset = load8(group.offset);
+        Float8 most = nx * path[0][0] + ny * path[0][1] + nz * path[0][2] - offset, fewest = most;
+        for (int i = 1; i < points; ++i) {
+            const Float8 distance = nx * path[i][0] + ny * path[i][1] + nz * path[i][2] - offset;
+            most = greatest(most, distance);
+            fewest = least(fewest, distance);
+        }
+        const std::uint32_t crosses = core::laneBits((most >= -slack) & (fewest <= slack) & ~misses);
+        all |= static_cast<std::uint64_t>(crosses) << first;
+    }
+    return all & bitsOf(count);
+}
+
+PALPATE_WIDE_LANES std::uint64_t lanesAtEdge(const CornerGroup* groups, int count, std::uint32_t structure,
+                                             std::uint32_t from, std::uint32_t to) noexcept
+{
+    typedef std::uint32_t Index8 __attribute__((vector_size(32)));
+    std::uint64_t all = 0;
+    for (int first = 0; first < count; first += FacetGroup::kLanes) {
+        const CornerGroup& group = groups[first / FacetGroup::kLanes];
+        Mask8 hasFrom{}, hasTo{};
+        for (const auto& corner : group.corner) {
+            const Index8 number = *reinterpret_cast<const Index8*>(corner);
+            hasFrom |= number == from;
+            hasTo |= number == to;
+        }
+        const Mask8 isIn = *reinterpret_cast<const Index8*>(group.structure) == structure;
+        all |= static_cast<std::uint64_t>(core::laneBits(hasFrom & hasTo & isIn)) << first;
+    }
+    return all & bitsOf(count);
+}
+
 PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,
                                            float coordinates_mm) noexcept
 {

@@ -3,6 +3,7 @@
 
 #include "palpate/haptics/internal/ConstrainedPoint.h"
 #include "palpate/haptics/internal/Fan.h"
+#include "palpate/haptics/internal/SurfaceWalk.h"
 
 #include <algorithm>
 #include <limits>
@@ -53,6 +54,7 @@ class Tick
     void touch(const Facet& facet, int side, bool isInTheWay = false) noexcept
     {
         m_contacts[static_cast<std::size_t>(m_count++)] = {facet, side, Foot::Away, isInTheWay};
+        m_mayWalk = true;
         m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
     }
 
@@ -66,14 +68,17 @@ class Tick
                 // many moves has arrived.
                 const double last = std::exchange(spring, (m_hip - m_god).norm());
                 if (spring > last - m_skin_mm && !escape()) {
-                    return i + 1;
+                    return moves(i + 1, limit);
                 }
+            }
+            if (m_count == 1 && m_mayWalk && hasWalkedHome()) {
+                return moves(i, limit);
             }
             const Vec3 target = nextTarget();
             Crossing crossing;
             if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
                 if (!stopAt(target, crossing) && !escape()) {
-                    return i + 1;
+                    return moves(i + 1, limit);
                 }
                 continue;
             }
@@ -81,7 +86,7 @@ class Tick
             const int before = m_count;
             keepSupporting();
             if (m_count == before && (isCertain() || !escape())) {
-                return i + 1;
+                return moves(i + 1, limit);
             }
         }
         return limit;
@@ -92,6 +97,26 @@ class Tick
     [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
 
   private:
+    [[nodiscard]] std::uint32_t moves(std::uint32_t tried, std::uint32_t limit) const noexcept
+    {
+        return std::min(tried + m_walked, limit - 1);
+    }
+
+    /// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
+    bool hasWalkedHome() noexcept
+    {
+        Contact& c = m_contacts[0];
+        internal::SurfaceWalk walk{m_god, c.facet};
+        internal::walk(m_scene, m_layer, m_near, m_hip, c.side, kTouched * c.facet.skin_mm, walk);
+        if (walk.moves > 0) {
+            m_god = walk.g;
+            c = {walk.facet, c.side};
+            m_walked += walk.moves;
+        }
+        m_mayWalk = false; // again from the next facet that is met
+        return walk.hasArrived;
+    }
+
     /// The constrained point of the present contacts; those with no part in it are released.
     Vec3 nextTarget() noexcept
     {
@@ -324,6 +349,8 @@ class Tick
     Vec3 m_god;
     std::array<Contact, kMost> m_contacts;
     int m_count = 0;
+    bool m_mayWalk = false;
+    std::uint32_t m_walked = 0; ///< moves made by walking
     double m_skin_mm = 0.0;
 };
 

@@ -90,6 +90,11 @@ void Neighbourhood::fill(const HapticScene& scene) noexcept
                 corners.ac[axis][i] = static_cast<float>(c[axis] - a[axis]);
             }
             group.isTwoSided[i] = surface.isTwoSided(m_triangle[k]) ? -1 : 0;
+            CornerGroup& numbers = m_corners[static_cast<std::size_t>(first / FacetGroup::kLanes)];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                numbers.corner[corner][i] = t[corner];
+            }
+            numbers.structure[i] = m_structure[k];
         }
         m_reach_mm = std::max(m_reach_mm, derive(corners, group));
     }
@@ -109,6 +114,101 @@ void Neighbourhood::offerGathered(const HapticScene& scene, First& first) const 
         const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
         first.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
     }
+}
+
+bool Neighbourhood::beyondEdge(const HapticScene& scene, const HapticLayer& layer, const Vec3& from, const Vec3& place,
+                               const Vec3& ahead, const Facet& facet, int edge, Facet& found, int& entered) noexcept
+{
+    const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
+    const geometry::Triangle t = surface.triangle(facet.triangle);
+    const std::uint32_t p = t[static_cast<std::size_t>(edge)], q = t[static_cast<std::size_t>((edge + 1) % 3)];
+    std::uint32_t other = facet.triangle;
+    int others = 0;
+    const auto take = [&](std::uint32_t triangle) {
+        if (triangle != facet.triangle) {
+            other = triangle;
+            ++others;
+        }
+    };
+    if (!holds(place)) {
+        gatherAlong(scene, layer, from, ahead);
+    }
+    if (holds(place)) {
+        for (std::uint64_t lanes = lanesAtEdge(m_corners.data(), m_count, facet.structure, p, q); lanes != 0;
+             lanes &= lanes - 1) {
+            take(m_triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);
+        }
+    } else {
+        const double around = 4.0 * surface.skin_mm();
+        surface.hierarchy().visitBox(core::Box(place.array() - around, place.array() + around),
+                                     [&](std::uint32_t i, std::uint32_t n) {
+                                         for (const std::uint32_t end = i + n; i < end; ++i) {
+                                             const geometry::Triangle c = surface.triangle(i);
+                                             if (std::find(c.begin(), c.end(), p) != c.end() &&
+                                                 std::find(c.begin(), c.end(), q) != c.end()) {
+                                                 take(i);
+                                             }
+                                         }
+                                         return true;
+                                     });
+    }
+    if (others != 1) {
+        return false;
+    }
+    const geometry::Triangle c = surface.triangle(other);
+    for (std::size_t i = 0; i < 3; ++i) {
+        // The other way round: the two are turned the same way.
+        if (c[i] == q && c[(i + 1) % 3] == p) {
+            entered = static_cast<int>(i);
+            found = Facet::of(surface, facet.structure, other);
+            return found.isTwoSided == facet.isTwoSided;
+        }
+    }
+    return false;
+}
+
+std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer& layer,
+                                     std::span<const Vec3> path) noexcept
+{
+    std::size_t moves = path.size() - 1;
+    Crossing crossing;
+    if (!std::all_of(path.begin(), path.end(), [this](const Vec3& p) { return holds(p); })) {
+        for (std::size_t i = 0; i < moves; ++i) {
+            if (sweep(scene, layer, path[i], path[i + 1], crossing)) {
+                return i;
+            }
+        }
+        return moves;
+    }
+    float points[kMostPoints][3];
+    float coordinate = 0.0f;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            points[i][axis] = static_cast<float>(path[i][axis] - m_origin[axis]);
+            coordinate = std::max(coordinate, std::abs(points[i][axis]));
+        }
+    }
+    for (std::uint64_t lanes = crossedLanes(m_groups.data(), m_count, points, static_cast<int>(path.size()),
+                                            2.0f * coordinate + m_reach_mm);
+         lanes != 0; lanes &= lanes - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
+        for (std::size_t i = 0; i < moves; ++i) {
+            First any{path[i], path[i + 1], crossing, 1.0};
+            any.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
+            if (any.found) {
+                moves = i;
+            }
+        }
+    }
+    return moves;
+}
+
+void Neighbourhood::gatherAlong(const HapticScene& scene, const HapticLayer& layer, const Vec3& x,
+                                const Vec3& y) noexcept
+{
+    const double length = (y - x).cwiseAbs().maxCoeff();
+    const double most = kRadiiOfMove * std::max(m_radius_mm, layer.facetSize_mm);
+    gather(scene, layer, x, length > most ? Vec3(x + (y - x) * (most / length)) : y);
 }
 
 std::uint64_t Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
@@ -192,9 +292,7 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             }
         }
         if (attempt == 0) {
-            const double length = (y - x).cwiseAbs().maxCoeff();
-            const double most = kRadiiOfMove * std::max(m_radius_mm, layer.facetSize_mm);
-            gather(scene, layer, x, length > most ? Vec3(x + (y - x) * (most / length)) : y);
+            gatherAlong(scene, layer, x, y);
         }
     }
     First nearest{x, y, first, 1.0};

@@ -39,6 +39,23 @@ float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOC
 [[nodiscard]] std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float* x, const float* y,
                                          float coordinates_mm) noexcept PALPATE_NONBLOCKING;
 
+/// The same for a chain of straight moves at once.
+/// @param path  its `points` points, as many as there are moves and one, by axis
+/// @param coordinates_mm  twice the largest coordinate of the path, and that of the groups
+[[nodiscard]] std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float (*path)[3], int points,
+                                         float coordinates_mm) noexcept PALPATE_NONBLOCKING;
+
+/// The corners' numbers of eight triangles, and whose they are.
+struct alignas(32) CornerGroup
+{
+    std::uint32_t corner[3][FacetGroup::kLanes];
+    std::uint32_t structure[FacetGroup::kLanes];
+};
+
+/// @return bit i set where triangle i has both corners
+[[nodiscard]] std::uint64_t lanesAtEdge(const CornerGroup* groups, int count, std::uint32_t structure,
+                                        std::uint32_t from, std::uint32_t to) noexcept PALPATE_NONBLOCKING;
+
 /// @return bit i set where facet i may come within `reach_mm` of g
 [[nodiscard]] std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,
                                       float coordinates_mm) noexcept PALPATE_NONBLOCKING;
