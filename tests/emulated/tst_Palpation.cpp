@@ -19,6 +19,24 @@ class Palpation : public QObject
     std::unique_ptr<EmulatedBench> m_bench;
     std::unique_ptr<device::PluginHost> m_host;
 
+    /// Lets time pass and gathers what the firmware took meanwhile, before its ring goes round.
+    standin::ArmUnit passAndHear(double seconds, std::vector<standin::Taken>& all)
+    {
+        standin::ArmUnit unit;
+        std::uint64_t heard = 0;
+        m_bench->with([&](standin::Bench& b) { heard = b.arm.takenCount; });
+        for (double left = seconds; left > 0.0; left -= 1.0) {
+            pass(std::min(1.0, left));
+            m_bench->with([&](standin::Bench& b) {
+                for (; heard < b.arm.takenCount; ++heard) {
+                    all.push_back(b.arm.taken[heard % b.arm.taken.size()]);
+                }
+                unit = b.arm.unit;
+            });
+        }
+        return unit;
+    }
+
   private slots:
     void initTestCase()
     {
@@ -32,10 +50,13 @@ class Palpation : public QObject
         QTest::addColumn<int>("protocol");
         QTest::addColumn<double>("stiffness");
         QTest::addColumn<bool>("isControlled");
-        QTest::newRow("protocol 2, soft") << 2 << 0.2 << false;
-        QTest::newRow("protocol 2, hard") << 2 << 0.8 << false;
-        QTest::newRow("protocol 1") << 1 << 0.5 << false;
-        QTest::newRow("passivity controlled") << 2 << 0.5 << true;
+        QTest::addColumn<double>("slowness"); // 1: 14 mm/s at most
+        QTest::newRow("protocol 2, soft") << 2 << 0.2 << true << 1.0;
+        QTest::newRow("protocol 2, hard") << 2 << 0.8 << true << 1.0;
+        QTest::newRow("protocol 2, slow") << 2 << 0.5 << true << 2.0;
+        QTest::newRow("protocol 1") << 1 << 0.5 << true << 1.0;
+        QTest::newRow("protocol 1, slow, hard") << 1 << 0.8 << true << 2.0;
+        QTest::newRow("without passivity controller") << 2 << 0.5 << false << 1.0;
     }
 
     void forceFollowsTheSpringWithinQuantisation()
@@ -43,14 +64,19 @@ class Palpation : public QObject
         QFETCH(const int, protocol);
         QFETCH(const double, stiffness);
         QFETCH(const bool, isControlled);
+        QFETCH(const double, slowness);
         m_bench->with([&](standin::Bench& b) {
             b.arm = {};
             b.arm.unit.protocol = protocol;
             b.arm.q = standin::restPose(b.arm.unit);
         });
         // Down into the block, along it, and out again.
-        m_bench->moveHand(
-            {{1.0, {0, 0, 20}}, {2.0, {0, 0, 5}}, {3.0, {0, 0, -6}}, {4.5, {30, 20, -8}}, {5.5, {30, 20, 10}}});
+        std::vector<standin::Knot> path{
+            {1.0, {0, 0, 20}}, {2.0, {0, 0, 5}}, {3.0, {0, 0, -6}}, {4.5, {30, 20, -8}}, {5.5, {30, 20, 10}}};
+        for (standin::Knot& knot : path) {
+            knot.time_s *= slowness;
+        }
+        m_bench->moveHand(path);
         auto made = m_host->make("woodenhaptics");
         QVERIFY2(made.isOk(), made.status().message().c_str());
         const std::unique_ptr<device::HapticDevice> arm = std::move(made).value();
@@ -58,23 +84,13 @@ class Palpation : public QObject
         loop.setScene(blockScene(stiffness));
         const core::Status started = loop.start(*arm, {.askRealtime = false, .isPassivityControlled = isControlled});
         QVERIFY2(started.isOk(), started.message().c_str());
-        pass(6.0);
+        std::vector<standin::Taken> all;
+        const standin::ArmUnit unit = passAndHear(6.0 * slowness, all);
         const servo::FaultReport fault = loop.fault();
         const device::DeviceReport report = arm->report();
         loop.stop();
         QVERIFY2(!fault.isFaulted(), fault.message);
 
-        std::vector<standin::Taken> all;
-        standin::ArmUnit unit;
-        m_bench->with([&](standin::Bench& b) {
-            QVERIFY(b.arm.takenCount < b.arm.taken.size() * 2);
-            const std::uint64_t first =
-                b.arm.takenCount > b.arm.taken.size() ? b.arm.takenCount - b.arm.taken.size() : 0;
-            for (std::uint64_t i = first; i < b.arm.takenCount; ++i) {
-                all.push_back(b.arm.taken[i % b.arm.taken.size()]);
-            }
-            unit = b.arm.unit;
-        });
         // The answer to a report is a fixed number of reports late; the bound is what counts and milliamperes cannot
         // say.
         double best = 1e9;
@@ -82,10 +98,12 @@ class Palpation : public QObject
         int compared = 0;
         double deepest = 0.0;
         double bound = 0.0;
+        double move_mm = 0.0; // of a tick, in the middle of kSpan: answers come one by one or in pairs
+        constexpr std::size_t kSpan = 10;
         for (std::size_t late = 0; late < 4; ++late) {
             double worst = 0.0;
             compared = 0;
-            for (std::size_t i = 4; i < all.size(); ++i) {
+            for (std::size_t i = kSpan + 4; i < all.size(); ++i) {
                 const standin::V3& p = all[i - late].sampled_mm;
                 if (p[2] > -1.0) {
                     continue; // deep enough for the force to have been eased in and the contact to be old
@@ -96,6 +114,8 @@ class Palpation : public QObject
                 const double off = std::hypot(f[0], f[1], f[2] + stiffness * p[2]);
                 worst = std::max(worst, off);
                 const auto& step = all[i].countStep_mm;
+                const standin::V3& q = all[i - late - kSpan].sampled_mm;
+                move_mm = std::max(move_mm, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / kSpan);
                 bound = std::max(bound, stiffness * 0.5 * (step[0] + step[1] + step[2]));
             }
             if (worst < best) {
@@ -105,15 +125,17 @@ class Palpation : public QObject
         }
         // Half a milliampere in each motor, and the turn of the arm while the answer is under way (2 ms at 30 mm/s).
         const double currents_N = 0.5e-3 * unit.torqueConstant[0] * 16.0 / 0.15 * 2.0 + 2.0 * 0.06 / 200.0;
+        // The controller damps what a spring gains by its force being held for a tick and acting a tick late, (1/2 + 1)
+        // K T (PassivityController.h): that is there with an exact sensor too.
+        const double damping_N = isControlled ? 1.5 * stiffness * move_mm : 0.0;
+        const double allowed_N = bound + currents_N + damping_N;
         qInfo(
             "%d answers in contact, deepest %.2f mm; force within %.4f N of k (g - p), bound %.4f N; %zu reports late; "
             "latency p50 %.2f ms, p99 %.2f ms, max %.2f ms",
-            compared, -deepest, best, bound + currents_N, lateness, static_cast<double>(report.latency.p50_ns) * 1e-6,
+            compared, -deepest, best, allowed_N, lateness, static_cast<double>(report.latency.p50_ns) * 1e-6,
             static_cast<double>(report.latency.p99_ns) * 1e-6, static_cast<double>(report.latency.max_ns) * 1e-6);
         QVERIFY(compared > 1000);
         QVERIFY(deepest < -2.0);
-        // The controller's damping answers each step of the encoders; of that only the bound is promised.
-        const double allowed_N = bound + currents_N + (isControlled ? 1.0 : 0.0);
         QVERIFY2(best <= allowed_N, qPrintable(QStringLiteral("%1 N against %2 N").arg(best).arg(allowed_N)));
         QVERIFY(report.refused < 5);
         QCOMPARE(report.losses, std::uint64_t{0});

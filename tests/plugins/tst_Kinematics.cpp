@@ -4,6 +4,7 @@
 #include <Bench.h>
 #include <Kinematics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -102,6 +103,29 @@ class Kinematics : public QObject
                 QVERIFY((difference - j.col(i)).norm() < 1e-9);
             }
         }
+    }
+
+    /// Half a count of each encoder, the worst way round, is half of what is stated: nowhere more, somewhere nearly.
+    void resolutionIsWhatCountsCannotSay_data() { units(); }
+    void resolutionIsWhatCountsCannotSay()
+    {
+        const Config c = config();
+        const woodenhaptics::Kinematics k(c);
+        const Vec3 turn = (k.angles(Vec3::Ones()) - k.angles(Vec3::Zero())).cwiseAbs();
+        double worst = 0.0;
+        for (const double a : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+            for (double b = 0.0; b < 2.0; b += 0.05) {
+                for (double g = 0.0; g < 2.0; g += 0.05) {
+                    const Vec3 q(a, b, g);
+                    if (k.position_m(q).norm() <= c.workspaceRadius_m) {
+                        worst = std::max(worst, (k.jacobian(q).cwiseAbs() * turn).maxCoeff());
+                    }
+                }
+            }
+        }
+        const QString found = QString("%1 mm of %2").arg(1e3 * worst).arg(1e3 * k.resolution_m());
+        QVERIFY2(worst <= k.resolution_m(), qPrintable(found));
+        QVERIFY2(worst >= 0.8 * k.resolution_m(), qPrintable(found));
     }
 
     /// What the motors do to the links is what the force does to the tip: tau . q' = f . v.

@@ -102,6 +102,31 @@ class PassivityController : public QObject
         }
     }
 
+    /// A slow press through a sensor that counts in steps: what is added stays below what the sensor cannot tell, K
+    /// times half a step; it is no answer to a whole step in one tick.
+    void aStepOfTheSensorIsNoMotion()
+    {
+        constexpr double kSensor_mm = 0.064;
+        PassivityLimits stepped = limits(1);
+        stepped.maxDamping_Ns_per_mm = 0.008;
+        const auto mostAdded = [&](double known_mm) {
+            stepped.resolution_mm = known_mm;
+            Controller controller(stepped, kDt_s);
+            double most = 0.0;
+            for (int n = 0; n < 2000; ++n) {
+                const double x = -1.0 - 0.005 * (n < 1000 ? n : 2000 - n);
+                const double seen = kSensor_mm * std::round(x / kSensor_mm);
+                const Vec3 added = controller.damping(wall(seen), Vec3(seen, 0, 0), true);
+                controller.noteSent(wall(seen) + added);
+                most = n >= 100 ? std::max(most, added.norm()) : most;
+            }
+            return most;
+        };
+        const double most_N = mostAdded(kSensor_mm);
+        QVERIFY2(most_N > 0.0 && most_N < 0.5 * kStiffness * kSensor_mm, qPrintable(QString::number(most_N)));
+        QVERIFY(mostAdded(0.0) > 0.3); // what not knowing it costs
+    }
+
     void dampsAgainstTheMotionAndNeverBeyondItsBound()
     {
         PassivityLimits bounded = limits(1);

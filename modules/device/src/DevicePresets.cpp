@@ -14,7 +14,7 @@ constexpr std::array<DevicePreset, 7> kPresets{{
     {"falcon", "Falcon", 8.0, 3.0, 0.020, 40.0, {0.15, 0.001, 0.1, 0.06}},
     {"omega", "omega", 12.0, 5.0, 0.030, 75.0, {0.15, 0.001, 0.05, 0.01}},
     {"delta", "delta", 20.0, 5.0, 0.030, 150.0, {0.25, 0.001, 0.1, 0.03}},
-    {"woodenhaptics", "WoodenHaptics", 5.0, 1.0, 0.008, 100.0, {0.1, 0.0005, 0.05, 0.064}},
+    {"woodenhaptics", "WoodenHaptics", 5.0, 1.0, 0.008, 100.0, {0.1, 0.0005, 0.05, 0.1}},
 }};
 
 } // namespace
@@ -44,6 +44,7 @@ DeviceInfo deviceInfo(const DevicePreset& preset)
     info.maxStiffness_N_per_mm = preset.maxStiffness_N_per_mm;
     info.maxDamping_Ns_per_mm = preset.maxDamping_Ns_per_mm;
     info.ownDamping_Ns_per_mm = preset.mechanics.damping_Ns_per_mm;
+    info.resolution_mm = preset.mechanics.resolution_mm;
     info.workspaceRadius_mm = preset.workspaceRadius_mm;
     return info;
 }

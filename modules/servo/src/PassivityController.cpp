@@ -15,6 +15,7 @@ PassivityLimits PassivityLimits::forDevice(const device::DeviceInfo& info) noexc
     if (info.maxDamping_Ns_per_mm > 0.0) {
         limits.maxDamping_Ns_per_mm = info.maxDamping_Ns_per_mm;
     }
+    limits.resolution_mm = std::max(0.0, info.resolution_mm);
     return limits;
 }
 
@@ -32,6 +33,7 @@ double dampingAt(double maxDamping_Ns_per_mm, double dt_s) noexcept
 PassivityController::PassivityController(const PassivityLimits& limits, double dt_s) noexcept
     : m_limits(limits)
     , m_dt_s(dt_s)
+    , m_motion(limits.resolution_mm)
 {
     m_limits.maxDamping_Ns_per_mm = dampingAt(limits.maxDamping_Ns_per_mm, dt_s);
     m_limits.delayTicks = std::clamp(limits.delayTicks, 0, static_cast<int>(kSent) - 1);
@@ -45,15 +47,13 @@ Vec3 PassivityController::damping(const Vec3& fAsked_W, const Vec3& p_WH, bool i
         reset();
         return Vec3::Zero();
     }
-    const Vec3 dx = m_hasPrevious ? Vec3(p_WH - m_p_W) : Vec3(Vec3::Zero());
+    const Vec3 dx = m_motion.step(p_WH);
     const double work = m_sent_W[static_cast<std::size_t>(m_limits.delayTicks)].dot(dx);
     const double meant = 0.5 * (m_fAsked_W + fAsked_W).dot(dx);
     const double d2 = dx.squaredNorm();
     const double own = m_limits.ownDamping_Ns_per_mm * d2 / m_dt_s;
     m_state.energy_mJ += own - work;
     m_state.excess_mJ = std::max(0.0, m_state.excess_mJ + work - meant - own);
-    m_hasPrevious = true;
-    m_p_W = p_WH;
     m_fAsked_W = fAsked_W;
     if (!isInContact) {
         m_state.energy_mJ = 0.0;
@@ -63,7 +63,9 @@ Vec3 PassivityController::damping(const Vec3& fAsked_W, const Vec3& p_WH, bool i
     if (!m_limits.isOn || !(tooMuch_mJ > 0.0) || !(d2 > 0.0)) {
         return Vec3::Zero();
     }
-    m_state.damping_Ns_per_mm = std::min(tooMuch_mJ * m_dt_s / d2, m_limits.maxDamping_Ns_per_mm);
+    // Over as many ticks as the motion was measured over: a step of the sensor is no motion of one tick.
+    const double perTick_mJ = tooMuch_mJ / m_motion.window();
+    m_state.damping_Ns_per_mm = std::min(perTick_mJ * m_dt_s / d2, m_limits.maxDamping_Ns_per_mm);
     return -m_state.damping_Ns_per_mm / m_dt_s * dx;
 }
 
@@ -81,7 +83,7 @@ void PassivityController::noteStored(double energy_mJ) noexcept PALPATE_NONBLOCK
 void PassivityController::reset() noexcept PALPATE_NONBLOCKING
 {
     m_state = {};
-    m_hasPrevious = false;
+    m_motion.reset();
     m_fAsked_W.setZero();
     m_sent_W.fill(Vec3::Zero());
 }

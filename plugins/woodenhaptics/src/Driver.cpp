@@ -73,6 +73,7 @@ device::DeviceInfo Driver::info() const
     info.maxForce_N = m_config.maxForce_N;
     info.maxStiffness_N_per_mm = m_config.maxStiffness_N_per_m * 1e-3;
     info.maxDamping_Ns_per_mm = m_config.maxDamping_Ns_per_m * 1e-3;
+    info.resolution_mm = Kinematics(m_config).resolution_m() * 1e3;
     info.workspaceRadius_mm = m_config.workspaceRadius_m * 1e3;
     // The arm reaches out along x towards the user and lifts along z, as the kinematics have it.
     Eigen::Matrix3d R_UD;

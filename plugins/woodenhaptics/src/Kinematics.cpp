@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,15 @@ Matrix3 Kinematics::jacobian(const Vec3& q) const noexcept
         ca * r, sa * Lb * cb, sa * Lc * cc,   //
         0.0, -Lb * sb, Lc * sc;
     return j;
+}
+
+double Kinematics::resolution_m() const noexcept
+{
+    const Vec3 turn = m_perCount.cwiseAbs();
+    const double links = m_config.linkLength_m[1] * turn[1] + m_config.linkLength_m[2] * turn[2];
+    const double reach = std::min(std::hypot(m_config.origin_m[0], m_config.origin_m[1]) + m_config.workspaceRadius_m,
+                                  m_config.linkLength_m[1] + m_config.linkLength_m[2]);
+    return std::max(links, reach * turn[0]);
 }
 
 Vec3 Kinematics::torques(const Vec3& q, const Vec3& f_D) const noexcept

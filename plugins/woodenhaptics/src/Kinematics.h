@@ -28,6 +28,9 @@ class Kinematics
     [[nodiscard]] Vec3 position_m(const Vec3& q) const noexcept;
     /// d position / d q.
     [[nodiscard]] Matrix3 jacobian(const Vec3& q) const noexcept;
+    /// A coordinate of the tip is off by at most half of this anywhere in the workspace [m]: a count of the foot's
+    /// encoder there where the arm reaches farthest, or of both links' together where both point the same way.
+    [[nodiscard]] double resolution_m() const noexcept;
     /// Torques about q [N m] that make the tip push with `f_D` [N], with what holds the links' own weight.
     [[nodiscard]] Vec3 torques(const Vec3& q, const Vec3& f_D) const noexcept;
     /// Motor currents [A] for torques about q. The sense of each motor is its own, independent of its encoder's.

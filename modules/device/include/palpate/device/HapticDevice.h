@@ -26,6 +26,7 @@ struct DeviceInfo
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
     double ownDamping_Ns_per_mm = 0.0; ///< viscous, of its mechanics without a hand; 0: not known
+    double resolution_mm = 0.0;        ///< a measured coordinate of the tip is off by at most half of it; 0: not known
     double workspaceRadius_mm = 0.0;   ///< about the origin of D; 0: not limited, and D is the world frame
     /// How D lies before the user, U: x to the right, y up, z towards the user; for mapping the device into the scene.
     core::Quaternion q_UD = core::Quaternion::Identity();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/servo/MotionTrack.h"
+
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
@@ -18,6 +20,7 @@ struct PassivityLimits
     bool isOn = true;                    ///< false: observes, adds nothing
     double ownDamping_Ns_per_mm = 0.0;   ///< that the device's mechanics are sure to have, without a hand
     double maxDamping_Ns_per_mm = 0.004; ///< adds no more than this at 1 kHz and above, in proportion below
+    double resolution_mm = 0.0;          ///< an axis' position is off by at most half of it; 0: exact
     int delayTicks = 1;                  ///< a force acts so many ticks after it was computed, 0 to 4
 
     /// Of a device; where it states no damping it can take, that of the weakest preset.
@@ -42,6 +45,10 @@ struct PassivityState
 /// alpha = excess / (T v^2), which would take it away in one period. So does what the hand got back beyond all that it
 /// put in since contact began: a model can make energy too, as a border between soft and stiff does for a hand that
 /// presses in on the soft side and comes out on the stiff one.
+///
+/// Motion is that of a MotionTrack: a sensor that counts in steps moves a step in a tick or not at all, and a step d
+/// answered as a motion of one tick would make an excess of K d^2 / 2 and ask for a jerk of up to d / T times the
+/// largest damping. An excess is damped away over as many ticks as the motion was measured over, n: alpha / n.
 /// @par Source Hannaford & Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1, doi:10.1109/70.988969 (observer and
 /// controller in the time domain; alpha). The work of a held force: Ryu, Kim & Hannaford, IEEE Trans. Robotics 20
 /// (2004) 772, doi:10.1109/TRO.2004.829453. Differs: measured against the model's own work, so that energy stored in a
@@ -73,8 +80,7 @@ class PassivityController
     PassivityLimits m_limits;
     double m_dt_s;
     PassivityState m_state;
-    bool m_hasPrevious = false;
-    Vec3 m_p_W = Vec3::Zero();
+    MotionTrack m_motion;
     Vec3 m_fAsked_W = Vec3::Zero();
     std::array<Vec3, kSent> m_sent_W; // newest first
 };

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/servo/MotionTrack.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using palpate::servo::Vec3;
+using Track = palpate::servo::MotionTrack;
+
+namespace {
+
+constexpr double kStep_mm = 0.064;
+
+double counted(double x)
+{
+    return kStep_mm * std::round(x / kStep_mm);
+}
+
+Vec3 counted(const Vec3& p)
+{
+    return {counted(p[0]), counted(p[1]), counted(p[2])};
+}
+
+} // namespace
+
+class MotionTrack : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void anExactSensorIsBelieved()
+    {
+        Track track(0.0);
+        std::mt19937 random(1);
+        std::normal_distribution<double> normal;
+        Vec3 before(100.0, -3.0, 0.1);
+        QVERIFY(track.step(before).isZero(0.0));
+        for (int n = 0; n < 1000; ++n) {
+            const Vec3 p = before + 0.1 * Vec3(normal(random), normal(random), normal(random));
+            QCOMPARE(track.step(p), Vec3(p - before));
+            before = p;
+        }
+    }
+
+    /// Many ticks a step: the moves are the tip's, not a step in one tick and none in the others.
+    void aSlowTipMovesEvenly_data()
+    {
+        QTest::addColumn<double>("ticksAStep");
+        for (const double ticks : {2.5, 7.0, 13.3, 30.0}) {
+            QTest::addRow("a step every %g ticks", ticks) << ticks;
+        }
+    }
+    void aSlowTipMovesEvenly()
+    {
+        QFETCH(const double, ticksAStep);
+        Track track(kStep_mm);
+        const double real = kStep_mm / ticksAStep;
+        double most = 0.0, sum = 0.0;
+        for (int n = 0; n < 500; ++n) {
+            const double moved = track.step(counted(Vec3(real * n, 0, -2.0 * real * n)))[0];
+            if (n >= 100) {
+                most = std::max(most, moved);
+                sum += moved;
+            }
+        }
+        QVERIFY2(most < 2.0 * real, qPrintable(QString("%1 against %2 mm").arg(most).arg(real)));
+        QVERIFY(std::abs(sum - 400 * real) <= kStep_mm);
+    }
+
+    /// A sensor that wavers between two counts moves a tenth of what two ticks' differences say, or less.
+    void aTipOnTheBorderOfTwoCountsRests()
+    {
+        Track track(kStep_mm);
+        std::mt19937 random(2);
+        double moved = 0.0, counts = 0.0, before = 0.0;
+        for (int n = 0; n < 2000; ++n) {
+            const double x = random() % 2 == 0 ? kStep_mm : 0.0;
+            moved += std::abs(track.step(Vec3(x, 0, 0))[0]);
+            counts += std::abs(x - before);
+            before = x;
+        }
+        QVERIFY2(moved < counts / 10.0, qPrintable(QString("%1 of %2 mm").arg(moved).arg(counts)));
+    }
+
+    /// However a hand moves, the moves add up to where the sensor says it is: no drift.
+    void movesAddUp()
+    {
+        Track track(kStep_mm);
+        std::mt19937 random(3);
+        std::normal_distribution<double> normal;
+        Vec3 p = Vec3::Zero(), v = Vec3::Zero(), sum = Vec3::Zero();
+        for (int n = 0; n < 20000; ++n) {
+            v = 0.99 * v + 0.002 * Vec3(normal(random), normal(random), normal(random));
+            p += v;
+            sum += track.step(counted(p));
+            if (n == 0) {
+                sum = counted(p);
+            }
+            QVERIFY((sum - counted(p)).cwiseAbs().maxCoeff() <= (0.5 + 1e-9) * kStep_mm);
+        }
+    }
+
+    /// A hand that turns is seen to turn at once: within the tick in which the sensor left a line.
+    void aFastTurnIsSeen()
+    {
+        Track track(kStep_mm);
+        for (int n = 0; n < 50; ++n) {
+            static_cast<void>(track.step(counted(Vec3(0.3 * n, 0, 0))));
+        }
+        for (int n = 0; n < 3; ++n) {
+            const double moved = track.step(counted(Vec3(0.3 * (48 - n), 0, 0)))[0];
+            QVERIFY2(moved < -0.3 + kStep_mm, qPrintable(QString::number(moved)));
+            QVERIFY(track.window() <= 3.0);
+        }
+    }
+
+    void afterAResetTheNextIsTheFirst()
+    {
+        Track track(kStep_mm);
+        static_cast<void>(track.step(Vec3(1, 2, 3)));
+        static_cast<void>(track.step(Vec3(1.5, 2, 3)));
+        track.reset();
+        QVERIFY(track.step(Vec3(50, 0, 0)).isZero(0.0));
+        QVERIFY((track.step(Vec3(51, 0, 0)) - Vec3(1, 0, 0)).norm() <= kStep_mm);
+    }
+};
+
+PALPATE_TEST(MotionTrack)
+#include "tst_MotionTrack.moc"
