@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/ExactSolver.h"
 
+#include "ExactBall.h"
 #include "ExactDescent.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace palpate::evaluation {
 
 struct ExactSolver::Private
 {
-    ExactDescent descent;
+    ExactDescent point;
+    std::optional<ExactBall> ball;
     int subSteps;
+    double fingertip_mm;
     Long3 god = Long3::Zero();
     Long3 hip = Long3::Zero();
+
+    /// @return true when it came to rest
+    bool converge(const Long3& to, SolverStep& step)
+    {
+        const std::uint32_t moves = ball ? ball->converge(god, to) : point.converge(god, to);
+        step.iterations += moves;
+        step.constraints = ball ? ball->constraints() : point.constraints();
+        return moves < (ball ? ExactBall::kMostMoves : ExactDescent::kMostMoves);
+    }
 };
 
-ExactSolver::ExactSolver(const Surface& surface, int subSteps)
-    : m_d(std::make_unique<Private>(Private{ExactDescent(surface), std::max(1, subSteps)}))
+ExactSolver::ExactSolver(const Surface& surface, int subSteps, double fingertip_mm)
+    : m_d(std::make_unique<Private>(Private{ExactDescent(surface), std::nullopt, std::max(1, subSteps), fingertip_mm}))
 {
+    if (fingertip_mm > 0.0) {
+        m_d->ball.emplace(surface, fingertip_mm);
+    }
 }
 
 ExactSolver::~ExactSolver() = default;
@@ -47,14 +63,17 @@ SolverStep ExactSolver::step(const Vec3& p_WH)
     for (int i = 1; i <= m_d->subSteps; ++i) {
         const Long3 hip =
             i == m_d->subSteps ? m_d->hip : Long3(from + way * (static_cast<long double>(i) / m_d->subSteps));
-        const std::uint32_t moves = m_d->descent.converge(m_d->god, hip);
-        result.iterations += moves;
-        result.isConverged = result.isConverged && moves < ExactDescent::kMostMoves;
+        result.isConverged = m_d->converge(hip, result) && result.isConverged;
     }
-    result.constraints = m_d->descent.constraints();
     result.p_WG = m_d->god.cast<double>();
     result.spring_mm = (m_d->god - m_d->hip).cast<double>();
     return result;
+}
+
+double ExactSolver::intrusion_mm(const Vec3& p_WG)
+{
+    const double radius = m_d->fingertip_mm;
+    return m_d->ball ? radius - m_d->ball->clearance_mm(p_WG, radius) : 0.0;
 }
 
 double residual_mm(ExactSolver& exact, const Vec3& p_WG, const Vec3& p_WH)

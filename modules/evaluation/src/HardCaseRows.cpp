@@ -24,6 +24,7 @@ const std::vector<HardCase>& hardCases()
         addContactRows(all);
         addTransformRows(all);
         addHandRows(all);
+        addFingertipRows(all);
         return all;
     }();
     return rows;

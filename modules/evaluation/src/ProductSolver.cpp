@@ -38,14 +38,14 @@ SolverStep ProductSolver::step(const Vec3& p_WH)
     return result;
 }
 
-std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh)
+std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh, double fingertip_mm)
 {
     haptics::HapticStructure structure;
     structure.name = "surface";
     structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
     std::vector<haptics::HapticStructure> structures;
     structures.push_back(std::move(structure));
-    return std::make_shared<haptics::HapticScene>(std::move(structures));
+    return std::make_shared<haptics::HapticScene>(std::move(structures), fingertip_mm);
 }
 
 } // namespace palpate::evaluation

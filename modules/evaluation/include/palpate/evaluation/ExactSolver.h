@@ -15,13 +15,17 @@ namespace palpate::evaluation {
 /// god-object tries the straight way to the HIP, the ways along each triangle that it touches and those along each pair
 /// of them, and takes the one that brings it closest, until none brings it closer. A tick is cut into smaller ones,
 /// towards the HIP, so that no choice of a way depends on how far the hand moved in it.
+///
+/// With a radius the god-object is the centre of a ball. A move is blocked by a triangle that faces the centre when the
+/// ball would come nearer to it than its radius; distances are those to the nearest point of each triangle.
 /// @par Cost Brute force over the triangles whose boxes a move could reach: microseconds to milliseconds a tick.
 class ExactSolver : public ReferenceSolver
 {
   public:
     /// @param surface   must outlive this
     /// @param subSteps  parts that a tick is cut into, at least 1
-    explicit ExactSolver(const Surface& surface, int subSteps = 4);
+    /// @param fingertip_mm  radius of the ball that touches; 0 is a point
+    explicit ExactSolver(const Surface& surface, int subSteps = 4, double fingertip_mm = 0.0);
     ~ExactSolver() override;
 
     [[nodiscard]] std::string name() const override { return "exact"; }
@@ -30,6 +34,8 @@ class ExactSolver : public ReferenceSolver
 
     /// Puts the god-object at `p_WG`, with the hand at `p_WH`, as another solver left them.
     void resume(const Vec3& p_WG, const Vec3& p_WH);
+    /// By how much less than its radius a ball at `p_WG` is away from what faces it; 0 for a point. [mm]
+    [[nodiscard]] double intrusion_mm(const Vec3& p_WG);
 
   private:
     struct Private;

@@ -22,6 +22,7 @@ struct HardCase
     std::int64_t ticks = 0;
     /// Compares with the exact solver at every so many ticks; what the product gives is checked at each.
     std::int64_t checkEvery = 1;
+    double fingertip_mm = 0.0; ///< radius of the ball that touches, which grows with `scale`; 0 is a point
     /// How large the scene is compared with one of some 10 mm, where bounds in mm must grow with it.
     double scale = 1.0;
     /// For surfaces without an inside: how deep a point lies where the god-object must never be; <= 0 elsewhere. [mm]
@@ -61,7 +62,8 @@ struct HardCaseResult
 /// Runs the product on a case. Required: no pop-through, nothing non-finite, converged in every tick, the spring never
 /// more than 1e-3 mm longer than the exact solver's from the same place, residual <= 1e-6 mm, no jump larger than the
 /// exact solver's by more than 1e-3 mm, and the twin's answer the same. Where it rests (residual) in another local
-/// minimum than the exact solver, that tick is counted instead: at most 0.1 %. Lengths are for a scene
+/// minimum than the exact solver, that tick is counted instead: at most 0.1 %. A ball that is nearer than its radius to
+/// what faces its centre counts as a pop-through. Lengths are for a scene
 /// of some 10 mm and scale with it.
 /// @param keepGoing  asked now and then; false cancels
 [[nodiscard]] HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGoing = {});

@@ -31,6 +31,8 @@ class ProductSolver : public ReferenceSolver
 };
 
 /// A scene of one structure, made as the program makes it.
-[[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh);
+/// @param fingertip_mm  radius of the ball that touches; 0 is a point
+[[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh,
+                                                                  double fingertip_mm = 0.0);
 
 } // namespace palpate::evaluation
