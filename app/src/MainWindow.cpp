@@ -141,7 +141,7 @@ void MainWindow::makeDocks()
         return one;
     };
     m_structures = new StructurePanel(m_model, this);
-    m_structures->setGreatest(m_live.greatestTissue());
+    m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
     m_touch = new TouchPanel(this);
     m_touch->setForceLimit(m_live.deviceInfo().maxForce_N);
     m_session = new SessionPanel(this);
@@ -279,7 +279,8 @@ void MainWindow::connectParts()
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
-    connect(&m_live, &LiveTouch::greatestChanged, this, [this] { m_structures->setGreatest(m_live.greatestTissue()); });
+    connect(&m_live, &LiveTouch::greatestChanged, this,
+            [this] { m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText()); });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
     connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);

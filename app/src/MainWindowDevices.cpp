@@ -16,7 +16,7 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
     m_devices->fill(*menu);
     connect(m_devices, &DeviceChoice::refused, this, &MainWindow::showError);
     connect(m_devices, &DeviceChoice::changed, this, [this] {
-        m_structures->setGreatest(m_live.greatestTissue());
+        m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
         showWhatPlays();
         showStatus();
     });

@@ -52,22 +52,44 @@ class Stability : public QObject
         }
     }
 
-    /// What the window lets a device hold is held, at every rate it runs at.
+    /// What the window lets a device hold is held, at every rate it runs at and however late its force acts.
     void whatTheWindowAllowsIsHeld_data() { everyPresetHoldsItsStatedStiffnessOnEveryShape_data(); }
     void whatTheWindowAllowsIsHeld()
     {
         QFETCH(QByteArray, id);
         Setup setup = setupOf(*findDevicePreset(id.constData()));
-        const auto info = palpate::device::deviceInfo(setup.preset);
-        for (const double rate : {250.0, 500.0, 2000.0, 4000.0}) {
-            setup.rate_Hz = rate;
-            for (const bool isControlled : {true, false}) {
-                setup.isControlled = isControlled;
-                const double held = palpate::servo::heldStiffness_N_per_mm(info, rate, isControlled);
-                QVERIFY2(restlessness_mm(shapes().front(), held, setup) < kLimitCycle_mm,
-                         qPrintable(QString("%1 N/mm at %2 Hz").arg(held).arg(rate)));
+        const auto isHeld = [&setup](std::initializer_list<std::size_t> which) {
+            const double held = palpate::servo::heldStiffness_N_per_mm(
+                palpate::device::deviceInfo(setup.preset), setup.rate_Hz, setup.isControlled, setup.delayTicks);
+            for (const std::size_t n : which) {
+                const double moved = restlessness_mm(shapes()[n], held, setup);
+                QVERIFY2(moved < kLimitCycle_mm, qPrintable(QString("%1: %2 N/mm at %3 Hz, %4 ticks late: %5 mm")
+                                                                .arg(shapes()[n].name.c_str())
+                                                                .arg(held)
+                                                                .arg(setup.rate_Hz)
+                                                                .arg(setup.delayTicks)
+                                                                .arg(moved)));
             }
+        };
+        for (const double rate : {250.0, 500.0, 1000.0, 2000.0, 4000.0}) {
+            setup.rate_Hz = rate;
+            for (const int delay : {1, 2, 4}) {
+                setup.delayTicks = delay;
+                setup.isControlled = true;
+                isHeld({0});
+            }
+            setup.isControlled = false;
+            isHeld({0});
         }
+        // As most devices on USB are.
+        setup.rate_Hz = 1000.0;
+        setup.delayTicks = 2;
+        setup.isControlled = true;
+        isHeld({0, 1, 2, 3, 4, 5});
+        // A sensor twice as coarse.
+        setup.delayTicks = 1;
+        setup.preset.mechanics.resolution_mm *= 2.0;
+        isHeld({0});
     }
 
     /// The omega's stated 5 N/mm oscillates at 1 kHz without the controller: the loop can, and this sees it.

@@ -185,6 +185,51 @@ class Hand : public QObject
         QCOMPARE(clutch.count(), 2);
     }
 
+    /// A device whose answers come late is measured, and holds less from then on.
+    void aLateDeviceHoldsLess()
+    {
+        struct Late final : palpate::device::HapticDevice
+        {
+            palpate::device::DeviceInfo info() const override
+            {
+                return palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+            }
+            palpate::core::Status start() override { return {}; }
+            void stop() noexcept override {}
+            palpate::device::DeviceState read(std::int64_t now_ns) noexcept override
+            {
+                palpate::device::DeviceState state;
+                state.time_ns = now_ns;
+                state.isPresent = true;
+                return state;
+            }
+            void write(const palpate::core::Vec3&) noexcept override {}
+            palpate::device::DeviceReport report() const override
+            {
+                palpate::device::DeviceReport report;
+                report.latency.count = 5000;
+                report.latency.p99_ns = 2'300'000;
+                return report;
+            }
+        };
+        ui::StructureModel model;
+        ui::LiveTouch live(model);
+        QVERIFY(live.useDevice(std::make_unique<Late>()).isOk());
+        QVERIFY(live.start().isOk());
+        QCOMPARE(live.heldStiffness_N_per_mm(), 5.0);
+        QVERIFY(live.limitText().contains(QStringLiteral("makers")));
+        QSignalSpy changed(&live, &ui::LiveTouch::greatestChanged);
+        QTRY_COMPARE(live.delayTicks(), 3);
+        QVERIFY(live.heldStiffness_N_per_mm() < 3.0);
+        QCOMPARE(changed.count(), 1);
+        for (const char* part : {"omega", "3 ms late", "oscillate"}) {
+            QVERIFY2(live.limitText().contains(QLatin1String(part)), qPrintable(live.limitText()));
+        }
+        live.stop();
+        QVERIFY(live.useDevice(nullptr).isOk());
+        QCOMPARE(live.delayTicks(), 1);
+    }
+
     void aStifferTissueThanIsHeldIsRefusedInWords()
     {
         ui::StructureModel model;

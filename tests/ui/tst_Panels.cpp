@@ -11,6 +11,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QTreeView>
 
@@ -100,6 +102,51 @@ class Panels : public QObject
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.5);
         QCOMPARE(model.structure(1).stiffness_N_per_mm, 1.1); // showing is not editing
+    }
+    void stifferThanTheDeviceHoldsIsRefusedInWords()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(test::twoRows());
+        panel.select(0);
+        panel.setGreatest({0.8, 0.004}, QStringLiteral("The arm holds 0.8 N/mm."));
+        QLabel* refusal = nullptr;
+        for (QLabel* label : panel.findChildren<QLabel*>()) {
+            refusal = label->accessibleName().contains(QStringLiteral("refused")) ? label : refusal;
+        }
+        QVERIFY(refusal != nullptr && refusal->isHidden());
+        auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
+        stiffness->setFocus();
+        stiffness->selectAll();
+        QTest::keyClicks(stiffness, QLocale().toString(1.75));
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5); // nothing while it is typed
+        QTest::keyClick(stiffness, Qt::Key_Return);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5);
+        QCOMPARE(stiffness->value(), 0.5);
+        QVERIFY(!refusal->isHidden());
+        for (const char* part : {"1.75", "The arm holds 0.8 N/mm.", "0.80 N/mm or less"}) {
+            QVERIFY2(refusal->text().contains(QLatin1String(part)), qPrintable(refusal->text()));
+        }
+        stiffness->setValue(0.7);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        QVERIFY(refusal->isHidden());
+        auto* presets = panel.findChild<QComboBox*>();
+        presets->setCurrentIndex(6); // bone
+        emit presets->activated(6);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        QCOMPARE(presets->currentIndex(), 0);
+        QVERIFY(!refusal->isHidden());
+        panel.select(1);
+        QVERIFY(refusal->isHidden());
+        // What a scene came with stays, and can be made softer or damped otherwise.
+        panel.setGreatest({0.3, 0.004}, {});
+        panel.select(0);
+        QCOMPARE(stiffness->value(), 0.7);
+        panel.findChildren<QDoubleSpinBox*>().last()->setValue(0.001);
+        QCOMPARE(model.structure(0).damping_Ns_per_mm, 0.001);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        stiffness->setValue(0.6);
+        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.6);
     }
     void presetSetsItsTissue()
     {

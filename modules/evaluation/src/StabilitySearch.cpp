@@ -27,7 +27,8 @@ SweepPoint pointOf(double x, const Shape& wall, Setup setup)
     point.with_N_per_mm = largestStiffness(wall, setup);
     point.passive_N_per_mm = servo::passiveStiffness_N_per_mm(setup.preset.mechanics.damping_Ns_per_mm,
                                                               setup.tissueDamping_Ns_per_mm, 1.0 / setup.rate_Hz);
-    point.held_N_per_mm = servo::heldStiffness_N_per_mm(device::deviceInfo(setup.preset), setup.rate_Hz, true);
+    point.held_N_per_mm =
+        servo::heldStiffness_N_per_mm(device::deviceInfo(setup.preset), setup.rate_Hz, true, setup.delayTicks);
     return point;
 }
 

@@ -85,6 +85,7 @@ void closeLoop(const haptics::HapticScene& scene, const std::vector<device::Hand
     device::DeviceInfo info = device::deviceInfo(setup.preset);
     info.workspaceRadius_mm = 0.0; // the device is taken along, as SimulatedHand says
     servo::PassivityLimits passivity = servo::PassivityLimits::forDevice(info);
+    passivity.delayTicks = setup.delayTicks;
     passivity.isOn = passivity.isOn && setup.isControlled;
     servo::ServoCore core(servo::GateLimits::forDevice(info), setup.rate_Hz, passivity);
     core.setScene(&scene, 1);

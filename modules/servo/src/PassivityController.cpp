@@ -36,7 +36,7 @@ PassivityController::PassivityController(const PassivityLimits& limits, double d
     , m_motion(limits.resolution_mm)
 {
     m_limits.maxDamping_Ns_per_mm = dampingAt(limits.maxDamping_Ns_per_mm, dt_s);
-    m_limits.delayTicks = std::clamp(limits.delayTicks, 0, static_cast<int>(kSent) - 1);
+    setDelay(limits.delayTicks);
     reset();
 }
 
@@ -69,6 +69,11 @@ Vec3 PassivityController::damping(const Vec3& fAsked_W, const Vec3& p_WH, bool i
     return -m_state.damping_Ns_per_mm / m_dt_s * dx;
 }
 
+void PassivityController::setDelay(int ticks) noexcept PALPATE_NONBLOCKING
+{
+    m_limits.delayTicks = std::clamp(ticks, 0, kLongestDelay);
+}
+
 void PassivityController::noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING
 {
     std::copy_backward(m_sent_W.begin(), m_sent_W.end() - 1, m_sent_W.end());
@@ -98,17 +103,36 @@ double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s, double de
     return std::max(0.0, damping_Ns_per_mm / (0.5 * dt_s + delay_s));
 }
 
-double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled) noexcept
+double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled,
+                              int delayTicks) noexcept
 {
-    constexpr double kShare = 0.5;
+    constexpr double kShare = 0.7;
+    constexpr double kSureDamping_Ns_per_mm = 0.01;
+    constexpr double kFine_mm = 0.04;
     if (info.actuatedAxes == 0 || !(rate_Hz > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
     const PassivityLimits limits = PassivityLimits::forDevice(info);
-    const double damping =
-        limits.ownDamping_Ns_per_mm + (isControlled ? dampingAt(limits.maxDamping_Ns_per_mm, 1.0 / rate_Hz) : 0.0);
-    const double held = kShare * stableStiffness_N_per_mm(damping, 1.0 / rate_Hz, limits.delayTicks / rate_Hz);
+    const double dt_s = 1.0 / rate_Hz;
+    double damping = limits.ownDamping_Ns_per_mm;
+    if (isControlled) {
+        const double told = limits.resolution_mm > kFine_mm ? kFine_mm / limits.resolution_mm : 1.0;
+        damping += told * dampingAt(std::min(limits.maxDamping_Ns_per_mm, kSureDamping_Ns_per_mm), dt_s);
+    }
+    const double held = kShare * stableStiffness_N_per_mm(damping, dt_s, delayTicks * dt_s);
     return info.maxStiffness_N_per_mm > 0.0 ? std::min(held, info.maxStiffness_N_per_mm) : held;
+}
+
+int delayTicksOf(const core::TimingSummary& latency, double rate_Hz) noexcept
+{
+    constexpr std::uint64_t kEnough = 1000;
+    constexpr double kBin = 0.01; // a percentile may be a bin above what was measured
+    constexpr double kMost = 1000.0;
+    if (latency.count < kEnough) {
+        return 1;
+    }
+    const double ticks = static_cast<double>(latency.p99_ns) * 1e-9 * rate_Hz;
+    return static_cast<int>(std::clamp(std::ceil(ticks * (1.0 - kBin)), 1.0, kMost));
 }
 
 } // namespace palpate::servo

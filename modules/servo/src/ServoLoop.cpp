@@ -59,6 +59,7 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         const device::DeviceInfo info = device.info();
         impl.limits = GateLimits::forDevice(info);
         impl.passivity = PassivityLimits::forDevice(info);
+        impl.delayTicks.store(impl.passivity.delayTicks, std::memory_order_relaxed);
         impl.passivity.isOn = impl.passivity.isOn && options.isPassivityControlled;
         if (impl.ring == nullptr || impl.ring->capacity() < options.ringCapacity ||
             impl.ring->capacity() / 2 >= options.ringCapacity) {
@@ -150,6 +151,11 @@ void ServoLoop::collect()
 void ServoLoop::setMap(const MapSettings& settings) noexcept
 {
     m_impl->map.write(settings);
+}
+
+void ServoLoop::setDelay(int ticks) noexcept
+{
+    m_impl->delayTicks.store(ticks, std::memory_order_relaxed);
 }
 
 bool ServoLoop::fetchSnapshot(TickRecord& out) noexcept

@@ -81,6 +81,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
         if (map.fetch()) {
             core.setMap(map.value().get());
         }
+        core.setDelay(delayTicks.load(std::memory_order_relaxed));
         takeScene(core);
         beginRecording(core);
 

@@ -46,6 +46,7 @@ struct ServoLoop::Impl
     // To the servo thread.
     std::atomic<bool> isStopRequested{false};
     std::atomic<bool> isRearmRequested{false};
+    std::atomic<int> delayTicks{1};
     std::atomic<std::uint32_t> recordingEpoch{0}; // odd while recording; another value is another recording
     core::TripleBuffer<PlainCopy<MapSettings>> map;
     std::atomic<SceneNode*> incoming{nullptr};

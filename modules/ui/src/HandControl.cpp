@@ -91,6 +91,7 @@ void HandControl::showStatus()
     HandStatus status;
     status.held_N_per_mm = m_live.heldStiffness_N_per_mm();
     status.rate_Hz = m_live.rate_Hz();
+    status.delayTicks = m_live.delayTicks();
     status.scale = m_live.map().isDirect ? 1.0 : m_live.map().scale;
     status.energy_mJ = tick.energy_mJ;
     status.damping_N = tick.fDamping_W.norm();

@@ -24,9 +24,10 @@ QString heldText(const HandStatus& status, bool hasMotors)
     if (!hasMotors || !std::isfinite(status.held_N_per_mm)) {
         return HandPanel::tr("No motors: force is shown, not felt, and any stiffness is stable.");
     }
-    return HandPanel::tr("Holds up to %1 N/mm at %2 Hz; more is refused.")
+    return HandPanel::tr("Holds up to %1 N/mm at %2 Hz with %3 ms of delay; more is refused.")
         .arg(locale.toString(status.held_N_per_mm, 'f', status.held_N_per_mm < 0.995 ? 2 : 1),
-             locale.toString(status.rate_Hz, 'f', 0));
+             locale.toString(status.rate_Hz, 'f', 0),
+             locale.toString(status.rate_Hz > 0.0 ? 1e3 * status.delayTicks / status.rate_Hz : 0.0, 'g', 2));
 }
 
 QString timingText(const HandStatus& status)

@@ -49,7 +49,30 @@ haptics::Tissue LiveTouch::greatestTissue() const
 double LiveTouch::heldStiffness_N_per_mm() const
 {
     // A mm of the scene is 1 / scale mm of the device, and it is there that the loop is closed.
-    return servo::heldStiffness_N_per_mm(m_info, rate_Hz(), true) / (m_map.isDirect ? 1.0 : m_map.scale);
+    return servo::heldStiffness_N_per_mm(m_info, rate_Hz(), true, m_delayTicks) / (m_map.isDirect ? 1.0 : m_map.scale);
+}
+
+QString LiveTouch::limitText() const
+{
+    const QLocale locale;
+    const QString name = QString::fromStdString(m_info.name);
+    const double held = heldStiffness_N_per_mm();
+    if (!std::isfinite(held)) {
+        return tr("With %1 at most %2 N/mm is shown.").arg(name, locale.toString(greatestTissue().stiffness_N_per_mm));
+    }
+    const double scale = m_map.isDirect ? 1.0 : m_map.scale;
+    QString text = tr("%1 holds at most %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
+    if (held * scale >= m_info.maxStiffness_N_per_mm && m_info.maxStiffness_N_per_mm > 0.0) {
+        text += tr(" Its makers state no more.");
+    } else {
+        text += tr(" Its force acts %1 ms late at %2 Hz: anything stiffer would make it oscillate.")
+                    .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3), locale.toString(rate_Hz(), 'f', 0));
+    }
+    if (scale > 1.0) {
+        text += tr(" A millimetre of the device is %1 mm of the scene: a smaller scale (panel Device) holds more.")
+                    .arg(locale.toString(scale, 'g', 3));
+    }
+    return text;
 }
 
 double LiveTouch::rate_Hz() const
@@ -90,6 +113,7 @@ core::Status LiveTouch::start()
     if (m_loop.isRunning()) {
         return {};
     }
+    m_delayTicks = 1;
     handOverScene();
     core::Status status = m_loop.start(usesPointer() ? m_pointer : *m_device, {});
     if (!status.isOk() && !usesPointer()) {
@@ -117,6 +141,7 @@ core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
     m_loop.stop();
     m_device = std::move(device);
     m_info = usesPointer() ? m_pointer.info() : m_device->info();
+    m_delayTicks = 1;
     m_wasFaulted = false;
     core::Status status = wasRunning ? start() : core::Status();
     emit deviceChanged();
@@ -159,13 +184,9 @@ void LiveTouch::tellRefused()
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
         if (one.palpable && one.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
-            const QLocale locale;
-            line =
-                (std::isfinite(heldStiffness_N_per_mm())
-                     ? tr("%1 asks for %2 N/mm; %3 holds %4 N/mm here without oscillating, and that is what is felt.")
-                     : tr("%1 asks for %2 N/mm; with %3 the most that is felt is %4 N/mm."))
-                    .arg(QString::fromStdString(one.name), locale.toString(one.stiffness_N_per_mm, 'g', 3),
-                         QString::fromStdString(m_info.name), locale.toString(greatest.stiffness_N_per_mm, 'g', 3));
+            line = tr("%1 asks for %2 N/mm. %3 That is what is felt.")
+                       .arg(QString::fromStdString(one.name), QLocale().toString(one.stiffness_N_per_mm, 'g', 3),
+                            limitText());
         }
     }
     if (line != m_refused) {
@@ -186,6 +207,9 @@ void LiveTouch::measure()
     m_ticks = timing.ticks;
     m_measured_ns = now_ns;
     m_solveP99_us = timing.solve.count > 0 ? static_cast<double>(timing.solve.p99_ns) * 1e-3 : -1.0;
+    if (!usesPointer()) {
+        setDelay(servo::delayTicksOf(m_device->report().latency, rate_Hz()));
+    }
     m_loop.collect();
     const servo::FaultReport fault = m_loop.fault();
     if (fault.isFaulted() && !m_wasFaulted) {
@@ -200,6 +224,17 @@ void LiveTouch::measure()
     }
     m_wasFaulted = fault.isFaulted();
     emit statusChanged();
+}
+
+void LiveTouch::setDelay(int ticks)
+{
+    if (ticks <= m_delayTicks) {
+        return; // the limit does not come and go with every percentile
+    }
+    m_delayTicks = ticks;
+    m_loop.setDelay(ticks);
+    m_handOver.start();
+    emit greatestChanged();
 }
 
 core::Status LiveTouch::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene,

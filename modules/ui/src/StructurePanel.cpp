@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QSlider>
 #include <QToolButton>
@@ -17,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate::ui {
 
@@ -80,7 +82,10 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
 
     connect(m_list, &QTreeView::clicked, this, &StructurePanel::click);
     connect(m_list, &QWidget::customContextMenuRequested, this, &StructurePanel::openMenu);
-    connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &StructurePanel::showSelection);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        m_refusal->hide();
+        showSelection();
+    });
     connect(&model, &QAbstractItemModel::dataChanged, this, &StructurePanel::showSelection);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         bool isAnyDefective = false;
@@ -146,6 +151,9 @@ QWidget* StructurePanel::makeTissueBox()
     form->addRow(tr("Tissue"), m_preset);
 
     m_stiffness = new QDoubleSpinBox(box);
+    // Beyond what any device holds, so that a value too large is refused in words, not cut off as it is typed.
+    m_stiffness->setRange(0.0, 1000.0);
+    m_stiffness->setKeyboardTracking(false);
     m_stiffness->setDecimals(2);
     m_stiffness->setSingleStep(0.05);
     m_stiffness->setSuffix(tr(" N/mm"));
@@ -153,34 +161,50 @@ QWidget* StructurePanel::makeTissueBox()
     m_stiffness->setAccessibleName(tr("Stiffness in newton per millimetre"));
     form->addRow(tr("Stiffness"), m_stiffness);
     m_damping = new QDoubleSpinBox(box);
+    m_damping->setRange(0.0, 10.0);
+    m_damping->setKeyboardTracking(false);
     m_damping->setDecimals(4);
     m_damping->setSingleStep(0.0005);
     m_damping->setSuffix(tr(" N·s/mm"));
     m_damping->setToolTip(tr("Damping as felt [N·s/mm]: force against each mm/s of movement"));
     m_damping->setAccessibleName(tr("Damping in newton seconds per millimetre"));
     form->addRow(tr("Damping"), m_damping);
-    setGreatest({5.0, 0.02});
+    m_refusal = new QLabel(box);
+    m_refusal->setWordWrap(true);
+    m_refusal->setTextFormat(Qt::PlainText);
+    m_refusal->setAccessibleName(tr("Why the value was refused"));
+    QPalette warning = m_refusal->palette();
+    warning.setColor(QPalette::WindowText, warningColour());
+    m_refusal->setPalette(warning);
+    m_refusal->hide();
+    form->addRow(m_refusal);
 
     connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
     connect(m_opacity, &QSlider::valueChanged, this, &StructurePanel::editOpacity);
-    connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, &StructurePanel::editTissue);
-    connect(m_damping, &QDoubleSpinBox::valueChanged, this, &StructurePanel::editTissue);
+    // A field shows fewer digits than a scene may have: only the one that was edited counts.
+    connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!m_isShowing && currentRow() >= 0) {
+            setTissue({value, m_model.structure(currentRow()).damping_Ns_per_mm});
+        }
+    });
+    connect(m_damping, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!m_isShowing && currentRow() >= 0) {
+            setTissue({m_model.structure(currentRow()).stiffness_N_per_mm, value});
+        }
+    });
     connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
         if (chosen > 0) {
-            const haptics::Tissue& tissue = tissuePresets()[static_cast<std::size_t>(chosen - 1)].tissue;
-            m_stiffness->setValue(tissue.stiffness_N_per_mm);
-            m_damping->setValue(tissue.damping_Ns_per_mm);
+            setTissue(tissuePresets()[static_cast<std::size_t>(chosen - 1)].tissue);
         }
     });
     return box;
 }
 
-void StructurePanel::setGreatest(const haptics::Tissue& greatest)
+void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString& why)
 {
-    m_isShowing = true; // a bound that clamps what a field shows is not an edit
-    m_stiffness->setRange(0.0, greatest.stiffness_N_per_mm);
-    m_damping->setRange(0.0, greatest.damping_Ns_per_mm);
-    m_isShowing = false;
+    m_greatest = greatest;
+    m_why = why;
+    m_refusal->hide(); // it spoke of another limit
 }
 
 int StructurePanel::currentRow() const
@@ -252,14 +276,35 @@ void StructurePanel::showSelection()
     m_isShowing = false;
 }
 
-void StructurePanel::editTissue()
+void StructurePanel::setTissue(const haptics::Tissue& tissue)
 {
-    if (m_isShowing || currentRow() < 0) {
+    if (currentRow() < 0) {
         return;
     }
     meshio::SceneStructure changed = m_model.structure(currentRow());
-    changed.stiffness_N_per_mm = m_stiffness->value();
-    changed.damping_Ns_per_mm = m_damping->value();
+    // Half of a field's last digit: what is shown as the limit may be asked for.
+    const bool isTooStiff = tissue.stiffness_N_per_mm > m_greatest.stiffness_N_per_mm + 0.005 &&
+                            tissue.stiffness_N_per_mm > changed.stiffness_N_per_mm;
+    const bool isTooDamped = tissue.damping_Ns_per_mm > m_greatest.damping_Ns_per_mm + 0.00005 &&
+                             tissue.damping_Ns_per_mm > changed.damping_Ns_per_mm;
+    if (isTooStiff || isTooDamped) {
+        const QLocale locale;
+        QString line =
+            isTooStiff
+                ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.")
+                      .arg(locale.toString(tissue.stiffness_N_per_mm, 'g', 4), m_why,
+                           locale.toString(std::floor(100.0 * m_greatest.stiffness_N_per_mm) / 100.0, 'f', 2))
+                : tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
+                      .arg(locale.toString(tissue.damping_Ns_per_mm, 'g', 4),
+                           locale.toString(m_greatest.damping_Ns_per_mm, 'f', 4));
+        showSelection();
+        m_refusal->setText(line);
+        m_refusal->show();
+        return;
+    }
+    m_refusal->hide();
+    changed.stiffness_N_per_mm = tissue.stiffness_N_per_mm;
+    changed.damping_Ns_per_mm = tissue.damping_Ns_per_mm;
     m_model.edit(currentRow(), changed);
 }
 

@@ -21,7 +21,7 @@ struct PassivityLimits
     double ownDamping_Ns_per_mm = 0.0;   ///< that the device's mechanics are sure to have, without a hand
     double maxDamping_Ns_per_mm = 0.004; ///< adds no more than this at 1 kHz and above, in proportion below
     double resolution_mm = 0.0;          ///< an axis' position is off by at most half of it; 0: exact
-    int delayTicks = 1;                  ///< a force acts so many ticks after it was computed, 0 to 4
+    int delayTicks = 1;                  ///< see PassivityController::setDelay
 
     /// Of a device; where it states no damping it can take, that of the weakest preset.
     [[nodiscard]] static PassivityLimits forDevice(const device::DeviceInfo& info) noexcept;
@@ -57,6 +57,7 @@ struct PassivityState
 class PassivityController
 {
   public:
+    static constexpr int kLongestDelay = 16;
     /// @param dt_s  nominal period, > 0 [s]
     PassivityController(const PassivityLimits& limits, double dt_s) noexcept;
 
@@ -65,6 +66,9 @@ class PassivityController
     /// @param p_WH  HIP [mm]
     /// @return force to add to `fAsked_W` [N], against the motion
     [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING;
+    /// Says how late a force acts: so many ticks after the position that it answers was measured, 0 to kLongestDelay,
+    /// beyond taken for that.
+    void setDelay(int ticks) noexcept PALPATE_NONBLOCKING;
     /// Says what was sent in the tick in the end, after every bound.
     void noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING;
     /// Another scene was put under the hand: its springs hold this much without anyone having pressed them. [mJ]
@@ -75,14 +79,12 @@ class PassivityController
     [[nodiscard]] const PassivityState& state() const noexcept { return m_state; }
 
   private:
-    static constexpr std::size_t kSent = 5;
-
     PassivityLimits m_limits;
     double m_dt_s;
     PassivityState m_state;
     MotionTrack m_motion;
     Vec3 m_fAsked_W = Vec3::Zero();
-    std::array<Vec3, kSent> m_sent_W; // newest first
+    std::array<Vec3, kLongestDelay + 1> m_sent_W; // newest first
 };
 
 /// The stiffness up to which a sampled spring with a damper is passive whatever the hand does: K = 2 (b - |B|) / T.
@@ -95,10 +97,19 @@ class PassivityController
 /// @par Source Hulin, Preusche & Hirzinger, IROS 2006, doi:10.1109/IROS.2006.282524 (linear stability condition).
 [[nodiscard]] double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s, double delay_s) noexcept;
 
-/// The stiffness that the program lets a device hold at a rate, one tick of delay taken for granted: what its maker
-/// states, and no more than half of what its damping, with what the controller may add, keeps from oscillating.
-/// Half, because mass bounds how much damping helps; resources/docs/stability.md has what the closed loop really holds.
+/// The stiffness that the program lets a device hold: what its maker states, and no more than
+///   0.7 (b + B) / (T / 2 + delay)
+/// with b the device's damping and B what the controller is sure to add, the smaller of the maker's most and 10 N s/m;
+/// at longer periods than 1 ms less in proportion, and so for sensors coarser than 0.04 mm, since what they do not tell
+/// is not damped. 0.7, 10 N s/m and 0.04 mm are fitted, below what the closed loop held for every preset at 250 Hz to 4
+/// kHz and 0 to 4 ticks of delay; resources/docs/stability.md has what it held.
+/// @param delayTicks  >= 0, as delayTicksOf says of a running device
 /// @return no bound (infinite) for a device without motors, which cannot oscillate
-[[nodiscard]] double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled) noexcept;
+[[nodiscard]] double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled,
+                                            int delayTicks = 1) noexcept;
+
+/// How late a device's force acts: the time that 99 of 100 answers took, in whole ticks, at least 1.
+/// @param latency  of the device, see DeviceReport; below a thousand answers it says nothing yet, and 1 is taken
+[[nodiscard]] int delayTicksOf(const core::TimingSummary& latency, double rate_Hz) noexcept;
 
 } // namespace palpate::servo

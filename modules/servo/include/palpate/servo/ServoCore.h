@@ -43,6 +43,9 @@ class ServoCore
     void setMap(const MapSettings& settings) noexcept PALPATE_NONBLOCKING { m_map.set(settings); }
     [[nodiscard]] const WorkspaceMap& map() const noexcept { return m_map; }
 
+    /// How late the device's force acts, see PassivityController.
+    void setDelay(int ticks) noexcept PALPATE_NONBLOCKING { m_passivity.setDelay(ticks); }
+
     /// @return the tick's record. kOverrun and kDroppedBefore are the caller's to add.
     [[nodiscard]] TickRecord tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
 

@@ -77,6 +77,10 @@ class ServoLoop
     /// Says how the device's workspace lies in the scene, from the next tick on. Kept over runs; direct at first.
     void setMap(const MapSettings& settings) noexcept;
 
+    /// Says how late the device's force acts, see PassivityController; from the next tick on, for the present run. 1 at
+    /// first.
+    void setDelay(int ticks) noexcept;
+
     /// Gives the newest tick. @return false when there is none since the last call; `out` is then untouched.
     bool fetchSnapshot(TickRecord& out) noexcept;
 

@@ -23,6 +23,7 @@ struct HandStatus
 {
     double held_N_per_mm = 0.0; ///< stiffness that may be held, in the scene; infinite: no bound
     double rate_Hz = 0.0;
+    int delayTicks = 1;     ///< after which the force acts
     double scale = 1.0;     ///< mm of the scene a mm of the device
     double energy_mJ = 0.0; ///< observed, see servo::TickRecord
     double damping_N = 0.0; ///< that the passivity controller adds

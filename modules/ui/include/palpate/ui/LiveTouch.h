@@ -42,6 +42,10 @@ class LiveTouch : public QObject
     [[nodiscard]] haptics::Tissue greatestTissue() const;
     /// The stiffness alone; infinite for a device without motors. [N/mm]
     [[nodiscard]] double heldStiffness_N_per_mm() const;
+    /// Ticks after which the device's force acts: the slowest measured since it was started.
+    [[nodiscard]] int delayTicks() const noexcept { return m_delayTicks; }
+    /// Why no more than `greatestTissue` is felt, for a person: the device, its limit, what sets it, what to do.
+    [[nodiscard]] QString limitText() const;
     /// Lays the device's workspace into the scene.
     void setMap(const servo::MapSettings& map);
     [[nodiscard]] const servo::MapSettings& map() const noexcept { return m_map; }
@@ -88,6 +92,7 @@ class LiveTouch : public QObject
     void handOverScene();
     void tellRefused();
     void measure();
+    void setDelay(int ticks);
 
     StructureModel& m_model;
     device::PointerDevice m_pointer;
@@ -104,6 +109,7 @@ class LiveTouch : public QObject
     std::int64_t m_measured_ns = 0;
     double m_rate_Hz = 0.0;
     double m_solveP99_us = -1.0;
+    int m_delayTicks = 1;
     bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;

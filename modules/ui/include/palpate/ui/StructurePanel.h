@@ -21,8 +21,9 @@ class StructurePanel : public QWidget
   public:
     explicit StructurePanel(StructureModel& model, QWidget* parent = nullptr);
 
-    /// @param greatest  what the device holds stably; the fields go no further
-    void setGreatest(const haptics::Tissue& greatest);
+    /// Says what the device holds. An edit beyond it is refused: the value stays, and a line by the field says why.
+    /// @param why  the device, its limit and what sets it, for a person
+    void setGreatest(const haptics::Tissue& greatest, const QString& why);
     [[nodiscard]] int currentRow() const;
     void select(int row);
 
@@ -33,7 +34,7 @@ class StructurePanel : public QWidget
   private:
     void click(const QModelIndex& index);
     void showSelection();
-    void editTissue();
+    void setTissue(const haptics::Tissue& tissue);
     void editOpacity(int percent);
     void chooseColour();
     void openMenu(const QPoint& place);
@@ -49,6 +50,9 @@ class StructurePanel : public QWidget
     QComboBox* m_preset = nullptr;
     QDoubleSpinBox* m_stiffness = nullptr;
     QDoubleSpinBox* m_damping = nullptr;
+    QLabel* m_refusal = nullptr;
+    haptics::Tissue m_greatest{5.0, 0.02};
+    QString m_why;
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;
 };
