@@ -20,6 +20,7 @@ struct Found
     const Trial* onePass = nullptr;
     const Trial* standardRate = nullptr; ///< 1 kHz
     const Trial* fastRate = nullptr;     ///< 4 kHz
+    const Trial* ball = nullptr;         ///< the middle one
     const Trial* same = nullptr;         ///< fewest triangles that feel the same
     const Trial* half = nullptr;         ///< most triangles of the decimated ones
 };
@@ -27,6 +28,7 @@ struct Found
 Found find(const Evaluation& evaluation, const std::string& subject)
 {
     Found found;
+    std::vector<const Trial*> balls; // by radius
     for (const Trial& t : evaluation.trials) {
         if (t.subject != subject || t.solver != "Palpate" || t.position_mm.count == 0) {
             continue;
@@ -41,6 +43,10 @@ Found find(const Evaluation& evaluation, const std::string& subject)
         case Knob::Rate:
             found.standardRate = t.rate_Hz == 1000.0 ? &t : found.standardRate;
             found.fastRate = t.rate_Hz == 4000.0 ? &t : found.fastRate;
+            break;
+        case Knob::Radius:
+            balls.push_back(&t);
+            found.ball = balls[balls.size() / 2];
             break;
         case Knob::Decimated:
             found.half = found.half == nullptr || t.triangles > found.half->triangles ? &t : found.half;
@@ -87,8 +93,8 @@ std::string onDecimation(const Found& found)
 void markFront(std::vector<Trial>& trials, const std::string& subject)
 {
     const auto takesPart = [&](const Trial& t) {
-        return t.subject == subject && !t.isReference && t.knob != Knob::Rate && t.position_mm.count > 0 &&
-               t.time_us.count > 0 && t.popThroughs == 0;
+        return t.subject == subject && !t.isReference && t.knob != Knob::Rate && t.knob != Knob::Radius &&
+               t.position_mm.count > 0 && t.time_us.count > 0 && t.popThroughs == 0;
     };
     const auto error = [](const Trial& t) { return std::max(kNoError_mm, t.position_mm.mean); };
     for (Trial& t : trials) {
@@ -134,6 +140,14 @@ std::vector<Advice> adviceFor(const Evaluation& evaluation)
         if (found.onePass != nullptr) {
             a.why.push_back("One pass a tick, as in the paper, " + savedBy(*found.onePass, full) + " and is off by " +
                             forceError(*found.onePass) + ".");
+        }
+        if (found.ball != nullptr) {
+            const Trial& ball = *found.ball;
+            a.why.push_back("A fingertip of " + shortNumber(ball.fingertip_mm) +
+                            " mm radius instead of a point costs " + shortNumber(ball.time_us.p50) +
+                            " µs a tick, 99.9 % of them at most " + shortNumber(ball.time_us.p999) +
+                            " µs, and is at most " + shortNumber(ball.position_mm.p99) +
+                            " mm from the exact ball in 99 % of them.");
         }
         if (subject.extent_mm < kTiny_mm) {
             a.warning = subject.name + " is only " + shortNumber(subject.extent_mm) +

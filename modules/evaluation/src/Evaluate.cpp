@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Advice.h"
+#include "ChartAxis.h"
 #include "CostOnSphere.h"
+#include "Evaluator.h"
 #include "Machine.h"
-#include "TrialRun.h"
 #include "VtkMesh.h"
 #include "palpate/evaluation/LagrangeElimination.h"
 #include "palpate/evaluation/PaperSolver.h"
@@ -17,16 +18,11 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// Seconds that parts may take, over all motions of a subject.
-struct Times
-{
-    double truth, bruteForce, other;
-    int motion_ms;
-    int largestSphere;
-};
 constexpr Times kQuick{2.5, 0.3, 1.0, 600, 64};
 constexpr Times kFull{60.0, 3.0, 20.0, 3000, 256};
 constexpr double kNoLimit_s = 1e6;
+constexpr double kFullSize_mm = 100.0;  // what is smaller gets a smaller fingertip
+constexpr double kBallTruthShare = 0.7; // of the time for a ball: the exact one is brute force
 // Of a limited time, the subjects' share; the spheres and the hard cases get the rest. And the truth's share of that.
 constexpr double kSubjectsShare = 0.6, kTruthShare = 0.3;
 constexpr double kDecimation_s = 2e-5; // for each triangle removed, until it has been measured
@@ -38,69 +34,25 @@ std::string percent(double share)
     return text;
 }
 
-class Evaluator
+std::string ballOf(double radius_mm)
 {
-  public:
-    Evaluator(const EvaluateOptions& options, std::size_t subjects)
-        : m_options(options)
-        , m_times(options.isQuick ? kQuick : kFull)
-        , m_limit_s(options.seconds > 0.0 ? options.seconds : kNoLimit_s)
-        , m_subjects(static_cast<double>(subjects))
-        , m_parts(m_subjects * kPartsOfASubject + (options.withHardCases ? 6 : 0) + 2)
-    {
-        m_times.truth /= m_subjects;
-        m_times.other /= m_subjects;
-        m_times.bruteForce /= m_subjects;
-    }
+    return "ball of " + shortNumber(radius_mm) + " mm";
+}
 
-    Evaluation run(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given);
+} // namespace
 
-  private:
-    static constexpr double kPartsOfASubject = 16.0; // about, for the progress
-
-    /// One thing that is measured of a subject.
-    struct Part
-    {
-        std::string what;
-        std::function<void(double)> measure; ///< told the seconds that it may take
-    };
-
-    [[nodiscard]] double elapsed_s() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
-    }
-    bool next(const std::string& what, double weight = 1.0)
-    {
-        m_result.isCancelled =
-            m_result.isCancelled || (m_options.progress && !m_options.progress(std::min(1.0, m_done / m_parts), what));
-        m_done += weight;
-        return !m_result.isCancelled;
-    }
-    void evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions, double seconds);
-    void findTruth(const Subject& subject, double seconds);
-    [[nodiscard]] std::vector<Part> partsOf(const Subject& subject);
-    void feel(Trial description, LayerSolvers solvers, const std::vector<const Surface*>& own, bool isOnTruth,
-              double seconds, bool fromContact = false);
-    template<class Make>
-    void feelOn(const Subject& subject, Trial description, bool isGodObject, double seconds, bool fromContact,
-                const Make& make);
-    void feelDecimated(const Subject& subject, double share, double seconds);
-    void feelSpheres();
-    void runHard();
-    void elimination();
-
-    const EvaluateOptions& m_options;
-    Times m_times;
-    double m_limit_s, m_subjects, m_parts, m_done = 0.0;
-    std::chrono::steady_clock::time_point m_started = std::chrono::steady_clock::now();
-    Evaluation m_result;
-    const Subject* m_subject = nullptr;
-    const std::vector<HandMotion>* m_motions = nullptr;
-    std::vector<Truth> m_truths;
-    std::vector<geometry::TriangleMesh> m_fewer; ///< the last decimated copy of each layer
-    double m_decimation_s = kDecimation_s;
-    double m_subjectEnd_s = 0.0;
-};
+Evaluator::Evaluator(const EvaluateOptions& options, std::size_t subjects)
+    : m_options(options)
+    , m_times(options.isQuick ? kQuick : kFull)
+    , m_limit_s(options.seconds > 0.0 ? options.seconds : kNoLimit_s)
+    , m_subjects(static_cast<double>(subjects))
+    , m_parts(m_subjects * kPartsOfASubject + (options.withHardCases ? 6 : 0) + 2)
+    , m_decimation_s(kDecimation_s)
+{
+    m_times.truth /= m_subjects;
+    m_times.other /= m_subjects;
+    m_times.bruteForce /= m_subjects;
+}
 
 Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& subjects,
                           const std::vector<HandMotion>& given)
@@ -218,6 +170,12 @@ std::vector<Evaluator::Part> Evaluator::partsOf(const Subject& subject)
     onePass.knob = Knob::OnePass;
     onePass.setting = "one pass a tick";
     parts.push_back({"one pass a tick", product(onePass, 1)});
+    // Smaller on what is small.
+    const double size = std::min(1.0, subject.bounds().sizes().maxCoeff() / kFullSize_mm);
+    for (const double radius : {0.5, 1.0, 2.0}) {
+        parts.push_back(
+            {ballOf(size * radius), [this, &subject, size, radius](double s) { feelBall(subject, size * radius, s); }});
+    }
     for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
         Trial trial;
         trial.knob = Knob::Rate;
@@ -288,12 +246,33 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMo
         }
         const double left = m_subjectEnd_s - elapsed_s();
         if (i > 0 && left <= 0.0) {
-            m_result.leftOut.push_back(subject.name + ": " + parts[i].what);
+            m_result.leftOut.push_back(subject.name + ": " + parts[i].what + ", for lack of time");
             continue;
         }
         parts[i].measure(std::min(m_times.other, left / static_cast<double>(parts.size() - i)));
     }
     markFront(m_result.trials, subject.name);
+}
+
+/// A ball has a truth of its own: where the exact ball is.
+void Evaluator::feelBall(const Subject& subject, double fingertip_mm, double seconds)
+{
+    std::vector<Truth> truths;
+    for (const HandMotion& motion : *m_motions) {
+        truths.push_back(
+            truthOf(subject, motion, kBallTruthShare * seconds / static_cast<double>(m_motions->size()), fingertip_mm));
+    }
+    const auto scene = std::make_shared<haptics::HapticScene>(subject.scene->structures(), fingertip_mm);
+    Trial trial;
+    trial.knob = Knob::Radius;
+    trial.knobValue = trial.fingertip_mm = fingertip_mm;
+    trial.setting = ballOf(fingertip_mm);
+    std::swap(truths, m_truths);
+    feelOn(subject, trial, true, (1.0 - kBallTruthShare) * seconds, false,
+           [&](const Surface&, std::size_t layer) -> std::unique_ptr<ReferenceSolver> {
+               return std::make_unique<ProductSolver>(scene, "Palpate", 0, layer);
+           });
+    std::swap(truths, m_truths);
 }
 
 /// Each copy is made from the one before, which takes a quarter of the time of making each from all triangles.
@@ -309,7 +288,7 @@ void Evaluator::feelDecimated(const Subject& subject, double share, double secon
         removed += static_cast<double>(m_fewer[l].triangles.size()) - share * subject.layers[l].surface.triangleCount();
     }
     if (removed * m_decimation_s > m_subjectEnd_s - elapsed_s()) {
-        m_result.leftOut.push_back(subject.name + ": " + percent(share));
+        m_result.leftOut.push_back(subject.name + ": " + percent(share) + ", for lack of time");
         return;
     }
     const double before = elapsed_s();
@@ -361,14 +340,13 @@ void Evaluator::runHard()
     if (const std::size_t missing = hardCaseCount(choice) - m_result.hardCases.size(); missing > 0) {
         m_result.isCancelled = !isTimeUp;
         m_result.leftOut.push_back(std::to_string(missing) + " of " + std::to_string(hardCaseCount(choice)) +
-                                   " hard cases");
+                                   " hard cases, for lack of time");
     }
     if (const std::size_t longer = hardCaseCount(HardCaseChoice::All) - hardCaseCount(choice); longer > 0) {
-        m_result.leftOut.push_back(std::to_string(longer) + " long hard cases: palpate evaluate --stability --long");
+        m_result.leftOut.push_back(std::to_string(longer) + (longer == 1 ? " hard case" : " hard cases") +
+                                   " of many ticks: palpate evaluate --stability --long");
     }
 }
-
-} // namespace
 
 Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given,
                     const EvaluateOptions& options)

@@ -175,7 +175,9 @@ std::string methodSection(const Evaluation& evaluation)
            "the "
            "HIP legal moves could still bring the god-object. Other minimum: ticks in which it rests legally elsewhere "
            "than the exact one, after two ways parted; they are not errors and left out of them. Rates: the force is "
-           "held between ticks, and the error is taken just before the next one. Copies with fewer triangles choose "
+           "held between ticks, and the error is taken just before the next one. Balls: a fingertip of that radius, "
+           "compared with the exact ball; nearer than its radius to what it faces counts as a pop-through. Copies with "
+           "fewer triangles choose "
            "their "
            "own ways at ridges: that is in their last hundredth. Brute-force solvers get through fewer ticks in their "
            "time: "
@@ -222,7 +224,7 @@ std::string notes(const Evaluation& evaluation)
         for (const std::string& line : evaluation.leftOut) {
             list += (list.empty() ? "" : "; ") + escaped(line);
         }
-        text += "<p class='soft small'>Left out for lack of time: " + list + ".</p>";
+        text += "<p class='soft small'>Left out: " + list + ".</p>";
     }
     return text;
 }
@@ -230,6 +232,7 @@ std::string notes(const Evaluation& evaluation)
 std::string legend()
 {
     return "<p class='legend small soft'><span>● solver</span><span>■ Palpate on fewer triangles</span>"
+           "<span>○ Palpate with a ball as fingertip, against the exact ball</span>"
            "<span>◆ one pass a tick, as in the paper</span><span>△ error just before the next tick, the force "
            "held</span><span>‐ ‐ nothing without pop-through is both faster and nearer</span></p>";
 }

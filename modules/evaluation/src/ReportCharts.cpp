@@ -26,6 +26,8 @@ MarkShape shapeOf(const Trial& t)
         return MarkShape::Diamond;
     case Knob::Rate:
         return MarkShape::Triangle;
+    case Knob::Radius:
+        return MarkShape::Circle;
     }
     return MarkShape::Circle;
 }
@@ -41,6 +43,8 @@ std::string labelOf(const Trial& t)
         return "one pass";
     case Knob::Rate:
         return t.rate_Hz < 1000.0 ? shortNumber(t.rate_Hz) + " Hz" : shortNumber(t.rate_Hz / 1000.0) + " kHz";
+    case Knob::Radius:
+        return t.setting;
     }
     return {};
 }
@@ -105,7 +109,7 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
         mark.yEnd = t->position_mm.p99;
         mark.shape = shapeOf(*t);
         mark.colour = colourOf(t->solver);
-        mark.isHollow = t->knob == Knob::Rate;
+        mark.isHollow = t->knob == Knob::Rate || t->knob == Knob::Radius;
         mark.isStrong = t->knob == Knob::Solver && t->solver == "Palpate";
         mark.label = labelOf(*t);
         mark.tooltip = t->solver + (t->setting.empty() ? "" : ", " + t->setting) + ": " + shortNumber(t->time_us.p50) +

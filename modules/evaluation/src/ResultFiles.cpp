@@ -25,6 +25,8 @@ const char* nameOf(Knob knob)
         return "one pass";
     case Knob::Rate:
         return "rate";
+    case Knob::Radius:
+        return "radius";
     }
     return "";
 }
@@ -74,6 +76,7 @@ QJsonObject object(const Trial& t)
             {"setting", text(t.setting)},
             {"knob", nameOf(t.knob)},
             {"knob_value", t.knobValue},
+            {"fingertip_mm", t.fingertip_mm},
             {"triangles", qint64(t.triangles)},
             {"rate_hz", t.rate_Hz},
             {"ticks", qint64(t.ticks)},

@@ -90,7 +90,7 @@ double SubjectLayer::stiffest() const
     return result;
 }
 
-double SubjectLayer::stiffnessAt(const Vec3& p_WG) const
+double SubjectLayer::stiffnessAt(const Vec3& p_WG, double fingertip_mm) const
 {
     const auto differs = [this](const SubjectStructure& s) {
         return s.stiffness_N_per_mm != structures.front().stiffness_N_per_mm;
@@ -98,7 +98,7 @@ double SubjectLayer::stiffnessAt(const Vec3& p_WG) const
     if (std::none_of(structures.begin(), structures.end(), differs)) {
         return structures.front().stiffness_N_per_mm;
     }
-    const double reach = std::min(kTouch_mm, kTouchShare * surface.bounds().sizes().maxCoeff());
+    const double reach = fingertip_mm + std::min(kTouch_mm, kTouchShare * surface.bounds().sizes().maxCoeff());
     std::vector<std::uint32_t> near;
     surface.appendNear(Box(p_WG.array() - reach, p_WG.array() + reach), near);
     double result = 0.0;

@@ -21,8 +21,9 @@ constexpr std::size_t kMostResiduals = 1500;
 // or as a share of the surface's extent where that is less.
 constexpr double kAtRest_mm = 1e-3, kAtRestShare = 2e-6;
 constexpr double kDiffers_mm = 1e-3, kDiffersShare = 1e-5;
-constexpr double kLeastShare = 0.02; // of the largest force: percentages and directions of less are noise
-constexpr double kContact_mm = 1e-9; // a shorter spring is none
+constexpr double kLeastShare = 0.02;   // of the largest force: percentages and directions of less are noise
+constexpr double kContact_mm = 1e-9;   // a shorter spring is none
+constexpr double kIntrusion_mm = 1e-6; // of a ball
 constexpr std::size_t kHistogram = 33;
 constexpr std::size_t kLeadIn = 4;          // ticks before the first contact
 constexpr std::size_t kFewestTicks = 12;    // of a motion, however long they take: some in contact
@@ -50,12 +51,12 @@ Percentiles percentilesOf(std::vector<double> values)
     return result;
 }
 
-Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds)
+Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds, double fingertip_mm)
 {
     Truth truth;
     std::vector<std::unique_ptr<ExactSolver>> exact;
     for (const SubjectLayer& layer : subject.layers) {
-        exact.push_back(std::make_unique<ExactSolver>(layer.surface, 1));
+        exact.push_back(std::make_unique<ExactSolver>(layer.surface, 1, fingertip_mm));
         exact.back()->start(motion.p_WH.front());
     }
     truth.layers.resize(exact.size());
@@ -66,7 +67,7 @@ Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds)
     truth.firstContact = motion.p_WH.size();
     for (const Vec3& hip : motion.p_WH) {
         const auto before = core::monotonicNow_ns();
-        for (std::size_t l = 0; l < exact.size(); ++l) {
+        for (std::size_t l = 0; l < exact.size() && (fingertip_mm == 0.0 || truth.samples % 4 == 0); ++l) {
             steps[l] = exact[l]->step(hip);
         }
         tick_us += 1e-3 * static_cast<double>(core::monotonicNow_ns() - before);
@@ -75,7 +76,7 @@ Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds)
         for (std::size_t l = 0; l < exact.size(); ++l) {
             const SubjectLayer& layer = subject.layers[l];
             const bool touches = steps[l].spring_mm.norm() > kContact_mm;
-            const double k = touches ? layer.stiffnessAt(steps[l].p_WG) : layer.stiffest();
+            const double k = touches ? layer.stiffnessAt(steps[l].p_WG, fingertip_mm) : layer.stiffest();
             truth.layers[l].p_WG.push_back(steps[l].p_WG);
             truth.layers[l].spring_mm.push_back(steps[l].spring_mm);
             truth.layers[l].stiffness_N_per_mm.push_back(k);
@@ -109,16 +110,20 @@ TrialRun::TrialRun(Trial description, std::vector<const Surface*> own, bool isOn
 {
     m_trial.iterations.assign(kHistogram, 0);
     for (std::size_t l = 0; isOnTruth && l < m_own.size(); ++l) {
-        m_exact.push_back(std::make_unique<ExactSolver>(*m_own[l], 1));
+        m_exact.push_back(std::make_unique<ExactSolver>(*m_own[l], 1, m_trial.fingertip_mm));
     }
 }
 
-/// A god-object is behind a surface that it started in front of; a penalty pushes the hand further in.
+/// A god-object is behind a surface that it started in front of, a ball nearer to one than its radius; a penalty pushes
+/// the hand further in.
 bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring) const
 {
     const SolverStep& step = m_steps[layer];
     if (m_trial.solver.starts_with("vector field")) {
         return step.spring_mm.dot(spring) < 0.0;
+    }
+    if (m_trial.fingertip_mm > 0.0 && m_exact[layer]->intrusion_mm(step.p_WG) > kIntrusion_mm) {
+        return true;
     }
     // On a surface the winding number is a matter of rounding: only what lies deeper counts.
     const Surface& own = *m_own[layer];

@@ -48,7 +48,9 @@ class TimeLimit
 };
 
 /// Runs the exact solver over a motion, at most `seconds` long.
-[[nodiscard]] Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds);
+/// @param fingertip_mm  radius of the ball that touches, which is asked at 1 kHz only and held between; 0 is a point
+[[nodiscard]] Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds,
+                            double fingertip_mm = 0.0);
 
 /// Adds up one trial over its motions.
 class TrialRun

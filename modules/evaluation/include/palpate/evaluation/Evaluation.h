@@ -35,6 +35,7 @@ enum class Knob
     Decimated, ///< the product on a copy with fewer triangles
     OnePass,   ///< the product with one pass a tick
     Rate,      ///< the product at another servo rate; errors include that the force is held between ticks
+    Radius,    ///< the product with a ball as fingertip; errors are against the exact solver with the same ball
 };
 
 /// One mark of the report: a solver with its knob on one subject, all motions together.
@@ -48,7 +49,8 @@ struct Trial
     std::string solver;
     std::string setting; ///< "25 % of the triangles", "2000 Hz", or empty
     Knob knob = Knob::Solver;
-    double knobValue = 0.0; ///< share of the triangles, or Hz
+    double knobValue = 0.0;    ///< share of the triangles, Hz or mm
+    double fingertip_mm = 0.0; ///< radius of the ball; 0 is a point
     std::size_t triangles = 0;
     double rate_Hz = 1000.0;
     std::size_t ticks = 0;       ///< run

@@ -29,7 +29,8 @@ struct SubjectLayer
     std::vector<SubjectStructure> structures;
 
     /// @return stiffness of the tissue that a god-object at `p_WG` touches: the stiffest of those it is at. [N/mm]
-    [[nodiscard]] double stiffnessAt(const Vec3& p_WG) const;
+    /// @param fingertip_mm  radius of the ball around it; 0 is a point
+    [[nodiscard]] double stiffnessAt(const Vec3& p_WG, double fingertip_mm = 0.0) const;
     [[nodiscard]] double stiffest() const;
 };
 

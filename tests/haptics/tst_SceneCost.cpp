@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene costs, by counts: bytes for each triangle, and structures looked at in a tick.
+#include "ResidentMemory.h"
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <cmath>
+
+using namespace palpate;
+using namespace palpate::test;
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::Palpator;
+
+namespace {
+
+constexpr double kMostBytes = 64.0; // for each triangle
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+/// 7 × 7 × 6 bumpy balls of 10 mm, 30 mm apart; each has the same mesh at its own place.
+std::vector<HapticStructure> crowd()
+{
+    const TriangleMesh ball = bumpySphere(8, 10.0, 0.05);
+    std::vector<HapticStructure> structures;
+    for (int i = 0; i < 294; ++i) {
+        const Vec3 at = 30.0 * Vec3(i % 7, i / 7 % 7, i / 49);
+        structures.push_back({"ball", indexed(transformed(ball, [&](const Vec3& p) { return Vec3(p + at); })), {}, 0});
+    }
+    return structures;
+}
+
+} // namespace
+
+class SceneCost : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void theHapticCopyIsAsLargeAsItSays()
+    {
+        if (kIsSanitized) {
+            QSKIP("a sanitizer keeps memory of its own");
+        }
+        const geometry::RepairedMesh mesh = geometry::repair(sphere(128, 50.0));
+        const auto triangles = static_cast<double>(mesh.mesh.triangles.size());
+        (void)geometry::SurfaceIndex::build(mesh); // what a first build leaves behind is not the copy's
+        const double before = residentBytes();
+        std::vector<HapticStructure> structures(1);
+        structures[0].surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
+        const HapticScene scene(std::move(structures));
+        const double grown = residentBytes() - before, counted = static_cast<double>(scene.byteSize());
+        qInfo("%.1f bytes a triangle counted, %.1f by the process's growth", counted / triangles, grown / triangles);
+        QVERIFY(counted / triangles <= kMostBytes);
+        // Whole pages, and what the allocator keeps for itself.
+        QVERIFY(std::abs(grown - counted) <= 0.01 * counted + (256 << 10));
+    }
+
+    void structuresThatAreNotNearAreNotLookedAt()
+    {
+        const HapticScene scene(crowd());
+        const haptics::HapticLayer& layer = scene.layer(0);
+        const Vec3 centre = 30.0 * Vec3(3, 3, 3);
+        std::size_t most = 0;
+        for (int i = 0; i < 500; ++i) {
+            const double a = 0.05 * i;
+            const Vec3 p = centre + 9.0 * Vec3(std::cos(a), std::sin(a) * std::cos(0.3 * a), std::sin(a)).normalized();
+            std::size_t found = 0;
+            layer.hierarchy.visitSegment(p, p + Vec3(0.5, 0.3, 0.2), [&](std::uint32_t, std::uint32_t count) {
+                found += count;
+                return 1.0;
+            });
+            most = std::max(most, found);
+        }
+        // A leaf of the hierarchy or two, of 294.
+        QVERIFY2(most >= 1 && most <= 2 * geometry::BoxHierarchy::kLeafSize, qPrintable(QString::number(most)));
+    }
+
+    void aCrowdChangesNothingThatIsFelt()
+    {
+        std::vector<HapticStructure> all = crowd();
+        const HapticScene one({all[171]}), crowded(std::move(all));
+        const Vec3 centre = 30.0 * Vec3(171 % 7, 171 / 7 % 7, 171 / 49);
+        Palpator alone, among;
+        alone.setScene(&one);
+        among.setScene(&crowded);
+        for (int i = 0; i < 2000; ++i) {
+            const double a = 0.003 * i, r = std::max(8.5, 14.0 - 0.02 * i);
+            const Vec3 hip = centre + r * Vec3(std::cos(a), std::sin(0.7 * a), std::sin(a)).normalized();
+            const haptics::TickResult x = alone.step(hip, 1e-3), y = among.step(hip, 1e-3);
+            QVERIFY((x.p_WG - y.p_WG).norm() <= 1e-12);
+            QCOMPARE(x.iterations, y.iterations); // nor does the work
+        }
+    }
+};
+
+PALPATE_TEST(SceneCost)
+#include "tst_SceneCost.moc"
