@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace palpate::evaluation {
 
@@ -107,6 +108,7 @@ TrialRun::TrialRun(Trial description, std::vector<const Surface*> own, bool isOn
     , m_steps(m_own.size())
     , m_windingAtStart(m_own.size())
     , m_isElsewhere(m_own.size())
+    , m_intrusion_mm(m_own.size())
 {
     m_trial.iterations.assign(kHistogram, 0);
     for (std::size_t l = 0; isOnTruth && l < m_own.size(); ++l) {
@@ -116,14 +118,17 @@ TrialRun::TrialRun(Trial description, std::vector<const Surface*> own, bool isOn
 
 /// A god-object is behind a surface that it started in front of, a ball nearer to one than its radius; a penalty pushes
 /// the hand further in.
-bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring) const
+bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring)
 {
     const SolverStep& step = m_steps[layer];
     if (m_trial.solver.starts_with("vector field")) {
         return step.spring_mm.dot(spring) < 0.0;
     }
-    if (m_trial.fingertip_mm > 0.0 && m_exact[layer]->intrusion_mm(step.p_WG) > kIntrusion_mm) {
-        return true;
+    if (m_trial.fingertip_mm > 0.0) {
+        const double before = std::exchange(m_intrusion_mm[layer], m_exact[layer]->intrusion_mm(step.p_WG));
+        if (m_intrusion_mm[layer] > std::max(0.0, before) + kIntrusion_mm) { // put down too deep, it goes no deeper
+            return true;
+        }
     }
     // On a surface the winding number is a matter of rounding: only what lies deeper counts.
     const Surface& own = *m_own[layer];
@@ -205,6 +210,7 @@ void TrialRun::feel(LayerSolvers& solvers, const HandMotion& motion, const Truth
         solvers[l]->start(motion.p_WH[begin]);
         m_windingAtStart[l] = m_own[l]->winding(motion.p_WH[begin]);
         m_isElsewhere[l] = false;
+        m_intrusion_mm[l] = m_exact.empty() ? 0.0 : m_exact[l]->intrusion_mm(motion.p_WH[begin]);
     }
     std::size_t done = 0;
     for (std::size_t sample = begin; sample < truth.samples; sample += stride) {

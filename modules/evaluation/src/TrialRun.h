@@ -70,14 +70,15 @@ class TrialRun
   private:
     void look(std::size_t layer, const Vec3& hip, const Vec3& god);
     void take(const Truth& truth, std::size_t sample);
-    [[nodiscard]] bool isPoppedThrough(std::size_t layer, const Vec3& spring) const;
+    [[nodiscard]] bool isPoppedThrough(std::size_t layer, const Vec3& spring);
 
     Trial m_trial;
     std::vector<const Surface*> m_own;
     std::vector<std::unique_ptr<ExactSolver>> m_exact; ///< by layer; empty without residuals
     std::vector<SolverStep> m_steps;                   ///< of this tick, by layer
     std::vector<int> m_windingAtStart;
-    std::vector<char> m_isElsewhere; ///< by layer
+    std::vector<char> m_isElsewhere;    ///< by layer
+    std::vector<double> m_intrusion_mm; ///< of a ball, by layer, when last looked at
     std::vector<double> m_time_us, m_interrupted_us, m_freeTime_us, m_position_mm, m_force_N, m_forcePercent,
         m_direction_deg, m_residual_mm;
     double m_springSum_mm = 0.0;
