@@ -110,7 +110,8 @@ std::string hardCaseSection(const Evaluation& evaluation)
     return tag("h2", "Hard cases: " + std::to_string(passed) + " of " + std::to_string(order.size()) + " pass") +
            "<p class='soft'>Each requires as well: nothing non-finite, bad input without effect, every tick converged, "
            "at "
-           "rest elsewhere than the exact solver in at most 0.1 % of the ticks. Lengths of scaled scenes have scaled "
+           "rest elsewhere than the exact solver in at most 0.1 % of the ticks (with a ball 1 %). Lengths of scaled "
+           "scenes have scaled "
            "bounds.</p><div class='card'>" +
            tag("table", head({"Case", "", "pop-<br>throughs<br>= 0", "residual<br>[mm]<br>≤ 10⁻⁶",
                               "spring beyond<br>the exact [mm]<br>≤ 10⁻³", "jump beyond<br>the exact [mm]<br>≤ 10⁻³",

@@ -195,13 +195,17 @@ std::string iterationsChart(const Evaluation& evaluation)
             }
         }
     }
+    const bool isCut = !counts.empty() && counts.back() > 0.0;
     while (counts.size() > 9 && counts.back() == 0.0) {
         counts.pop_back();
     }
     counts.push_back(1.0);
     const ChartAxis y = ChartAxis::decades(counts, "ticks");
     counts.pop_back();
-    SvgChart chart(560, 380, {-0.5, static_cast<double>(counts.size()) - 0.5, false, "moves tried in a tick"}, y);
+    SvgChart chart(560, 380,
+                   {-0.5, static_cast<double>(counts.size()) - 0.5, false,
+                    std::string("moves tried in a tick") + (isCut ? ", 32 and more in one bar" : "")},
+                   y);
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] > 0.0) {
             const auto at = static_cast<double>(i);
