@@ -3,10 +3,13 @@
 //
 //   bench_touch [--benchmark_filter=REGEX]
 //
+// PALPATE_BENCH_LARGE=1 in the environment adds slide and free on 10 M triangles, which take 2 GB to make.
+//
 // slide/T   a HIP 5 mm below a sphere of 50 mm radius with about T triangles, moving at 100 mm/s: one contact
 // cold/T    the same with the data flushed from the caches before each tick
 // free/T    the same path 5 mm above the surface: no contact
 // finger/T  the slide with a ball of 1 mm radius instead of a point
+// crowd/T   the slide on one of 300 spheres of T triangles each, 125 mm apart: the others should cost nothing
 // bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
 //
 // Columns: p50, p99, p99_9 and max in ns of one tick, clock included (about 25 ns of each); iterations, the mean of
@@ -22,6 +25,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -38,16 +42,20 @@ using core::Vec3;
 constexpr double kRadius_mm = 50.0;
 
 /// 20 n^2 triangles, indexed once and kept for the next benchmark.
-const haptics::HapticScene& scene(int n, double bump, double fingertip_mm)
+const haptics::HapticScene& scene(int n, double bump, double fingertip_mm, int spheres)
 {
-    static std::map<std::tuple<int, double, double>, haptics::HapticScene> scenes;
-    const auto key = std::tuple(n, bump, fingertip_mm);
+    static std::map<std::tuple<int, double, double, int>, haptics::HapticScene> scenes;
+    const auto key = std::tuple(n, bump, fingertip_mm, spheres);
     if (scenes.find(key) == scenes.end()) {
         scenes.clear(); // one at a time: the largest is nearly a gigabyte while it is built
-        scenes.emplace(key, haptics::HapticScene(
-                                {haptics::HapticStructure{
-                                    "sphere", test::indexed(test::bumpySphere(n, kRadius_mm, bump)), {0.5, 0.0}, 0}},
-                                fingertip_mm));
+        const geometry::TriangleMesh mesh = test::bumpySphere(n, kRadius_mm, bump);
+        std::vector<haptics::HapticStructure> structures;
+        for (int i = 0; i < spheres; ++i) {
+            const Vec3 at = 125.0 * Vec3(i % 7, i / 7 % 7, i / 49);
+            const auto moved = [&at](const Vec3& p) { return Vec3(p + at); };
+            structures.push_back({"sphere", test::indexed(test::transformed(mesh, moved)), {0.5, 0.0}, 0});
+        }
+        scenes.emplace(key, haptics::HapticScene(std::move(structures), fingertip_mm));
     }
     return scenes.at(key);
 }
@@ -68,9 +76,9 @@ Vec3 direction(double arc)
 }
 
 void slide(benchmark::State& state, int n, double bump, double distance_mm, double speed_mm_s, bool isCold,
-           double fingertip_mm)
+           double fingertip_mm, int spheres)
 {
-    const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm);
+    const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm, spheres);
     haptics::Palpator palpator;
     palpator.setScene(&sphere);
     std::vector<std::int64_t> ns;
@@ -113,11 +121,11 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
 }
 
 void add(const char* name, int n, double bump, double distance_mm, double speed_mm_s, bool isCold, int ticks,
-         double fingertip_mm = 0.0)
+         double fingertip_mm = 0.0, int spheres = 1)
 {
     benchmark::RegisterBenchmark(
         (std::string(name) + "/" + std::to_string(20 * n * n)).c_str(),
-        [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold, fingertip_mm); })
+        [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold, fingertip_mm, spheres); })
         ->Iterations(ticks)
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
@@ -135,6 +143,11 @@ int main(int argc, char** argv)
     add("cold", 256, 0.0, -5.0, 100.0, true, 300);
     add("bumpy", 128, 0.05, -5.0, 400.0, false, 100'000);
     add("finger", 128, 0.0, -5.0, 100.0, false, 50'000, 1.0);
+    add("crowd", 32, 0.0, -5.0, 100.0, false, 200'000, 0.0, 300);
+    if (std::getenv("PALPATE_BENCH_LARGE") != nullptr) {
+        add("slide", 708, 0.0, -5.0, 100.0, false, 200'000);
+        add("free", 708, 0.0, 5.0, 100.0, false, 200'000);
+    }
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }
