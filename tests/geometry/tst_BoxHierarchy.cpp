@@ -20,7 +20,7 @@ class BoxHierarchyTest : public QObject
     {
         std::vector<Box> boxes;
         BoxHierarchy hierarchy;
-        std::vector<std::uint32_t> items;
+        core::LargeArray<std::uint32_t> items;
     };
 
     static Scene randomScene(std::size_t n, double offset, double size, unsigned threads, unsigned seed)
@@ -136,7 +136,7 @@ class BoxHierarchyTest : public QObject
     void keepsEveryItemOnceEvenWhenAllAreEqual()
     {
         std::vector<FloatBox> boxes(1000, FloatBox{{0, 0, 0}, {1, 1, 1}});
-        std::vector<std::uint32_t> items;
+        core::LargeArray<std::uint32_t> items;
         const BoxHierarchy hierarchy = BoxHierarchy::build(boxes, items, Vec3::Zero(), 2);
         QCOMPARE(std::set<std::uint32_t>(items.begin(), items.end()).size(), std::size_t{1000});
         std::size_t seen = 0;

@@ -19,7 +19,7 @@ using namespace palpate::haptics::internal;
 
 namespace {
 
-constexpr int kCount = FacetGroup::kLanes;
+constexpr int kCount = kLanes;
 
 Facet facetOf(const Vec3& a, const Vec3& b, const Vec3& c, bool isTwoSided = false)
 {
@@ -36,15 +36,21 @@ Facet facetOf(const Vec3& a, const Vec3& b, const Vec3& c, bool isTwoSided = fal
 
 Corners cornersOf(const std::vector<Facet>& facets, const Vec3& origin)
 {
+    const double from[4] = {origin[0], origin[1], origin[2], 0.0};
+    double points[3][kCount][4]{};
+    const double* corner[3][kCount];
     Corners corners;
     for (int i = 0; i < kCount; ++i) {
         const Facet& f = facets[static_cast<std::size_t>(i)];
-        for (int axis = 0; axis < 3; ++axis) {
-            corners.a[axis][i] = static_cast<float>(f.a[axis] - origin[axis]);
-            corners.ab[axis][i] = static_cast<float>(f.b[axis] - f.a[axis]);
-            corners.ac[axis][i] = static_cast<float>(f.c[axis] - f.a[axis]);
+        int c = 0;
+        for (const Vec3* p : {&f.a, &f.b, &f.c}) {
+            std::copy_n(p->data(), 3, points[c][i]);
+            corner[c][i] = points[c][i];
+            ++c;
         }
+        corners.isTwoSided[i] = f.isTwoSided ? -1 : 0;
     }
+    setCorners(corner[0], corner[1], corner[2], from, corners);
     return corners;
 }
 
@@ -78,9 +84,6 @@ class Filters : public QObject
             const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
             const std::vector<Facet> facets = someFacets(random, origin);
             FacetGroup group;
-            for (int i = 0; i < kCount; ++i) {
-                group.isTwoSided[i] = facets[static_cast<std::size_t>(i)].isTwoSided ? -1 : 0;
-            }
             const float reach = derive(cornersOf(facets, origin), group);
             // Half of the moves go through a point of a facet, some of them starting in its plane or along its edge.
             const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
@@ -123,8 +126,7 @@ class Filters : public QObject
             const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
             const std::vector<Facet> facets = someFacets(random, origin);
             TriangleGroup group;
-            group.corners = cornersOf(facets, origin);
-            const float reach = derive(group);
+            const float reach = derive(cornersOf(facets, origin), group);
             const Vec3 p = origin + 2.0 * Vec3(normal(random), normal(random), normal(random));
             float at[3], distance[kCount];
             for (int axis = 0; axis < 3; ++axis) {

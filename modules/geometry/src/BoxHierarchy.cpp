@@ -69,7 +69,7 @@ class HierarchyBuilder
         }
     }
 
-    void run(BoxHierarchy& result, std::vector<FloatBox>& boxes, std::vector<std::uint32_t>& numbers)
+    void run(BoxHierarchy& result, std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& numbers)
     {
         split(0, 0, static_cast<std::uint32_t>(m_items.size()), 0);
         result.m_nodes.reserve(m_items.size() / 6 + 8);
@@ -194,7 +194,7 @@ class HierarchyBuilder
         return middle;
     }
 
-    std::uint32_t collapse(std::vector<BoxHierarchy::Node>& nodes, std::uint32_t slot)
+    std::uint32_t collapse(core::LargeArray<BoxHierarchy::Node>& nodes, std::uint32_t slot)
     {
         const auto index = static_cast<std::uint32_t>(nodes.size());
         nodes.emplace_back();
@@ -247,7 +247,7 @@ class HierarchyBuilder
     unsigned m_threads;
 };
 
-BoxHierarchy BoxHierarchy::build(std::vector<FloatBox>& boxes, std::vector<std::uint32_t>& items, const Vec3& origin,
+BoxHierarchy BoxHierarchy::build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items, const Vec3& origin,
                                  unsigned threads)
 {
     BoxHierarchy result;

@@ -51,12 +51,12 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
         {std::max(8.0 * worst, std::ldexp(extent, -40)), 1e-4, std::max(1e-6 * extent, 8.0 * 2.3e-16 * coordinate)});
     index.m_facetSize_mm = std::sqrt(doubledArea / static_cast<double>(mesh.triangles.size()) * 1.1547);
 
-    std::vector<std::uint32_t> order;
+    core::LargeArray<std::uint32_t> order;
     index.m_hierarchy = BoxHierarchy::build(boxes, order, origin, threads);
 
     constexpr std::uint32_t kUnseen = 0xffffffffu;
     std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kUnseen);
-    index.m_vertices.reserve(mesh.vertices.size());
+    index.m_vertices.reserve(mesh.vertices.size() + 1);
     index.m_triangles.resize(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Triangle& t = mesh.triangles[order[i]];
@@ -72,6 +72,8 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
             index.m_triangles[i][0] |= kTwoSidedBit;
         }
     }
+    index.m_vertexCount = static_cast<std::uint32_t>(index.m_vertices.size());
+    index.m_vertices.push_back(Vec3::Zero());
     index.m_sources = std::move(order);
     return index;
 }

@@ -41,20 +41,22 @@ struct Contact
 class Tick
 {
   public:
-    Tick(const Vec3& hip, const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near,
-         const Vec3& god) noexcept
+    /// @param walked  moves made before
+    Tick(const Vec3& hip, const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& god,
+         std::uint32_t walked) noexcept
         : m_hip(hip)
         , m_scene(scene)
         , m_layer(layer)
         , m_near(near)
         , m_god(god)
+        , m_walked(walked)
     {
     }
 
     void touch(const Facet& facet, int side, bool isInTheWay = false) noexcept
     {
         m_contacts[static_cast<std::size_t>(m_count++)] = {facet, side, Foot::Away, isInTheWay};
-        m_mayWalk = true;
+        m_mayWalk = isInTheWay; // from a facet that is newly met
         m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
     }
 
@@ -106,13 +108,8 @@ class Tick
     bool hasWalkedHome() noexcept
     {
         Contact& c = m_contacts[0];
-        internal::SurfaceWalk walk{m_god, c.facet};
-        internal::walk(m_scene, m_layer, m_near, m_hip, c.side, kTouched * c.facet.skin_mm, walk);
-        if (walk.moves > 0) {
-            m_god = walk.g;
-            c = {walk.facet, c.side};
-            m_walked += walk.moves;
-        }
+        const internal::SurfaceWalk walk = internal::walk(m_scene, m_layer, m_near, m_hip, c.side, m_god, c.facet);
+        m_walked += walk.moves;
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
     }
@@ -350,7 +347,7 @@ class Tick
     std::array<Contact, kMost> m_contacts;
     int m_count = 0;
     bool m_mayWalk = false;
-    std::uint32_t m_walked = 0; ///< moves made by walking
+    std::uint32_t m_walked; ///< moves made by walking
     double m_skin_mm = 0.0;
 };
 
@@ -377,11 +374,26 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         m_facets[i] = Facet::of(surface, m_state.structure[i], m_state.triangle[i]);
     }
     if (scene.fingertip_mm() > 0.0) {
-        m_ballNeighbourhood.beginTick(m_state.p_WG);
         run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, m_state.p_WG), limits, result);
+        m_ballNeighbourhood.endTick(scene, layer, m_state.p_WG);
     } else {
-        m_neighbourhood.beginTick(m_state.p_WG);
-        run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG), limits, result);
+        // Most ticks: all there is to do is to walk on over the surface.
+        internal::SurfaceWalk walk;
+        if (m_state.constraints == 1) {
+            walk = internal::walk(scene, layer, m_neighbourhood, p_WH, m_state.side[0], m_state.p_WG, m_facets[0]);
+        }
+        if (walk.hasArrived) {
+            result.p_WG = m_state.p_WG;
+            result.constraints = 1;
+            result.iterations = walk.moves;
+            result.active[0] = {m_facets[0].structure, m_facets[0].triangle, m_state.side[0] * m_facets[0].n};
+            m_state.structure[0] = m_facets[0].structure;
+            m_state.triangle[0] = m_facets[0].triangle;
+            m_hasFacets = true;
+        } else {
+            run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG, walk.moves), limits, result);
+        }
+        m_neighbourhood.endTick(scene, layer, m_state.p_WG);
     }
     return result;
 }

@@ -42,7 +42,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
             layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()
                                                            : std::min(layer.facetSize_mm, surface.facetSize_mm());
         }
-        std::vector<std::uint32_t> order;
+        core::LargeArray<std::uint32_t> order;
         layer.hierarchy = geometry::BoxHierarchy::build(boxes, order, bounds.center(), 1);
         for (const std::uint32_t i : order) {
             layer.structures.push_back(members[i]);

@@ -10,14 +10,21 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// Aims for this many facets in the region: fewer are gathered again too often, more cost every sweep.
-constexpr int kFew = 8;
-constexpr int kMany = 40;
-// In free space the region grows up to this many facet sizes: on the way to a surface it must not hold all of it.
-constexpr double kWidest = 16.0;
-constexpr double kTicksAhead = 10.0;
-constexpr double kRadiiAhead = 10.0;
-constexpr double kRadiiOfMove = 3.0; // how much of a longer move is gathered for
+GatheringPlan planFor(const HapticLayer& layer) noexcept
+{
+    return {.few = 16, .many = 48, .narrowest_mm = 0.2 * layer.facetSize_mm, .widest_mm = 16.0 * layer.facetSize_mm, .around_mm = 4.0 * layer.skin_mm};
+}
+
+/// A place relative to an origin, as floats. @return its largest coordinate [mm].
+float asFloats(const Vec3& p, const Vec3& origin, float* at) noexcept
+{
+    float most = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        at[axis] = static_cast<float>(p[axis] - origin[axis]);
+        most = std::max(most, std::abs(at[axis]));
+    }
+    return most;
+}
 
 bool isBefore(const Crossing& a, const Crossing& b) noexcept
 {
@@ -29,6 +36,30 @@ bool isBefore(const Crossing& a, const Crossing& b) noexcept
     }
     return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
                                                   : a.facet.triangle < b.facet.triangle;
+}
+
+/// Asks the hierarchy for the two triangles at an edge.
+/// @param place    on the edge, to within a few skins [mm]
+/// @param triangle  one of them, replaced by the other
+bool onlyOtherAtEdge(const geometry::SurfaceIndex& surface, const Vec3& place, std::uint32_t p, std::uint32_t q,
+                     std::uint32_t& triangle) noexcept
+{
+    const std::uint32_t one = triangle;
+    int others = 0;
+    const double around = 4.0 * surface.skin_mm();
+    surface.hierarchy().visitBox(core::Box(place.array() - around, place.array() + around),
+                                 [&](std::uint32_t i, std::uint32_t n) {
+                                     for (const std::uint32_t end = i + n; i < end; ++i) {
+                                         const geometry::Triangle c = surface.triangle(i);
+                                         if (i != one && std::find(c.begin(), c.end(), p) != c.end() &&
+                                             std::find(c.begin(), c.end(), q) != c.end()) {
+                                             triangle = i;
+                                             ++others;
+                                         }
+                                     }
+                                     return true;
+                                 });
+    return others == 1;
 }
 
 } // namespace
@@ -64,55 +95,20 @@ struct Neighbourhood::First
     }
 };
 
-void Neighbourhood::clear() noexcept
+void Neighbourhood::endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept
 {
-    m_isComplete = false;
-    m_hasLast = false;
-    m_radius_mm = 0.0;
-    m_region.setEmpty();
+    m_cache.endTick(scene, layer, planFor(layer), g);
 }
 
-void Neighbourhood::fill(const HapticScene& scene) noexcept
+void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noexcept
 {
-    m_reach_mm = 0.0f;
-    for (int first = 0; first < m_count; first += FacetGroup::kLanes) {
-        Corners corners;
-        FacetGroup& group = m_groups[static_cast<std::size_t>(first / FacetGroup::kLanes)];
-        for (int i = 0; i < FacetGroup::kLanes; ++i) {
-            // Lanes left over repeat the last facet; they are never looked at.
-            const auto k = static_cast<std::size_t>(std::min(first + i, m_count - 1));
-            const geometry::SurfaceIndex& surface = *scene.structures()[m_structure[k]].surface;
-            const geometry::Triangle t = surface.triangle(m_triangle[k]);
-            const Vec3 &a = surface.vertex(t[0]), &b = surface.vertex(t[1]), &c = surface.vertex(t[2]);
-            for (int axis = 0; axis < 3; ++axis) {
-                corners.a[axis][i] = static_cast<float>(a[axis] - m_origin[axis]);
-                corners.ab[axis][i] = static_cast<float>(b[axis] - a[axis]);
-                corners.ac[axis][i] = static_cast<float>(c[axis] - a[axis]);
-            }
-            group.isTwoSided[i] = surface.isTwoSided(m_triangle[k]) ? -1 : 0;
-            CornerGroup& numbers = m_corners[static_cast<std::size_t>(first / FacetGroup::kLanes)];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                numbers.corner[corner][i] = t[corner];
-            }
-            numbers.structure[i] = m_structure[k];
-        }
-        m_reach_mm = std::max(m_reach_mm, derive(corners, group));
-    }
-}
-
-void Neighbourhood::offerGathered(const HapticScene& scene, First& first) const noexcept
-{
-    float x[3], y[3], start = 0.0f, end = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-        x[axis] = static_cast<float>(first.x[axis] - m_origin[axis]);
-        y[axis] = static_cast<float>(first.y[axis] - m_origin[axis]);
-        start = std::max(start, std::abs(x[axis]));
-        end = std::max(end, std::abs(y[axis]));
-    }
-    for (std::uint64_t lanes = crossedLanes(m_groups.data(), m_count, x, y, start + end + m_reach_mm); lanes != 0;
-         lanes &= lanes - 1) {
-        const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
-        first.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
+    const Cache::Facets& held = m_cache.held();
+    float x[3], y[3];
+    const float start = asFloats(first.x, held.origin(), x), end = asFloats(first.y, held.origin(), y);
+    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm());
+         lanes != 0; lanes &= lanes - 1) {
+        const int i = std::countr_zero(lanes);
+        first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
     }
 }
 
@@ -122,43 +118,29 @@ bool Neighbourhood::beyondEdge(const HapticScene& scene, const HapticLayer& laye
     const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
     const geometry::Triangle t = surface.triangle(facet.triangle);
     const std::uint32_t p = t[static_cast<std::size_t>(edge)], q = t[static_cast<std::size_t>((edge + 1) % 3)];
+    if (!holds(place) && !m_cache.takePrepared(scene, place)) {
+        (void)m_cache.gather(scene, layer, planFor(layer), from, ahead);
+    }
     std::uint32_t other = facet.triangle;
-    int others = 0;
-    const auto take = [&](std::uint32_t triangle) {
-        if (triangle != facet.triangle) {
-            other = triangle;
-            ++others;
-        }
-    };
-    if (!holds(place)) {
-        gatherAlong(scene, layer, from, ahead);
-    }
     if (holds(place)) {
-        for (std::uint64_t lanes = lanesAtEdge(m_corners.data(), m_count, facet.structure, p, q); lanes != 0;
-             lanes &= lanes - 1) {
-            take(m_triangle[static_cast<std::size_t>(std::countr_zero(lanes))]);
+        const Cache::Facets& held = m_cache.held();
+        const std::uint64_t lanes = held.atEdge(facet.structure, p, q);
+        const std::uint64_t last = lanes & (lanes - 1);
+        if (last == 0 || (last & (last - 1)) != 0) {
+            return false;
         }
-    } else {
-        const double around = 4.0 * surface.skin_mm();
-        surface.hierarchy().visitBox(core::Box(place.array() - around, place.array() + around),
-                                     [&](std::uint32_t i, std::uint32_t n) {
-                                         for (const std::uint32_t end = i + n; i < end; ++i) {
-                                             const geometry::Triangle c = surface.triangle(i);
-                                             if (std::find(c.begin(), c.end(), p) != c.end() &&
-                                                 std::find(c.begin(), c.end(), q) != c.end()) {
-                                                 take(i);
-                                             }
-                                         }
-                                         return true;
-                                     });
-    }
-    if (others != 1) {
+        m_lastLanes = {std::countr_zero(last), std::countr_zero(lanes)};
+        if (held.triangle(m_lastLanes[1]) == facet.triangle) {
+            std::swap(m_lastLanes[0], m_lastLanes[1]);
+        }
+        other = held.triangle(m_lastLanes[1]);
+    } else if (!onlyOtherAtEdge(surface, place, p, q, other)) {
         return false;
     }
     const geometry::Triangle c = surface.triangle(other);
     for (std::size_t i = 0; i < 3; ++i) {
         // The other way round: the two are turned the same way.
-        if (c[i] == q && c[(i + 1) % 3] == p) {
+        if (c[i] == q && c[i == 2 ? 0 : i + 1] == p) {
             entered = static_cast<int>(i);
             found = Facet::of(surface, facet.structure, other);
             return found.isTwoSided == facet.isTwoSided;
@@ -168,7 +150,7 @@ bool Neighbourhood::beyondEdge(const HapticScene& scene, const HapticLayer& laye
 }
 
 std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer& layer,
-                                     std::span<const Vec3> path) noexcept
+                                     std::span<const Vec3> path, std::span<const FacetNumber> walked) noexcept
 {
     std::size_t moves = path.size() - 1;
     Crossing crossing;
@@ -180,22 +162,33 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
         }
         return moves;
     }
+    const Cache::Facets& held = m_cache.held();
     float points[kMostPoints][3];
     float coordinate = 0.0f;
     for (std::size_t i = 0; i < path.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            points[i][axis] = static_cast<float>(path[i][axis] - m_origin[axis]);
-            coordinate = std::max(coordinate, std::abs(points[i][axis]));
-        }
+        coordinate = std::max(coordinate, asFloats(path[i], held.origin(), points[i]));
     }
-    for (std::uint64_t lanes = crossedLanes(m_groups.data(), m_count, points, static_cast<int>(path.size()),
-                                            2.0f * coordinate + m_reach_mm);
-         lanes != 0; lanes &= lanes - 1) {
-        const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
+    std::uint64_t lanes = crossedLanes(held.groups(), held.count(), points, static_cast<int>(path.size()),
+                                       2.0f * coordinate + held.reach_mm());
+    for (const FacetNumber& facet : walked) {
+        lanes &= ~laneOf(facet);
+    }
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int k = std::countr_zero(lanes);
+        const geometry::SurfaceIndex& surface = *scene.structures()[held.structure(k)].surface;
+        const geometry::Triangle t = surface.triangle(held.triangle(k));
+        const Vec3& a = surface.vertex(t[0]);
+        const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
+        const bool isTwoSided = surface.isTwoSided(held.triangle(k));
+        double from = n.dot(path[0] - a);
         for (std::size_t i = 0; i < moves; ++i) {
-            First any{path[i], path[i + 1], crossing, 1.0};
-            any.offer(*scene.structures()[m_structure[k]].surface, m_structure[k], m_triangle[k]);
-            if (any.found) {
+            const double start = from;
+            from = n.dot(path[i + 1] - a);
+            // Most end here: a move that ends in front of a plane with only one side, or leaves it.
+            if (!isTwoSided && (from >= 0.0 || from >= start)) {
+                continue;
+            }
+            if (blocks(facet(scene, k), path[i], path[i + 1], 1.0, crossing)) {
                 moves = i;
             }
         }
@@ -203,103 +196,65 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
     return moves;
 }
 
-void Neighbourhood::gatherAlong(const HapticScene& scene, const HapticLayer& layer, const Vec3& x,
-                                const Vec3& y) noexcept
+std::uint64_t Neighbourhood::laneOf(const FacetNumber& facet) noexcept
 {
-    const double length = (y - x).cwiseAbs().maxCoeff();
-    const double most = kRadiiOfMove * std::max(m_radius_mm, layer.facetSize_mm);
-    gather(scene, layer, x, length > most ? Vec3(x + (y - x) * (most / length)) : y);
+    const Cache::Facets& held = m_cache.held();
+    const auto isAt = [&](int i) { return held.triangle(i) == facet.triangle && held.structure(i) == facet.structure; };
+    for (const int i : m_lastLanes) {
+        if (i < held.count() && isAt(i)) {
+            return std::uint64_t{1} << i;
+        }
+    }
+    for (int i = 0; i < held.count(); ++i) {
+        if (isAt(i)) {
+            m_lastLanes[1] = i;
+            return std::uint64_t{1} << i;
+        }
+    }
+    return 0;
 }
 
 std::uint64_t Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
                                   double reach_mm) noexcept
 {
     // A region that holds too many is halved with each attempt; more than can be held at one point stay unknown.
-    for (int attempt = 0; attempt < 8 && !(m_isComplete && m_region.contains(g)); ++attempt) {
-        gather(scene, layer, g, g);
-    }
-    float at[3], coordinate = m_reach_mm;
-    for (int axis = 0; axis < 3; ++axis) {
-        at[axis] = static_cast<float>(g[axis] - m_origin[axis]);
-        coordinate = std::max(coordinate, std::abs(at[axis]));
-    }
-    return nearLanes(m_groups.data(), m_count, at, static_cast<float>(reach_mm), 2.0f * coordinate);
-}
-
-void Neighbourhood::gather(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y) noexcept
-{
-    if (m_radius_mm == 0.0) {
-        m_radius_mm = layer.facetSize_mm;
-    }
-    // Ahead of the motion, for as many ticks as the radius covers but not endlessly for a fast one.
-    const double speed = m_motion.norm();
-    const Vec3 ahead = speed > 0.0 ? Vec3(x + m_motion * std::min(kTicksAhead, kRadiiAhead * m_radius_mm / speed)) : x;
-    m_region = core::Box(x.cwiseMin(y).cwiseMin(ahead).array() - m_radius_mm,
-                         x.cwiseMax(y).cwiseMax(ahead).array() + m_radius_mm);
-    m_origin = x;
-    m_count = 0;
-    m_isComplete = true;
-    layer.hierarchy.visitBox(m_region, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
-        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
-            const std::uint32_t number = layer.structures[s];
-            const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
-            // A facet may lie a few skins outside and still matter to a move inside.
-            const double reach = 4.0 * surface.skin_mm();
-            const core::Box query(m_region.min().array() - reach, m_region.max().array() + reach);
-            surface.hierarchy().visitBox(query, [&](std::uint32_t first, std::uint32_t n) {
-                if (m_count + static_cast<int>(n) > kCapacity) {
-                    m_isComplete = false;
-                    return false;
-                }
-                surface.prefetchTriangles(first);
-                for (const std::uint32_t end = first + n; first < end; ++first, ++m_count) {
-                    m_structure[m_count] = number;
-                    m_triangle[m_count] = first;
-                }
-                return true;
-            });
+    for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
+        if (!m_cache.takePrepared(scene, g)) {
+            (void)m_cache.gather(scene, layer, planFor(layer), g, g);
         }
-        return m_isComplete;
-    });
-    // One round of waiting for memory rather than one for each facet.
-    for (int i = 0; i < m_count; ++i) {
-        scene.structures()[m_structure[i]].surface->prefetchCorners(m_triangle[i]);
     }
-    fill(scene);
-    // A region stretched along a long move tells nothing about the facets' size.
-    const bool isStretched = (y - x).cwiseAbs().maxCoeff() > m_radius_mm;
-    if (!m_isComplete) {
-        m_radius_mm *= 0.5;
-    } else if (m_count > kMany && !isStretched) {
-        m_radius_mm *= 0.8;
-    } else if (m_count < kFew) {
-        m_radius_mm = std::min(1.25 * m_radius_mm, kWidest * layer.facetSize_mm);
-    }
+    const Cache::Facets& held = m_cache.held();
+    float at[3];
+    const float coordinate = std::max(held.reach_mm(), asFloats(g, held.origin(), at));
+    return nearLanes(held.groups(), held.count(), at, static_cast<float>(reach_mm), 2.0f * coordinate);
 }
 
 bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
                           Crossing& first) noexcept
 {
-    const std::vector<HapticStructure>& structures = scene.structures();
-    // In the region that is held; if the move leaves it, once more in one gathered along the first part of the move.
-    for (int attempt = 0; attempt < 2; ++attempt) {
-        if (m_isComplete && m_region.contains(x)) {
-            const double share = insideShare(m_region, x, y);
+    // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
+    // first part of the move.
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        if (holds(x)) {
+            const double share = insideShare(m_cache.held().region(), x, y);
             First nearest{x, y, first, share};
-            offerGathered(scene, nearest);
+            offerHeld(scene, nearest);
             if (nearest.found || share >= 1.0) {
                 return nearest.found;
             }
         }
-        if (attempt == 0) {
-            gatherAlong(scene, layer, x, y);
+        if (attempt == 0 && !m_cache.takePrepared(scene, x)) {
+            ++attempt;
+        }
+        if (attempt == 1) {
+            (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
     First nearest{x, y, first, 1.0};
     layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
         for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
             const std::uint32_t number = layer.structures[s];
-            const geometry::SurfaceIndex& surface = *structures[number].surface;
+            const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
             surface.hierarchy().visitSegment(x, y, [&](std::uint32_t i, std::uint32_t n) {
                 for (const std::uint32_t end = i + n; i < end; ++i) {
                     nearest.offer(surface, number, i);

@@ -8,7 +8,10 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr int kMostFacets = 64;
+constexpr std::size_t kMostFacets = 64;
+// In skins, from the facet's edges: nearer, rounding could decide what is touched.
+constexpr double kTouched = 64.0;
+constexpr double kFar = 4.0;      // facet sizes
 constexpr double kSharpest = 0.5; // cosine of the angle between two facets' normals
 
 /// Where the way to a place in a facet's plane leaves the facet.
@@ -16,27 +19,37 @@ struct Exit
 {
     int edge = -1;
     double share = 1.0;
-    bool isWellInside = true; ///< the place itself is, by the margin
+    bool isWellInside = true; ///< the place itself, by at least the margin
 };
 
 /// @param entered  edge that the way came in by, -1: none
 Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margin_mm) noexcept
 {
+    // Seen along the axis that shows most of the facet; the margin shrinks there with it.
+    int axis = 0;
+    double shown = std::abs(facet.n[0]);
+    for (int i = 1; i < 3; ++i) {
+        if (std::abs(facet.n[i]) > shown) {
+            axis = i;
+            shown = std::abs(facet.n[i]);
+        }
+    }
+    const double turned = facet.n[axis] > 0.0 ? 1.0 : -1.0;
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
     Exit exit;
-    const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
+    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
     for (std::size_t e = 0; e < 3; ++e) {
-        const Vec3& p = *corner[e];
-        const Vec3 along = *corner[(e + 1) % 3] - p;
-        const Vec3 inwards = facet.n.cross(along); // as long as the edge
-        const double end = inwards.dot(to - p);
-        if (end > 0.0 && end * end > margin_mm * margin_mm * along.squaredNorm()) {
+        const Vec3 &p = *corner[e], &q = *corner[e + 1];
+        const double u = turned * (q[j] - p[j]), v = turned * (q[k] - p[k]);
+        const double end = u * (to[k] - p[k]) - v * (to[j] - p[j]); // to the left of the edge, times its length
+        if (end > margin_mm * (std::abs(u) + std::abs(v))) {
             continue;
         }
         exit.isWellInside = false;
         if (end > 0.0) {
             continue;
         }
-        const double begin = std::max(0.0, inwards.dot(from - p));
+        const double begin = std::max(0.0, u * (from[k] - p[k]) - v * (from[j] - p[j]));
         const double share = begin > 0.0 ? begin / (begin - end) : 0.0;
         if (exit.edge < 0 || share < exit.share) {
             exit.edge = static_cast<int>(e);
@@ -48,35 +61,53 @@ Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margi
 
 } // namespace
 
-void walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip, int side,
-          double margin_mm, SurfaceWalk& at) noexcept
+SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip, int side,
+                 Vec3& g, Facet& facet) noexcept
 {
-    std::array<Vec3, Neighbourhood::kMostPoints> path{at.g};
-    std::array<std::uint32_t, Neighbourhood::kMostPoints> stands{at.facet.triangle};
-    std::size_t points = 1;
-    Facet facet = at.facet, next;
+    SurfaceWalk result;
+    std::array<Vec3, Neighbourhood::kMostPoints> path;
+    std::array<FacetNumber, Neighbourhood::kMostPoints> stands; // [0 … crossed]: those that the path goes over
+    path[0] = g;
+    stands[0] = {facet.structure, facet.triangle};
+    std::size_t points = 1, crossed = 0;
+    std::array<Facet, 2> met; // by turns
+    const Facet* here = &facet;
     int entered = -1;
+    const double margin_mm = kTouched * facet.skin_mm;
     const auto isPathFree = [&] {
-        const std::size_t moves = near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points));
+        // On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above
+        // the one it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or
+        // more beyond their edge. For longer chains all are asked.
+        const std::size_t moves =
+            near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points),
+                           std::span<const FacetNumber>(stands).first(crossed <= 1 ? crossed + 1 : 0));
         const bool isFree = moves + 1 == points;
-        at.g = path[moves];
-        at.moves += static_cast<std::uint32_t>(moves);
-        at.facet = isFree ? facet
-                          : Facet::of(*scene.structures()[facet.structure].surface, facet.structure, stands[moves]);
-        path[0] = at.g;
-        stands[0] = at.facet.triangle;
+        g = path[moves];
+        result.moves += static_cast<std::uint32_t>(moves);
+        if (!isFree) {
+            facet = Facet::of(*scene.structures()[facet.structure].surface, facet.structure, stands[moves].triangle);
+        } else if (here != &facet) {
+            facet = *here;
+        }
+        here = &facet;
+        path[0] = g;
+        stands[0] = {facet.structure, facet.triangle};
         points = 1;
+        crossed = 0;
         return isFree;
     };
-    for (int i = 0; i < kMostFacets; ++i) {
-        const Vec3 outwards = side * facet.n;
-        const double rise = facet.skin_mm - outwards.dot(hip - facet.a);
+    for (std::size_t i = 0; i < kMostFacets; ++i) {
+        const Vec3 outwards = side * here->n;
+        const double rise = here->skin_mm - outwards.dot(hip - here->a);
         if (rise <= 0.0) {
             break; // let go
         }
         const Vec3 target = hip + rise * outwards;
-        const Vec3 from = path[points - 1];
-        const Exit exit = exitFrom(facet, from, target, margin_mm);
+        const Vec3& from = path[points - 1];
+        if ((target - from).squaredNorm() > kFar * kFar * layer.facetSize_mm * layer.facetSize_mm) {
+            break; // straight through the air is shorter
+        }
+        const Exit exit = exitFrom(*here, from, target, margin_mm);
         const bool isLast = exit.edge < 0;
         if (isLast ? !exit.isWellInside : exit.edge == entered) {
             break; // held by an edge, or too near one to tell
@@ -84,34 +115,37 @@ void walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& nea
         Vec3 to = isLast ? target : Vec3(from + exit.share * (target - from));
         // What is gathered next may no longer hold the way up to here.
         if (!near.holds(to) && !isPathFree()) {
-            return;
+            return result;
         }
         if (isLast) {
             path[points++] = target;
-            at.hasArrived = isPathFree();
-            return;
+            result.hasArrived = isPathFree();
+            return result;
         }
-        if (!near.beyondEdge(scene, layer, from, to, target, facet, exit.edge, next, entered) ||
-            facet.n.dot(next.n) < kSharpest) {
+        Facet& next = met[i % 2];
+        if (!near.beyondEdge(scene, layer, path[points - 1], to, target, *here, exit.edge, next, entered) ||
+            here->n.dot(next.n) < kSharpest) {
             break;
         }
         // Where the surface rises, the next facet is met before the edge.
-        const double begin = side * next.n.dot(from - next.a) - next.skin_mm;
         const double end = side * next.n.dot(target - next.a) - next.skin_mm;
         if (end < 0.0) {
+            const double begin = side * next.n.dot(path[points - 1] - next.a) - next.skin_mm;
             const double share = begin > 0.0 ? begin / (begin - end) : 0.0;
             if (share < exit.share) {
-                to = from + share * (target - from);
+                to = path[points - 1] + share * (target - path[points - 1]);
             }
         }
-        facet = next;
+        here = &next;
         path[points] = to;
-        stands[points++] = facet.triangle;
+        stands[points++] = {next.structure, next.triangle};
+        ++crossed;
         if (points == path.size() && !isPathFree()) {
-            return;
+            return result;
         }
     }
     (void)isPathFree();
+    return result;
 }
 
 } // namespace palpate::haptics::internal

@@ -25,14 +25,15 @@ constexpr float kFlattest2 = 1e8f;
 
 } // namespace
 
-PALPATE_WIDE_LANES float derive(TriangleGroup& group) noexcept
+PALPATE_WIDE_LANES float derive(const Corners& corners, TriangleGroup& group) noexcept
 {
+    group.corners = corners;
     Float8 ab[3], ac[3], bc[3];
     Float8 reach{}, ab2{}, ac2{}, bc2{}, n2{};
     for (int axis = 0; axis < 3; ++axis) {
-        const Float8 a = load8(group.corners.a[axis]);
-        ab[axis] = load8(group.corners.ab[axis]);
-        ac[axis] = load8(group.corners.ac[axis]);
+        const Float8 a = load8(corners.a[axis]);
+        ab[axis] = load8(corners.ab[axis]);
+        ac[axis] = load8(corners.ac[axis]);
         bc[axis] = ac[axis] - ab[axis];
         ab2 += ab[axis] * ab[axis];
         ac2 += ac[axis] * ac[axis];
@@ -57,7 +58,7 @@ PALPATE_WIDE_LANES float derive(TriangleGroup& group) noexcept
     store8(group.perEdge2[1], one / greatest(ac2, zero + kSmallest));
     store8(group.perEdge2[2], one / greatest(bc2, zero + kSmallest));
     float most = 0.0f;
-    for (int i = 0; i < TriangleGroup::kLanes; ++i) {
+    for (int i = 0; i < kLanes; ++i) {
         most = std::max(most, reach[i]);
     }
     return most;
@@ -65,8 +66,8 @@ PALPATE_WIDE_LANES float derive(TriangleGroup& group) noexcept
 
 PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const float* p, float* distance_mm) noexcept
 {
-    for (int first = 0; first < count; first += TriangleGroup::kLanes) {
-        const TriangleGroup& group = groups[first / TriangleGroup::kLanes];
+    for (int first = 0; first < count; first += kLanes) {
+        const TriangleGroup& group = groups[first / kLanes];
         const Float8 zero{};
         const Float8 one = zero + 1.0f;
         Float8 ap[3], ab[3], ac[3], n[3];
@@ -105,11 +106,11 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
         const Float8 perNormal2 = load8(group.perNormal2);
         Float8 d2 = isInside ? height * height * perNormal2 : least(least(ab2, ac2), bc2);
         d2 = perNormal2 > 0.0f ? d2 : zero;
-        for (int i = 0; i < TriangleGroup::kLanes; ++i) {
+        for (int i = 0; i < kLanes; ++i) {
             distance_mm[first + i] = d2[i]; // squared until the end: the square roots are taken side by side
         }
     }
-    const int lanes = (count + TriangleGroup::kLanes - 1) / TriangleGroup::kLanes * TriangleGroup::kLanes;
+    const int lanes = (count + kLanes - 1) / kLanes * kLanes;
     for (int i = 0; i < lanes; ++i) {
         distance_mm[i] = std::sqrt(distance_mm[i]);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/LargeArray.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 
@@ -53,7 +54,7 @@ class BoxHierarchy
     /// @param items    filled with the new order: `items[i]` is the number that item i had in `boxes`
     /// @param origin   what the boxes are relative to, in the frame of the queries [mm]
     /// @param threads  1 or 2 threads build
-    [[nodiscard]] static BoxHierarchy build(std::vector<FloatBox>& boxes, std::vector<std::uint32_t>& items,
+    [[nodiscard]] static BoxHierarchy build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items,
                                             const Vec3& origin, unsigned threads);
 
     /// Calls `leaf(first, count)` for each leaf whose box touches `box`, in a fixed order, until it returns false.
@@ -79,8 +80,9 @@ class BoxHierarchy
     // siblings waiting.
     static constexpr int kMaxDepth = 64;
     static constexpr int kStack = 3 * kMaxDepth + 4;
+    static constexpr int kWave = 8; ///< nodes that are looked at together
 
-    std::vector<Node> m_nodes; ///< [0] is the root; empty without items
+    core::LargeArray<Node> m_nodes; ///< [0] is the root; empty without items
     Vec3 m_origin = Vec3::Zero();
 
     friend class HierarchyBuilder;

@@ -28,7 +28,8 @@ class SurfaceIndex
     {
         return static_cast<std::uint32_t>(m_triangles.size());
     }
-    [[nodiscard]] std::uint32_t vertexCount() const noexcept { return static_cast<std::uint32_t>(m_vertices.size()); }
+    [[nodiscard]] std::uint32_t vertexCount() const noexcept { return m_vertexCount; }
+    /// From each vertex four numbers can be read, as two or four lanes do; the fourth means nothing.
     [[nodiscard]] const Vec3& vertex(std::uint32_t i) const noexcept { return m_vertices[i]; }
     /// @param i  position in the index's own order
     [[nodiscard]] Triangle triangle(std::uint32_t i) const noexcept
@@ -65,9 +66,10 @@ class SurfaceIndex
     static constexpr std::uint32_t kTwoSidedBit = 0x80000000u;
     static constexpr std::uint32_t kIndexMask = 0x7fffffffu;
 
-    std::vector<Vec3> m_vertices;
-    std::vector<Triangle> m_triangles; ///< bit 31 of the first index: two-sided
-    std::vector<std::uint32_t> m_sources;
+    core::LargeArray<Vec3> m_vertices; ///< and one more, so that four numbers can be read from the last
+    std::uint32_t m_vertexCount = 0;
+    core::LargeArray<Triangle> m_triangles; ///< bit 31 of the first index: two-sided
+    core::LargeArray<std::uint32_t> m_sources;
     BoxHierarchy m_hierarchy;
     Box m_bounds;
     double m_skin_mm = 0.0;

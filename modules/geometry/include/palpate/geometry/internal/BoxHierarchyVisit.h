@@ -39,32 +39,34 @@ void BoxHierarchy::visitBox(const Box& box, Leaf&& leaf) const noexcept
     const FloatBox query = FloatBox::around(box, m_origin);
     const Float4 low0 = splat(query.low[0]), low1 = splat(query.low[1]), low2 = splat(query.low[2]);
     const Float4 high0 = splat(query.high[0]), high1 = splat(query.high[1]), high2 = splat(query.high[2]);
-    std::uint32_t stack[kStack];
-    int top = 0;
-    std::uint32_t current = 0;
-    for (;;) {
-        const Node& node = m_nodes[current];
-        const Mask4 touches = (load4(node.low[0]) <= high0) & (load4(node.high[0]) >= low0) &
-                              (load4(node.low[1]) <= high1) & (load4(node.high[1]) >= low1) &
-                              (load4(node.low[2]) <= high2) & (load4(node.high[2]) >= low2);
-        std::uint32_t lanes = laneBits(touches);
-        for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
-            const std::uint32_t child = node.child[std::countr_zero(leaves)];
-            if (!leaf(child >> 3, child & 7u)) {
-                return;
+    // In waves: nodes are asked for when they are found and looked at together, so that one wait for memory serves
+    // several.
+    std::uint32_t stack[kWave * kStack];
+    std::uint32_t wave[kWave];
+    int top = 0, found = 1;
+    wave[0] = 0;
+    while (found > 0) {
+        for (int i = 0; i < found; ++i) {
+            const Node& node = m_nodes[wave[i]];
+            const Mask4 touches = (load4(node.low[0]) <= high0) & (load4(node.high[0]) >= low0) &
+                                  (load4(node.low[1]) <= high1) & (load4(node.high[1]) >= low1) &
+                                  (load4(node.low[2]) <= high2) & (load4(node.high[2]) >= low2);
+            std::uint32_t lanes = laneBits(touches);
+            for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
+                const std::uint32_t child = node.child[std::countr_zero(leaves)];
+                if (!leaf(child >> 3, child & 7u)) {
+                    return;
+                }
+            }
+            for (lanes &= ~node.leafMask; lanes != 0; lanes &= lanes - 1) {
+                const std::uint32_t child = node.child[std::countr_zero(lanes)];
+                core::prefetch(&m_nodes[child]);
+                core::prefetch(m_nodes[child].child);
+                stack[top++] = child;
             }
         }
-        lanes &= ~node.leafMask;
-        if (lanes == 0) {
-            if (top == 0) {
-                return;
-            }
-            current = stack[--top];
-            continue;
-        }
-        current = node.child[std::countr_zero(lanes)];
-        for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
-            stack[top++] = node.child[std::countr_zero(lanes)];
+        for (found = 0; found < kWave && top > 0; ++found) {
+            wave[found] = stack[--top];
         }
     }
 }

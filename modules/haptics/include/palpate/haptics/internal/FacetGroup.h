@@ -3,33 +3,50 @@
 
 #include <palpate/core/Realtime.h>
 
+#include <array>
 #include <cstdint>
 
 namespace palpate::haptics::internal {
+
+/// How many facets are told off at once.
+inline constexpr int kLanes = 8;
+
+/// Eight triangles as floats relative to an origin near them: corner a from the origin, and the edges to the other two.
+/// [mm]
+struct alignas(32) Corners
+{
+    float a[3][kLanes];
+    float ab[3][kLanes];
+    float ac[3][kLanes];
+    std::int32_t isTwoSided[kLanes]; ///< all ones or zero
+};
+
+/// @param a,b,c  the corners of eight triangles; four numbers are read from each [mm]
+/// @param origin  four numbers, too [mm]
+void setCorners(const double* const* a, const double* const* b, const double* const* c, const double* origin,
+                Corners& corners) noexcept PALPATE_NONBLOCKING;
+
+/// @param corner     the numbers of the three corners of up to 64 triangles, by eights
+/// @param structure  whose they are, by eights
+/// @return bit i set where triangle i is of structure `of` and has both corners `p` and `q`
+[[nodiscard]] std::uint64_t lanesAtEdge(const std::array<const std::uint32_t*, 3>& corner,
+                                        const std::uint32_t* structure, int count, std::uint32_t of, std::uint32_t p,
+                                        std::uint32_t q) noexcept PALPATE_NONBLOCKING;
 
 /// Eight facets as floats relative to an origin near them, side by side, so that eight are told off a move at once.
 /// What floats cannot tell is kept: nothing here decides a result.
 struct alignas(32) FacetGroup
 {
-    static constexpr int kLanes = 8;
-
-    float normal[3][kLanes];         ///< unit, of the front; by axis, then facet
-    float offset[kLanes];            ///< of the plane from the origin, along the normal [mm]
-    float slenderness[kLanes];       ///< longest edge squared over twice the area: multiplies the normal's rounding
+    float normal[3][kLanes];         ///< of the front, twice the area long; by axis, then facet [mm²]
+    float offset[kLanes];            ///< of the plane from the origin along it [mm³]
+    float longest2[kLanes];          ///< longest edge squared: multiplies the rounding of distances [mm²]
+    float perShortest2[kLanes];      ///< 1 / shortest edge squared: what that rounds [1/mm²]
     float low[3][kLanes];            ///< box of the triangle, rounded outwards [mm]
     float high[3][kLanes];           ///< [mm]
     std::int32_t isTwoSided[kLanes]; ///< all ones or zero
 };
 
-/// Eight triangles: corner a from the origin, and the edges to the other two. [mm]
-struct alignas(32) Corners
-{
-    float a[3][FacetGroup::kLanes];
-    float ab[3][FacetGroup::kLanes];
-    float ac[3][FacetGroup::kLanes];
-};
-
-/// Fills everything of `group` but `isTwoSided`. A triangle too flat for floats is never told off.
+/// A triangle too small for floats is never told off.
 /// @return the largest coordinate [mm]
 float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOCKING;
 
@@ -44,17 +61,6 @@ float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOC
 /// @param coordinates_mm  twice the largest coordinate of the path, and that of the groups
 [[nodiscard]] std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float (*path)[3], int points,
                                          float coordinates_mm) noexcept PALPATE_NONBLOCKING;
-
-/// The corners' numbers of eight triangles, and whose they are.
-struct alignas(32) CornerGroup
-{
-    std::uint32_t corner[3][FacetGroup::kLanes];
-    std::uint32_t structure[FacetGroup::kLanes];
-};
-
-/// @return bit i set where triangle i has both corners
-[[nodiscard]] std::uint64_t lanesAtEdge(const CornerGroup* groups, int count, std::uint32_t structure,
-                                        std::uint32_t from, std::uint32_t to) noexcept PALPATE_NONBLOCKING;
 
 /// @return bit i set where facet i may come within `reach_mm` of g
 [[nodiscard]] std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,

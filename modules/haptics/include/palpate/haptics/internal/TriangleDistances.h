@@ -8,17 +8,14 @@ namespace palpate::haptics::internal {
 /// Eight triangles as floats relative to an origin near them: for distances from a point to all of them at once.
 struct alignas(32) TriangleGroup
 {
-    static constexpr int kLanes = FacetGroup::kLanes;
-
     Corners corners;           ///< [mm]
     float normal[3][kLanes];   ///< not of unit length; zero for a triangle too flat for floats [mm²]
     float perNormal2[kLanes];  ///< 1 / squared length of `normal`
     float perEdge2[3][kLanes]; ///< 1 / squared length of ab, ac and bc [1/mm²]
 };
 
-/// Fills the rest of `group` from its corners.
 /// @return the largest coordinate [mm]
-float derive(TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
+float derive(const Corners& corners, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
 
 /// Distances from p to the triangles, to a few ulp of the largest coordinate.
 /// @param distance_mm  one for each of the groups' lanes; 0 for a triangle too flat to tell

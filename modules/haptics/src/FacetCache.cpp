@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/internal/FacetCache.h"
+
+#include "palpate/haptics/internal/TriangleDistances.h"
+
+#include <algorithm>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+using core::Vec3;
+
+constexpr double kTicksAhead = 14.0;
+constexpr double kMarginsAhead = 10.0; // at most, for a fast motion
+constexpr double kMarginsOfMove = 3.0; // how much of a long move is gathered for at once
+// Share of the last tick in the mean motion: facets make the god-object rock about its way.
+constexpr double kNewest = 0.25;
+// Finding, numbering and filling a usual region, spread over ticks.
+constexpr double kTicksToPrepare = 5.0;
+constexpr int kGroupsATick = 8;
+
+core::Box around(const Vec3& x, const Vec3& y, const Vec3& z, double margin_mm) noexcept
+{
+    return {x.cwiseMin(y).cwiseMin(z).array() - margin_mm, x.cwiseMax(y).cwiseMax(z).array() + margin_mm};
+}
+
+} // namespace
+
+template<class Group, int kMost>
+void FacetCache<Group, kMost>::clear() noexcept
+{
+    m_sets[0].clear();
+    m_sets[1].clear();
+    m_hasLast = false;
+    m_motion = Vec3::Zero();
+    m_margin_mm = 0.0;
+}
+
+template<class Group, int kMost>
+Vec3 FacetCache<Group, kMost>::ahead(const Vec3& from) const noexcept
+{
+    const double speed = m_motion.norm();
+    return speed > 0.0 ? Vec3(from + m_motion * std::min(kTicksAhead, kMarginsAhead * m_margin_mm / speed)) : from;
+}
+
+template<class Group, int kMost>
+void FacetCache<Group, kMost>::endTick(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
+                                       const Vec3& g) noexcept
+{
+    if (m_hasLast) {
+        m_motion += kNewest * (g - m_last - m_motion);
+    }
+    m_last = g;
+    m_hasLast = true;
+    Facets& next = m_sets[1 - m_used];
+    if (next.isBegun() && !next.isReady()) {
+        next.proceed(scene, kGroupsATick);
+        return;
+    }
+    const Vec3 soon = g + kTicksToPrepare * m_motion;
+    if (!held().covers(g) || held().covers(soon) || next.covers(soon) ||
+        kTicksToPrepare * m_motion.norm() > kMarginsAhead * m_margin_mm) {
+        return;
+    }
+    const Vec3 from = g + 0.5 * kTicksToPrepare * m_motion;
+    if (!next.begin(scene, layer, around(from, from, ahead(from), m_margin_mm), from, plan.around_mm)) {
+        m_margin_mm *= 0.5;
+        return;
+    }
+    adapt(plan, next.count());
+}
+
+template<class Group, int kMost>
+void FacetCache<Group, kMost>::adapt(const GatheringPlan& plan, int count) noexcept
+{
+    if (count > plan.many) {
+        m_margin_mm = std::max(0.8 * m_margin_mm, std::min(m_margin_mm, plan.narrowest_mm));
+    } else if (count < (m_margin_mm < plan.narrowest_mm ? plan.many / 2 : plan.few)) {
+        m_margin_mm = std::min(1.25 * m_margin_mm, plan.widest_mm);
+    }
+}
+
+template<class Group, int kMost>
+bool FacetCache<Group, kMost>::takePrepared(const HapticScene& scene, const Vec3& p) noexcept
+{
+    Facets& next = m_sets[1 - m_used];
+    if (!next.covers(p)) {
+        return false;
+    }
+    next.finish(scene);
+    m_sets[m_used].clear();
+    m_used = 1 - m_used;
+    return true;
+}
+
+template<class Group, int kMost>
+bool FacetCache<Group, kMost>::gather(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
+                                      const Vec3& x, const Vec3& y) noexcept
+{
+    if (m_margin_mm == 0.0) {
+        m_margin_mm = layer.facetSize_mm;
+    }
+    const double length = (y - x).cwiseAbs().maxCoeff();
+    const double most = kMarginsOfMove * std::max(m_margin_mm, layer.facetSize_mm);
+    const Vec3 end = length > most ? Vec3(x + (y - x) * (most / length)) : y;
+    Facets& facets = m_sets[m_used];
+    if (!facets.begin(scene, layer, around(x, end, length > most ? x : ahead(x), m_margin_mm), x, plan.around_mm)) {
+        m_margin_mm *= 0.5;
+        return false;
+    }
+    facets.finish(scene);
+    // A region stretched along a long move tells nothing about the facets' size.
+    adapt(plan, length <= m_margin_mm ? facets.count() : std::min(facets.count(), plan.many));
+    return true;
+}
+
+template class FacetCache<FacetGroup, 64>;
+template class FacetCache<TriangleGroup, 256>;
+
+} // namespace palpate::haptics::internal
