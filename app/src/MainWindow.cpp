@@ -91,6 +91,11 @@ void MainWindow::makeActions()
                                 tr("Save the scene with its tissue to another file"));
     m_findingAction = makeAction(tr("Mark a finding"), Symbol::Hand, QKeySequence(Qt::Key_M),
                                  tr("Mark the place that is touched, in the scene and in the recording"));
+    m_showFindingsAction = new QAction(tr("Findings"), this);
+    m_showFindingsAction->setCheckable(true);
+    m_showFindingsAction->setChecked(true);
+    m_showFindingsAction->setEnabled(false);
+    m_showFindingsAction->setToolTip(tr("Show the places marked as findings"));
     m_noteAction = makeAction(tr("Note…"), Symbol::Record, QKeySequence(Qt::Key_N),
                               tr("Write a note at this moment of the recording"));
     m_measuresAction = makeAction(tr("What the session says…"), Symbol::Play, QKeySequence(Qt::Key_I),
@@ -122,6 +127,12 @@ void MainWindow::makeActions()
     m_clutchAction = makeAction(tr("Clutch"), Symbol::Hand, QKeySequence(Qt::Key_C),
                                 tr("Move the device without the hand in the scene; again to let go"));
     m_clutchAction->setCheckable(true);
+    m_fitSceneAction = makeAction(tr("Fit all to the device"), Symbol::Fit, QKeySequence(Qt::Key_W),
+                                  tr("All that is shown fills the device's workspace"));
+    m_fitOrganAction = makeAction(tr("Fit organ to the device"), Symbol::Fit, QKeySequence(Qt::Key_O),
+                                  tr("The organ that is touched or pointed at fills the device's workspace"));
+    m_fitLumpAction = makeAction(tr("Fit lump to the device"), Symbol::Fit, QKeySequence(Qt::Key_L),
+                                 tr("10 mm about what is touched, pointed at or found fill the device's workspace"));
     auto* letGo = new QAction(this);
     letGo->setShortcut(Qt::Key_Escape);
     addAction(letGo);
@@ -156,7 +167,9 @@ void MainWindow::makeDocks()
     scrolled->setWidgetResizable(true);
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    dock(tr("Device"), "device", scrolled, Qt::RightDockWidgetArea);
+    tabifyDockWidget(right, dock(tr("Device"), "device", scrolled, Qt::RightDockWidgetArea));
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    right->raise();
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
     resizeDocks({left, right}, {264, 292}, Qt::Horizontal);
     resizeDocks({below}, {128}, Qt::Vertical);
@@ -192,6 +205,10 @@ void MainWindow::connectParts()
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::saveScene);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveSceneAs);
     connect(m_findingAction, &QAction::triggered, this, &MainWindow::markFinding);
+    connect(m_showFindingsAction, &QAction::toggled, this, [this](bool isOn) {
+        m_viewport->view().findings().setVisible(isOn);
+        m_viewport->update();
+    });
     connect(m_noteAction, &QAction::triggered, this, &MainWindow::writeNote);
     connect(m_measuresAction, &QAction::triggered, this, &MainWindow::showMeasures);
     connect(m_embedAction, &QAction::toggled, this,
@@ -283,6 +300,11 @@ void MainWindow::connectParts()
             [this] { m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText()); });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
     connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
+    connect(m_fitSceneAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Scene); });
+    connect(m_fitOrganAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Organ); });
+    connect(m_fitLumpAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Lump); });
+    connect(m_handControl, &HandControl::said, this, [this](const QString& line) { say(line); });
+    connect(m_document, &SceneDocument::findingsChanged, this, &MainWindow::showFindings);
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
 }
 

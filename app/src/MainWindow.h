@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow
     void togglePlaying();
     void showMeasures();
     void markFinding();
+    void showFindings();
     void writeNote();
     void saveSnapshot();
     void letGo();
@@ -100,6 +101,7 @@ class MainWindow : public QMainWindow
     void styleView();
     void offerMetres();
     void tellFault(const QString& line);
+    [[nodiscard]] QString howToTouch() const;
 
     palpate::ui::StructureModel m_model;
     palpate::ui::LiveTouch m_live{m_model};
@@ -132,6 +134,7 @@ class MainWindow : public QMainWindow
     QAction* m_saveAction = nullptr;
     QAction* m_saveAsAction = nullptr;
     QAction* m_findingAction = nullptr;
+    QAction* m_showFindingsAction = nullptr;
     QAction* m_noteAction = nullptr;
     QAction* m_measuresAction = nullptr;
     QAction* m_embedAction = nullptr;
@@ -145,6 +148,9 @@ class MainWindow : public QMainWindow
     QAction* m_redoAction = nullptr;
     QAction* m_keysAction = nullptr;
     QAction* m_clutchAction = nullptr;
+    QAction* m_fitSceneAction = nullptr;
+    QAction* m_fitOrganAction = nullptr;
+    QAction* m_fitLumpAction = nullptr;
 
     SceneDocument* m_document = nullptr;
     QString m_touchedStructure; ///< by the hand; empty in free space

@@ -50,6 +50,7 @@ void MainWindow::makeMenus()
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(m_fitAction);
+    view->addAction(m_showFindingsAction);
     view->addSeparator();
     addViewKey(*view, tr("From the front (A)"), Qt::Key_1, scene::ViewFrom::Front);
     addViewKey(*view, tr("From the back (P)"), Qt::CTRL | Qt::Key_1, scene::ViewFrom::Back);
@@ -155,7 +156,7 @@ void MainWindow::showStatus()
     }
     const double rate_kHz = m_live.measuredRate_Hz() * 1e-3;
     m_rateChip->say(tr("%1 kHz").arg(QLocale().toString(rate_kHz, 'f', 2)),
-                    rate_kHz > 0.0 && rate_kHz < 0.95 ? Chip::Tone::Warning : Chip::Tone::Quiet);
+                    rate_kHz > 0.0 && rate_kHz < 0.95e-3 * m_live.rate_Hz() ? Chip::Tone::Warning : Chip::Tone::Quiet);
     m_rateChip->setToolTip(tr("Ticks of the servo thread a second [kHz], over the last half second"));
     const servo::RealtimeReport realtime = m_live.realtime();
     m_realtimeChip->say(realtime.isRealtime ? tr("real-time") : tr("not real-time"),

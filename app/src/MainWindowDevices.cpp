@@ -14,12 +14,23 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
     auto* menu = new QMenu(tr("&Device"), this);
     menuBar()->insertMenu(menuBar()->actions().constLast(), menu); // before help
     m_devices->fill(*menu);
+    menu->addSeparator();
+    for (QAction* action : {m_fitSceneAction, m_fitOrganAction, m_fitLumpAction}) {
+        menu->addAction(action);
+    }
     connect(m_devices, &DeviceChoice::refused, this, &MainWindow::showError);
     connect(m_devices, &DeviceChoice::changed, this, [this] {
         m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
         showWhatPlays();
         showStatus();
+        say(howToTouch(), 60000);
     });
+}
+
+QString MainWindow::howToTouch() const
+{
+    return m_live.usesPointer() ? tr("P palpate, drag to press, wheel for depth")
+                                : tr("Touch with the device; O or L fits the organ or lump to it, C clutches");
 }
 
 void MainWindow::chooseDevice(const std::string& id)

@@ -117,7 +117,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (m_files.size() == 1 && !m_files.front().empty()) { // parts opened one by one are no scene to come back to
         remember(m_files.front());
     }
-    const QString how = tr("P palpate, drag to press, wheel for depth");
+    const QString how = howToTouch();
     const auto notes = static_cast<int>(scene->warnings.size());
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
     say(notes == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);

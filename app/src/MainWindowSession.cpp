@@ -96,6 +96,19 @@ void MainWindow::markFinding()
                  QLocale().toString(finding.force_N, 'f', 2)));
 }
 
+/// Where findings are, in the view and for fitting a lump to the device.
+void MainWindow::showFindings()
+{
+    std::vector<core::Vec3> places;
+    for (const meshio::SceneFinding& finding : m_document->findings()) {
+        places.push_back(finding.p_W);
+    }
+    m_viewport->view().findings().set(places);
+    m_viewport->update();
+    m_showFindingsAction->setEnabled(!places.empty());
+    m_handControl->setFindings(std::move(places));
+}
+
 void MainWindow::writeNote()
 {
     const QString text = QInputDialog::getText(this, tr("Note"), tr("Note at this moment of the recording:"));

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # test_whole_program.sh PALPATE STANDIN PHANTOM HAND WORK   the program feels the phantom's liver through the emulated arm, held by the
-# hand of HAND: replay --live, and the window where there is a display.
+# hand of HAND.csv: replay --live, where the arm's millimetres are the scene's; and by that of HAND_fitted.csv: the window, where there is
+# a display, which fits the scene to the arm.
 set -eu
 palpate=$1 standin=$2 phantom=$3 hand=$4 work=$5
 mkdir -p "$work"
-emulated() { env LD_PRELOAD="$standin" PALPATE_STANDIN_HAND="$hand" XDG_CONFIG_HOME="$work" HOME="$work" "$@"; }
+emulated() { env LD_PRELOAD="$standin" PALPATE_STANDIN_HAND="$hand.csv" XDG_CONFIG_HOME="$work" HOME="$work" "$@"; }
 
 # Only its length counts: the hand is the emulated one.
 awk 'BEGIN { print "x,y,z"; for (i = 0; i < 6000; i++) print "0,0,500" }' >"$work/motion.csv"
@@ -27,6 +28,7 @@ if [ -z "${DISPLAY:-}" ]; then
     echo "no display: the window was not tried"
     exit 77
 fi
+hand+=_fitted
 for attempt in 1 2 3; do # for the same reason
     said=$(emulated "$palpate" "$phantom" --device woodenhaptics --screenshot "$work/window.png" || true)
     echo "$said"

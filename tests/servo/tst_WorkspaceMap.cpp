@@ -164,6 +164,17 @@ class WorkspaceMap : public QObject
         QVERIFY(back.p_W == edge.p_W);
     }
 
+    void whoComesFromBeyondTheEdgeIsNotClutched()
+    {
+        Map map;
+        MapSettings settings = mapped();
+        settings.edge_mm = 60.0;
+        map.set(settings);
+        QVERIFY(!map.map(at(Vec3(100, 0, 0), true), 0).isClutched); // an arm that rests far out
+        QVERIFY((map.map(at(Vec3(50, 0, 0)), 0).p_W - Vec3(150, -50, 20)).norm() < 1e-12);
+        QVERIFY(map.map(at(Vec3(61, 0, 0)), 0).isAtEdge);
+    }
+
     void centringBeginsAnew()
     {
         Map map;

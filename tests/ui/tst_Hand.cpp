@@ -37,8 +37,7 @@ ui::HandPlace fromTheFront()
     ui::HandPlace place;
     place.right_W = Vec3(1, 0, 0);
     place.up_W = Vec3(0, 0, 1);
-    place.scene = core::Box(Vec3(-100, -50, 0), Vec3(100, 50, 60));
-    place.selection = core::Box(Vec3(10, 10, 10), Vec3(22, 14, 16));
+    place.filled = core::Box(Vec3(-100, -50, 0), Vec3(100, 50, 60));
     return place;
 }
 
@@ -69,18 +68,25 @@ class Hand : public QObject
         settings.turn = MapTurn::Patient;
         settings.fill = MapFill::Scale;
         settings.scale = 0.25;
+        settings.rate_kHz = 4;
         settings.isLeftHanded = true;
         settings.buttons = {ButtonUse::Nothing, ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing};
         settings.save(store, QStringLiteral("touch"));
         const HandSettings back = HandSettings::load(store, QStringLiteral("touch"));
         QVERIFY(back.turn == settings.turn && back.fill == settings.fill && back.isLeftHanded);
         QCOMPARE(back.scale, 0.25);
+        QCOMPARE(back.rate_kHz, 4);
         QVERIFY(back.buttons == settings.buttons);
         QVERIFY(!HandSettings::load(store, QStringLiteral("omega")).isLeftHanded);
         store.setValue(QStringLiteral("devices/touch/fill"), 77);
         store.setValue(QStringLiteral("devices/touch/scale"), QStringLiteral("nan"));
-        QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Direct);
+        store.setValue(QStringLiteral("devices/touch/rate_kHz"), 3);
+        QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).scale, 1.0);
+        QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).rate_kHz, 1);
+        settings.fill = MapFill::Lump; // of this scene; the next one begins whole
+        settings.save(store, QStringLiteral("touch"));
+        QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
     }
 
     void aLeftHandHasTheFirstTwoButtonsChanged()
@@ -99,8 +105,6 @@ class Hand : public QObject
     void theDeviceTurnsWithThePictureOrThePatient()
     {
         HandSettings settings;
-        QVERIFY(ui::mapFor(settings, touch(), fromTheFront()).isDirect); // until somebody asks for more
-        settings.fill = MapFill::Scene;
         ui::HandPlace place = fromTheFront();
         servo::MapSettings map = ui::mapFor(settings, touch(), place);
         QVERIFY(!map.isDirect);
@@ -110,6 +114,8 @@ class Hand : public QObject
         place.right_W = Vec3(0, -1, 0);                                      // seen from the patient's left
         map = ui::mapFor(settings, touch(), place);
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(0, -1, 0)).norm() < 1e-12);
+        settings.turn = MapTurn::None;
+        QVERIFY(ui::mapFor(settings, touch(), place).isDirect);
         settings.turn = MapTurn::Patient; // however the picture is turned
         map = ui::mapFor(settings, touch(), place);
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-12);
@@ -123,24 +129,35 @@ class Hand : public QObject
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(0, -1, 0)).norm() < 1e-12);
     }
 
-    void anOrganOrALumpFillsTheWorkspace()
+    void anOrganOrALumpFillsTheWorkspaceWithRoomAroundIt()
     {
-        HandSettings settings;
-        settings.fill = MapFill::Scene;
-        const double reach = 2.0 * 67.5; // nine tenths of the Touch's 75 mm, both ways
+        HandSettings settings;                 // as a device that was never seen begins
+        const double reach = 2.0 * 67.5 / 1.2; // nine tenths of the Touch's 75 mm, both ways, less the room
         servo::MapSettings map = ui::mapFor(settings, touch(), fromTheFront());
         QVERIFY(std::abs(map.scale * reach - 200.0) < 1e-9);
         QVERIFY((map.centre_W - Vec3(0, 0, 30)).norm() < 1e-12);
         QCOMPARE(map.edge_mm, 67.5);
-        settings.fill = MapFill::Selection;
-        map = ui::mapFor(settings, touch(), fromTheFront());
-        QVERIFY(std::abs(map.scale * reach - 12.0) < 1e-9);
-        QVERIFY((map.centre_W - Vec3(16, 12, 13)).norm() < 1e-12);
+        ui::HandPlace place = fromTheFront();
+        place.filled = ui::lumpAt(Vec3(16, 12, 13));
         settings.fill = MapFill::Lump;
-        QVERIFY(std::abs(ui::mapFor(settings, touch(), fromTheFront()).scale * reach - 10.0) < 1e-9);
+        map = ui::mapFor(settings, touch(), place);
+        QVERIFY(std::abs(map.scale * reach - 10.0) < 1e-9);
+        QVERIFY((map.centre_W - Vec3(16, 12, 13)).norm() < 1e-12);
         settings.fill = MapFill::Scale;
         settings.scale = 3.0;
         QCOMPARE(ui::mapFor(settings, touch(), fromTheFront()).scale, 3.0);
+    }
+
+    void whatIsASpeedHasNoEdgeAndBeginsBeforeTheScene()
+    {
+        device::DeviceInfo puck = touch();
+        puck.isRateControlled = true;
+        const servo::MapSettings map = ui::mapFor({}, puck, fromTheFront());
+        QCOMPARE(map.edge_mm, 0.0);
+        QVERIFY(map.centre_W.y() < -50.0 - 5.0); // the picture is taken from there
+        QVERIFY(std::abs(map.centre_W.x()) < 1e-12 && std::abs(map.centre_W.z() - 30.0) < 1e-12);
+        // From there its whole way reaches through the scene.
+        QVERIFY(map.centre_W.y() + map.scale * 75.0 > 50.0);
     }
 
     void thePanelShowsWhatIsHeldAndTheEnergy()
@@ -151,17 +168,26 @@ class Hand : public QObject
         status.held_N_per_mm = 0.4;
         status.rate_Hz = 1000.0;
         status.scale = 1.5;
+        status.isMapped = true;
+        status.filled = QStringLiteral("liver");
+        status.force_N = 1.25;
+        status.latency.count = 10;
+        status.latency.p50_ns = 1'500'000;
         status.energy_mJ = 2.125;
         status.damping_N = 0.25;
         panel.show(status);
-        QVERIFY(says(panel, QStringLiteral("0.40 N/mm at 1,000 Hz")) ||
-                says(panel, QStringLiteral("0.40 N/mm at 1000")));
+        QVERIFY(says(panel, QStringLiteral("0.40 N/mm at 1 kHz")));
+        QVERIFY(says(panel, QStringLiteral("Force on the hand 1.25 N of 3.3 N")));
+        QVERIFY(says(panel, QStringLiteral("liver fills the workspace: 1 mm of the device is 1.5 mm")));
         QVERIFY(says(panel, QStringLiteral("2.1")));
         QCOMPARE(panel.findChild<QDoubleSpinBox*>()->value(), 1.5);
         QVERIFY(!panel.findChild<QCheckBox*>()->isHidden());
-        status.isClutched = true;
+        status.clutch = ui::HandStatus::Clutch::Asked;
         panel.show(status);
         QVERIFY(says(panel, QStringLiteral("Clutched")));
+        status.clutch = ui::HandStatus::Clutch::AtEdge;
+        panel.show(status);
+        QVERIFY(says(panel, QStringLiteral("At the edge")));
         panel.resize(300, 420);
         if (const QByteArray to = qgetenv("PALPATE_HAND_PICTURE"); !to.isEmpty()) {
             panel.grab().save(QString::fromLocal8Bit(to)); // to be looked at
@@ -173,15 +199,33 @@ class Hand : public QObject
         ui::HandPanel panel;
         panel.setDevice(touch(), {});
         QSignalSpy changed(&panel, &ui::HandPanel::settingsChanged);
-        auto* fill = panel.findChildren<QComboBox*>().front();
-        fill->setCurrentIndex(2);
-        emit fill->activated(2);
+        auto* turn = panel.findChildren<QComboBox*>().front();
+        turn->setCurrentIndex(1);
+        emit turn->activated(1);
         QCOMPARE(changed.count(), 1);
-        QVERIFY(panel.settings().fill == MapFill::Lump);
+        QVERIFY(panel.settings().turn == MapTurn::Patient);
+        panel.findChild<QDoubleSpinBox*>()->setValue(0.5);
+        QCOMPARE(changed.count(), 2);
+        QVERIFY(panel.settings().fill == MapFill::Scale && panel.settings().scale == 0.5);
+        std::vector<MapFill> wanted;
+        connect(&panel, &ui::HandPanel::fitWanted, this, [&](MapFill one) { wanted.push_back(one); });
+        const auto buttons = panel.findChildren<QPushButton*>();
+        for (const QString& name :
+             {QStringLiteral("Fit all"), QStringLiteral("Fit organ"), QStringLiteral("Fit lump")}) {
+            for (QPushButton* button : buttons) {
+                if (button->text() == name) {
+                    button->click();
+                }
+            }
+        }
+        QVERIFY(wanted == (std::vector{MapFill::Scene, MapFill::Organ, MapFill::Lump}));
         QSignalSpy clutch(&panel, &ui::HandPanel::clutchWanted);
-        auto* button = panel.findChildren<QPushButton*>().front();
-        emit button->pressed();
-        emit button->released();
+        for (QPushButton* button : buttons) {
+            if (button->text() == QStringLiteral("Clutch")) {
+                emit button->pressed();
+                emit button->released();
+            }
+        }
         QCOMPARE(clutch.count(), 2);
     }
 

@@ -46,6 +46,7 @@ SceneView::SceneView()
     m_overlay->SetActiveCamera(m_solid->GetActiveCamera());
     m_solid->GetActiveCamera()->SetViewAngle(30.0);
     m_cursor.addTo(*m_solid, *m_overlay);
+    m_findings.addTo(*m_overlay);
     m_scaleBar.addTo(*m_overlay);
 }
 
@@ -173,11 +174,12 @@ core::Box SceneView::bounds() const
 
 void SceneView::prepareFrame(double pixelRatio)
 {
-
     const ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     m_cursor.place(frame);
+    m_findings.place(frame);
     core::Box box = bounds();
     box.extend(m_cursor.bounds());
+    box.extend(m_findings.bounds());
     if (!box.isEmpty()) {
         // Room for the ball and its rings, which have a size on screen and none in space.
         const double room = 20.0 * frame.mmPerPixel(box.center());

@@ -50,6 +50,7 @@ MappedInput WorkspaceMap::map(const GatedInput& input, std::uint32_t buttons) no
         m_isPlaced = true;
         m_isClutched = false;
         m_isAtEdge = false;
+        m_wasInside = false;
         anchor(Vec3::Zero(), m_asked.centre_W);
     } else {
         if (isTurned && !m_isClutched) {
@@ -62,7 +63,9 @@ MappedInput WorkspaceMap::map(const GatedInput& input, std::uint32_t buttons) no
 
     const double reach_mm = p_D.norm();
     if (m_asked.edge_mm > 0.0) {
-        m_isAtEdge = reach_mm > m_asked.edge_mm || (m_isAtEdge && reach_mm > kReleaseShare * m_asked.edge_mm);
+        m_wasInside = m_wasInside || reach_mm <= m_asked.edge_mm;
+        m_isAtEdge =
+            m_wasInside && (reach_mm > m_asked.edge_mm || (m_isAtEdge && reach_mm > kReleaseShare * m_asked.edge_mm));
     } else {
         m_isAtEdge = false;
     }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandControl.h"
 
+#include <QLocale>
 #include <QSettings>
 
 #include <vtkCamera.h>
+#include <vtkPolyData.h>
 
 namespace palpate::ui {
 
@@ -22,7 +24,9 @@ HandControl::HandControl(VtkViewport& viewport, LiveTouch& live, StructureModel&
     connect(&panel, &HandPanel::settingsChanged, this, &HandControl::keep);
     connect(&panel, &HandPanel::centreWanted, this, &HandControl::centre);
     connect(&panel, &HandPanel::clutchWanted, this, &HandControl::setClutched);
-    connect(&model, &QAbstractItemModel::modelReset, this, &HandControl::centre);
+    connect(&panel, &HandPanel::fitWanted, this, &HandControl::fit);
+    // Later, when the scene's camera is there too.
+    connect(&model, &QAbstractItemModel::modelReset, this, &HandControl::takeScene, Qt::QueuedConnection);
     connect(&live, &LiveTouch::statusChanged, this, &HandControl::showStatus);
     takeDevice();
 }
@@ -37,8 +41,30 @@ void HandControl::takeDevice()
     } else {
         m_follow.stop();
     }
-    centre();
+    takeRate();
+    takeScene();
     showStatus();
+}
+
+void HandControl::takeRate()
+{
+    if (const core::Status status = m_live.setRate(m_panel.settings().rate_kHz * 1000.0); !status.isOk()) {
+        HandSettings settings = m_panel.settings();
+        settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
+        m_panel.setSettings(settings);
+        emit said(QString::fromStdString(status.message()));
+    }
+}
+
+void HandControl::takeScene()
+{
+    HandSettings settings = m_panel.settings();
+    if (settings.fill != MapFill::Scale) {
+        settings.fill = MapFill::Scene;
+        m_panel.setSettings(settings);
+    }
+    m_filled = scene().value_or(Filled());
+    centre();
 }
 
 void HandControl::setClutched(bool isClutched)
@@ -50,39 +76,125 @@ void HandControl::setClutched(bool isClutched)
 void HandControl::centre()
 {
     ++m_centreRequest;
+    if (m_live.deviceInfo().isRateControlled) {
+        (void)m_live.calibrate(); // its own origin too: where it is now, it is nowhere
+    }
     lay();
+}
+
+void HandControl::fit(MapFill fill)
+{
+    const auto found = fill == MapFill::Scene ? scene() : fill == MapFill::Organ ? organ() : lump();
+    if (!found) {
+        emit said(fill == MapFill::Lump ? tr("Touch the place, point at it or mark it as a finding (M) first.")
+                                        : tr("Nothing is shown that could fill the device's workspace."));
+        return;
+    }
+    m_filled = *found;
+    HandSettings settings = m_panel.settings();
+    settings.fill = fill;
+    settings.turn = settings.turn == MapTurn::None ? MapTurn::Camera : settings.turn;
+    m_panel.setSettings(settings);
+    const bool isStaying = isTouching();
+    keep();
+    if (!isStaying) {
+        centre();
+    }
+    emit said(isStaying ? tr("%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.")
+                              .arg(m_filled.name)
+                        : tr("%1 fills the workspace.").arg(m_filled.name));
+}
+
+bool HandControl::isTouching() const
+{
+    const servo::TickRecord& tick = m_live.newest();
+    return (tick.flags & servo::kNoHand) == 0 && tick.structure >= 0 && tick.structure < m_model.rowCount();
+}
+
+std::optional<HandControl::Filled> HandControl::scene()
+{
+    const core::Box box = m_viewport.view().bounds();
+    return box.isEmpty() ? std::nullopt : std::optional(Filled{box, tr("The whole scene")});
+}
+
+std::optional<HandControl::Filled> HandControl::organ()
+{
+    int row = m_structures.currentRow();
+    if (isTouching()) {
+        row = m_live.newest().structure;
+    } else if (const auto ray = m_viewport.pointerRay()) {
+        if (const auto pick = m_viewport.view().pick(*ray)) {
+            row = static_cast<int>(pick->structure);
+        }
+    }
+    if (row < 0 || row >= m_model.rowCount()) {
+        return std::nullopt;
+    }
+    const StructureRow& one = m_model.rows()[static_cast<std::size_t>(row)];
+    const double* b = one.picture->GetBounds();
+    return Filled{{core::Vec3(b[0], b[2], b[4]), core::Vec3(b[1], b[3], b[5])},
+                  readableName(one.loaded.description.name)};
+}
+
+std::optional<HandControl::Filled> HandControl::lump()
+{
+    if (isTouching()) {
+        return Filled{lumpAt(m_live.newest().p_WG), tr("10 mm where the hand touches")};
+    }
+    if (const auto ray = m_viewport.pointerRay()) {
+        if (const auto pick = m_viewport.view().pick(*ray)) {
+            constexpr double kNear_mm = 10.0;
+            core::Vec3 place = pick->hit.p_W;
+            for (const core::Vec3& finding : m_findings) {
+                place = (finding - pick->hit.p_W).norm() < kNear_mm ? finding : place;
+            }
+            return Filled{lumpAt(place), tr("10 mm under the pointer")};
+        }
+    }
+    if (!m_findings.empty()) {
+        return Filled{lumpAt(m_findings.back()), tr("10 mm about finding %1").arg(m_findings.size())};
+    }
+    return std::nullopt;
 }
 
 void HandControl::keep()
 {
+    takeRate();
     QSettings store;
     m_panel.settings().save(store, QString::fromStdString(m_live.deviceInfo().id));
     lay();
+    showStatus();
 }
 
 void HandControl::lay()
 {
     const std::uint32_t buttons = m_live.newest().buttons;
-    if ((buttons & ~m_buttonsBefore & m_panel.settings().buttonsFor(ButtonUse::Centre)) != 0) {
-        ++m_centreRequest;
-    }
+    const bool isCentrePressed = (buttons & ~m_buttonsBefore & m_panel.settings().buttonsFor(ButtonUse::Centre)) != 0;
     m_buttonsBefore = buttons;
+    if (isCentrePressed) {
+        centre();
+        return;
+    }
     vtkCamera& camera = m_viewport.view().camera();
     HandPlace place;
     const core::Vec3 forward = core::Vec3(camera.GetDirectionOfProjection());
     place.right_W = forward.cross(core::Vec3(camera.GetViewUp())).normalized();
     place.up_W = place.right_W.cross(forward);
-    place.scene = m_viewport.view().bounds();
-    const int row = m_structures.currentRow();
-    if (row >= 0 && row < m_model.rowCount()) {
-        if (const auto& touch = m_model.rows()[static_cast<std::size_t>(row)].touch) {
-            place.selection = touch->bounds();
-        }
-    }
+    place.filled = m_filled.box;
     servo::MapSettings map = mapFor(m_panel.settings(), m_live.deviceInfo(), place);
     map.centreRequest = m_centreRequest;
     map.isClutched = m_isClutched;
     m_live.setMap(map);
+}
+
+HandStatus::Clutch HandControl::clutch() const
+{
+    const servo::TickRecord& tick = m_live.newest();
+    if ((tick.flags & servo::kClutched) == 0) {
+        return HandStatus::Clutch::None;
+    }
+    return m_isClutched || (tick.buttons & m_live.map().clutchButtons) != 0 ? HandStatus::Clutch::Asked
+                                                                            : HandStatus::Clutch::AtEdge;
 }
 
 void HandControl::showStatus()
@@ -92,10 +204,14 @@ void HandControl::showStatus()
     status.held_N_per_mm = m_live.heldStiffness_N_per_mm();
     status.rate_Hz = m_live.rate_Hz();
     status.delayTicks = m_live.delayTicks();
-    status.scale = m_live.map().isDirect ? 1.0 : m_live.map().scale;
+    status.isMapped = !m_live.map().isDirect;
+    status.scale = status.isMapped ? m_live.map().scale : 1.0;
+    status.filled = m_filled.name;
+    status.force_N = tick.fSent_W.norm();
     status.energy_mJ = tick.energy_mJ;
     status.damping_N = tick.fDamping_W.norm();
-    status.isClutched = (tick.flags & servo::kClutched) != 0;
+    status.clutch = clutch();
+    status.latency = m_live.deviceReport().latency;
     status.timing = m_live.timing();
     status.realtime = m_live.realtime();
     m_panel.show(status);

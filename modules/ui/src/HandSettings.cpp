@@ -10,6 +10,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kLump_mm = 10.0;
+constexpr double kRoom = 1.2; // of the workspace for what fills it
 
 QString key(const QString& id, const char* what)
 {
@@ -28,10 +29,12 @@ int numberBelow(const QSettings& store, const QString& name, int fallback, int e
 HandSettings HandSettings::load(QSettings& store, const QString& id)
 {
     HandSettings out;
-    out.turn = static_cast<MapTurn>(numberBelow(store, key(id, "turn"), static_cast<int>(out.turn), 2));
-    out.fill = static_cast<MapFill>(numberBelow(store, key(id, "fill"), static_cast<int>(out.fill), 5));
+    out.turn = static_cast<MapTurn>(numberBelow(store, key(id, "turn"), static_cast<int>(out.turn), 3));
+    out.fill = static_cast<MapFill>(numberBelow(store, key(id, "fill"), static_cast<int>(out.fill), 4));
     const double scale = store.value(key(id, "scale"), out.scale).toDouble();
     out.scale = scale >= 0.01 && scale <= 100.0 ? scale : 1.0;
+    const int rate_kHz = store.value(key(id, "rate_kHz"), out.rate_kHz).toInt();
+    out.rate_kHz = rate_kHz == 2 || rate_kHz == 4 ? rate_kHz : 1;
     out.isLeftHanded = store.value(key(id, "leftHanded"), false).toBool();
     for (int i = 0; i < kButtons; ++i) {
         ButtonUse& use = out.buttons[static_cast<std::size_t>(i)];
@@ -44,8 +47,9 @@ HandSettings HandSettings::load(QSettings& store, const QString& id)
 void HandSettings::save(QSettings& store, const QString& id) const
 {
     store.setValue(key(id, "turn"), static_cast<int>(turn));
-    store.setValue(key(id, "fill"), static_cast<int>(fill));
+    store.setValue(key(id, "fill"), static_cast<int>(fill == MapFill::Scale ? MapFill::Scale : MapFill::Scene));
     store.setValue(key(id, "scale"), scale);
+    store.setValue(key(id, "rate_kHz"), rate_kHz);
     store.setValue(key(id, "leftHanded"), isLeftHanded);
     for (int i = 0; i < kButtons; ++i) {
         store.setValue(key(id, "button") + QString::number(i), static_cast<int>(buttons[static_cast<std::size_t>(i)]));
@@ -62,15 +66,20 @@ std::uint32_t HandSettings::buttonsFor(ButtonUse use) const
     return bits;
 }
 
+core::Box lumpAt(const core::Vec3& p_W)
+{
+    const core::Vec3 half = core::Vec3::Constant(0.5 * kLump_mm);
+    return {p_W - half, p_W + half};
+}
+
 servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info, const HandPlace& place)
 {
     servo::MapSettings map;
     const double edge_mm = servo::edgeOf(info);
-    map.isDirect = !(edge_mm > 0.0) || settings.fill == MapFill::Direct;
+    map.isDirect = !(edge_mm > 0.0) || settings.turn == MapTurn::None;
     if (map.isDirect) {
         return map;
     }
-    map.edge_mm = edge_mm;
     Eigen::Matrix3d R_WU; // U: x right, y up, z towards the user
     if (settings.turn == MapTurn::Camera) {
         R_WU.col(0) = place.right_W;
@@ -80,23 +89,23 @@ servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo
         R_WU << 1, 0, 0, 0, 0, -1, 0, 1, 0; // left, head, front of the patient in LPS
     }
     map.q_WD = (core::Quaternion(R_WU) * info.q_UD).normalized();
-    const core::Box& filled =
-        settings.fill == MapFill::Selection && !place.selection.isEmpty() ? place.selection : place.scene;
-    map.centre_W = filled.isEmpty() ? core::Vec3(core::Vec3::Zero()) : filled.center();
-    switch (settings.fill) {
-    case MapFill::Scene:
-    case MapFill::Selection:
-        map.scale = filled.isEmpty() ? 1.0 : servo::scaleToFill(filled.sizes().maxCoeff(), edge_mm);
-        break;
-    case MapFill::Lump:
-        map.scale = servo::scaleToFill(kLump_mm, edge_mm);
-        break;
-    case MapFill::Direct:
-        break;
-    case MapFill::Scale:
+    if (settings.fill == MapFill::Scale) {
         map.scale = settings.scale;
-        break;
     }
+    if (!place.filled.isEmpty()) {
+        const core::Vec3 size = place.filled.sizes();
+        map.centre_W = place.filled.center();
+        if (settings.fill != MapFill::Scale) {
+            // What begins before it must go as far again to reach all of it.
+            const double way = info.isRateControlled ? 2.0 : 1.0;
+            map.scale = servo::scaleToFill(way * kRoom * size.maxCoeff(), edge_mm);
+        }
+        if (info.isRateControlled) {
+            const core::Vec3 towards = R_WU.col(2);
+            map.centre_W += 0.5 * (size.dot(towards.cwiseAbs()) + (kRoom - 1.0) * size.maxCoeff()) * towards;
+        }
+    }
+    map.edge_mm = info.isRateControlled ? 0.0 : edge_mm;
     map.clutchButtons = settings.buttonsFor(ButtonUse::Clutch);
     return map;
 }

@@ -77,7 +77,26 @@ QString LiveTouch::limitText() const
 
 double LiveTouch::rate_Hz() const
 {
-    return m_loop.rate_Hz() > 0.0 ? m_loop.rate_Hz() : servo::ServoOptions{}.rate_Hz;
+    return m_options.rate_Hz;
+}
+
+core::Status LiveTouch::setRate(double rate_Hz)
+{
+    if (rate_Hz == m_options.rate_Hz) {
+        return {};
+    }
+    if (m_recorder.status().isRecording) {
+        return {core::StatusCode::Unsupported, "the rate cannot be changed while a recording runs; stop it first"};
+    }
+    m_options.rate_Hz = rate_Hz;
+    core::Status status;
+    if (m_loop.isRunning()) {
+        m_loop.stop();
+        status = start();
+    }
+    m_handOver.start(); // what may be held is another
+    emit greatestChanged();
+    return status;
 }
 
 void LiveTouch::setMap(const servo::MapSettings& map)
@@ -115,12 +134,12 @@ core::Status LiveTouch::start()
     }
     m_delayTicks = 1;
     handOverScene();
-    core::Status status = m_loop.start(usesPointer() ? m_pointer : *m_device, {});
+    core::Status status = m_loop.start(usesPointer() ? m_pointer : *m_device, m_options);
     if (!status.isOk() && !usesPointer()) {
         m_device.reset();
         m_info = m_pointer.info();
         handOverScene();
-        (void)m_loop.start(m_pointer, {}); // the first reason is the one to tell
+        (void)m_loop.start(m_pointer, m_options); // the first reason is the one to tell
         emit deviceChanged();
     }
     m_ticks = 0;

@@ -120,6 +120,7 @@ KeysCard::KeysCard(QWidget* parent)
         {tr("F"), tr("fit everything into the view")},
         {tr("double-click"), tr("centre the view on the point")},
         {tr("C"), tr("clutch: move the device without the hand in the scene")},
+        {tr("W  O  L"), tr("fit to the device: all, the organ or the lump that is touched or pointed at")},
         {tr("R"), tr("record, stop recording")},
         {tr("M  N"), tr("mark a finding, write a note into the recording")},
         {tr("I"), tr("what the session says: forces, coverage, findings")},

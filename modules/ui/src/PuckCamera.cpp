@@ -80,11 +80,16 @@ core::Status PuckCamera::use(std::unique_ptr<device::HapticDevice> device)
 void PuckCamera::step()
 {
     const device::DeviceState state = m_device->read(core::monotonicNow_ns());
-    if (state.p_D != m_last.p_D || state.q_D.coeffs() != m_last.q_D.coeffs()) {
+    // A hand that was put back to its origin has not moved there: the view stays.
+    const bool isSameHand = state.isPresent && m_last.isPresent;
+    if (isSameHand && (state.p_D != m_last.p_D || state.q_D.coeffs() != m_last.q_D.coeffs())) {
         moveWithHand(m_viewport.view().camera(), m_last, state);
         m_viewport.update();
     }
     m_last = state;
+    if (state.p_D.norm() > 0.5 * m_device->info().workspaceRadius_mm) {
+        (void)m_device->calibrate(); // the view can go on for ever, the hand's reach ends
+    }
 }
 
 } // namespace palpate::ui

@@ -55,6 +55,12 @@ device::DeviceInfo Driver::info() const
     info.sensesOrientation = true;
     info.buttons = 32;
     info.maxForce_N = device::kShownForceLimit_N;
+    // As the hand it lies before its user as a force device does: x right, y away, z up.
+    Eigen::Matrix3d R_UD;
+    R_UD << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    info.q_UD = core::Quaternion(R_UD);
+    info.workspaceRadius_mm = m_settings.reach_mm;
+    info.isRateControlled = true;
     info.rate_Hz = 125.0;
     return info;
 }
@@ -91,6 +97,7 @@ Status Driver::start()
     }
     m_isStopRequested = false;
     m_isLost = false;
+    m_isRecentreWanted = false;
     m_states = 0;
     m_refused = 0;
     m_losses = 0;
@@ -159,6 +166,9 @@ device::DeviceState Driver::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKI
 {
     m_heard.fetch();
     const Heard heard = m_heard.value().get();
+    if (m_isRecentreWanted.exchange(false)) {
+        m_hand.recentre();
+    }
     return m_hand.advance(heard.held, heard.time_ns, now_ns);
 }
 
@@ -175,6 +185,12 @@ device::DeviceReport Driver::report() const
     report.refused = m_refused;
     report.losses = m_losses;
     return report;
+}
+
+Status Driver::calibrate()
+{
+    m_isRecentreWanted = true;
+    return {};
 }
 
 } // namespace palpate::spacemouse

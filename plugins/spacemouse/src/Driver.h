@@ -33,6 +33,7 @@ class Driver final : public device::HapticDevice
     [[nodiscard]] device::DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING override;
     void write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
     [[nodiscard]] device::DeviceReport report() const override;
+    core::Status calibrate() override;
 
   private:
     struct Heard
@@ -53,6 +54,7 @@ class Driver final : public device::HapticDevice
     core::TripleBuffer<device::PlainCopy<Heard>> m_heard; // I/O thread -> servo thread
     RateHand m_hand;                                      // servo thread's
 
+    std::atomic<bool> m_isRecentreWanted{false};
     std::atomic<bool> m_isLost{false};
     std::atomic<std::uint64_t> m_states{0};
     std::atomic<std::uint64_t> m_refused{0};

@@ -42,8 +42,17 @@ device::DeviceState RateHand::advance(const Held& held, std::int64_t held_ns,
     }
     m_state.buttons = held.buttons;
     m_state.time_ns = now_ns; // a pose that stands still is as new as any
-    m_state.isPresent = true;
+    m_state.isPresent = !m_isNew;
+    m_isNew = false;
     return m_state;
+}
+
+void RateHand::recentre() noexcept PALPATE_NONBLOCKING
+{
+    m_state.p_D.setZero();
+    m_state.q_D.setIdentity();
+    m_now_ns = 0;
+    m_isNew = true;
 }
 
 } // namespace palpate::spacemouse

@@ -30,11 +30,14 @@ class RateHand
     /// @par Real-time Wait-free.
     device::DeviceState advance(const Held& held, std::int64_t held_ns,
                                 std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
+    /// Makes the pose of now the origin, unturned. For one `advance` no hand is there: it comes anew.
+    void recentre() noexcept PALPATE_NONBLOCKING;
 
   private:
     RateSettings m_settings;
     device::DeviceState m_state;
     std::int64_t m_now_ns = 0; // 0: before the first
+    bool m_isNew = false;      // recentred, and nobody has been told
 };
 
 } // namespace palpate::spacemouse

@@ -31,6 +31,8 @@ struct DeviceInfo
     /// How D lies before the user, U: x to the right, y up, z towards the user; for mapping the device into the scene.
     core::Quaternion q_UD = core::Quaternion::Identity();
     double rate_Hz = 1000.0; ///< that the device itself works at
+    /// Its pose is a speed, integrated: it has no edge to run into, and `calibrate` makes where it is now its origin.
+    bool isRateControlled = false;
 };
 
 /// The newest state of a device.

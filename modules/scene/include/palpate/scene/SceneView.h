@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/scene/CameraPresets.h"
+#include "palpate/scene/FindingMarkers.h"
 #include "palpate/scene/OrientationCube.h"
 #include "palpate/scene/ScaleBar.h"
 #include "palpate/scene/StructureActor.h"
@@ -52,6 +53,7 @@ class SceneView
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
 
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
+    [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
     [[nodiscard]] vtkCamera& camera() noexcept { return *m_solid->GetActiveCamera(); }
@@ -88,6 +90,7 @@ class SceneView
     OrientationCube m_cube;
     ScaleBar m_scaleBar;
     TouchCursor m_cursor;
+    FindingMarkers m_findings;
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
     bool m_hasOcclusion = false;

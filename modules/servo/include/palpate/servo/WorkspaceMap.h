@@ -22,7 +22,9 @@ struct MapSettings
     std::uint32_t centreRequest = 0; ///< another value than before: centre now, the hand jumps and begins anew
     bool isClutched = false;         ///< by a key: the device moves, the HIP stays
     std::uint32_t clutchButtons = 0; ///< while one of these is down: the same
-    double edge_mm = 0.0; ///< farther from the device's origin it clutches by itself, until half of it; 0: never
+    /// Who goes farther from the device's origin is clutched, until half of it; 0: never. Who comes from farther is
+    /// not.
+    double edge_mm = 0.0;
 };
 static_assert(std::is_trivially_destructible_v<MapSettings>); // crosses threads in a PlainCopy
 
@@ -70,6 +72,7 @@ class WorkspaceMap
     bool m_isPlaced = false;   // the anchor means something
     bool m_isClutched = false;
     bool m_isAtEdge = false;
+    bool m_wasInside = false; // the edge, since it was centred: an arm that rests beyond it comes as it is mapped
 };
 
 /// The scale with which something of this size fills the part of a workspace that the edge leaves free.

@@ -9,9 +9,13 @@
 #include <QObject>
 #include <QTimer>
 
+#include <optional>
+#include <vector>
+
 namespace palpate::ui {
 
-/// Lays the device's workspace into the scene as the panel says, and keeps it there while the camera turns.
+/// Lays the device's workspace into the scene as the panel says, and keeps it there while the camera turns. What fills
+/// the workspace is taken once, when it is asked for: hiding or selecting something changes nothing under the hand.
 class HandControl : public QObject
 {
     Q_OBJECT
@@ -26,11 +30,33 @@ class HandControl : public QObject
     void setClutched(bool isClutched);
     /// Puts the middle of the workspace in the middle of what it reaches. The hand then begins anew there.
     void centre();
+    /// Fills the workspace. An organ is the one that is touched, else the one under the pointer, else the selected one;
+    /// a lump is where the hand touches, else the finding or surface under the pointer, else the newest finding. A hand
+    /// in contact stays where it is and only the scale changes; any other begins anew in the middle.
+    void fit(MapFill fill);
+    /// Places that a lump may be, the newest last.
+    void setFindings(std::vector<core::Vec3> places) { m_findings = std::move(places); }
+
+  signals:
+    /// What was done, or why it was not.
+    void said(const QString& line);
 
   private:
+    struct Filled
+    {
+        core::Box box; ///< [mm]
+        QString name;
+    };
     void keep();
     void lay();
     void showStatus();
+    void takeScene();
+    void takeRate();
+    [[nodiscard]] std::optional<Filled> scene();
+    [[nodiscard]] std::optional<Filled> organ();
+    [[nodiscard]] std::optional<Filled> lump();
+    [[nodiscard]] bool isTouching() const;
+    [[nodiscard]] HandStatus::Clutch clutch() const;
 
     VtkViewport& m_viewport;
     LiveTouch& m_live;
@@ -38,6 +64,8 @@ class HandControl : public QObject
     StructurePanel& m_structures;
     HandPanel& m_panel;
     QTimer m_follow; ///< the camera says nothing when it turns
+    Filled m_filled;
+    std::vector<core::Vec3> m_findings;
     std::uint32_t m_centreRequest = 0;
     std::uint32_t m_buttonsBefore = 0;
     bool m_isClutched = false;

@@ -21,13 +21,23 @@ class EnergyBar;
 /// What the hand's device is at the moment.
 struct HandStatus
 {
+    enum class Clutch
+    {
+        None,
+        Asked, ///< by key or button
+        AtEdge ///< by itself, at the edge of the workspace
+    };
     double held_N_per_mm = 0.0; ///< stiffness that may be held, in the scene; infinite: no bound
     double rate_Hz = 0.0;
     int delayTicks = 1;     ///< after which the force acts
+    bool isMapped = false;  ///< false: the device's coordinates are the scene's
     double scale = 1.0;     ///< mm of the scene a mm of the device
+    QString filled;         ///< what fills the workspace
+    double force_N = 0.0;   ///< given to the hand
     double energy_mJ = 0.0; ///< observed, see servo::TickRecord
     double damping_N = 0.0; ///< that the passivity controller adds
-    bool isClutched = false;
+    Clutch clutch = Clutch::None;
+    core::TimingSummary latency; ///< see device::DeviceReport
     servo::TimingReport timing;
     servo::RealtimeReport realtime;
 };
@@ -42,33 +52,41 @@ class HandPanel : public QWidget
 
     void setDevice(const device::DeviceInfo& info, const HandSettings& settings);
     [[nodiscard]] const HandSettings& settings() const noexcept { return m_settings; }
+    void setSettings(const HandSettings& settings);
     void show(const HandStatus& status);
 
   signals:
     void settingsChanged();
     void centreWanted();
+    void fitWanted(palpate::ui::MapFill fill);
     void clutchWanted(bool isDown);
 
   private:
     void edit();
     void showSettings();
 
+    QWidget* makeFits();
+    QWidget* makeMapping();
+
     HandSettings m_settings;
     QLabel* m_name = nullptr;
+    QLabel* m_force = nullptr;
     QLabel* m_held = nullptr;
     QLabel* m_energyText = nullptr;
     EnergyBar* m_energy = nullptr;
+    QLabel* m_clutched = nullptr;
     QWidget* m_mapping = nullptr;
-    QComboBox* m_fill = nullptr;
+    QLabel* m_reach = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     QComboBox* m_turn = nullptr;
+    QComboBox* m_rate = nullptr;
     QCheckBox* m_leftHanded = nullptr;
     std::array<QComboBox*, 2> m_buttons{};
     QPushButton* m_clutch = nullptr;
     QPushButton* m_centre = nullptr;
     QLabel* m_timing = nullptr;
     bool m_isShowing = false;
-    bool m_hasMotors = false;
+    double m_limit_N = 0.0; ///< of the motors; 0: none
 };
 
 } // namespace palpate::ui

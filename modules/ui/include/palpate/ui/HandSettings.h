@@ -17,16 +17,16 @@ enum class MapTurn
 {
     Camera,  ///< to the right is to the right in the picture
     Patient, ///< to the right is to the patient's left, up is to the head: as one who stands before the patient
+    None,    ///< nothing is mapped: the device's coordinates are the scene's, no clutch
 };
 
 /// What fills the device's workspace.
 enum class MapFill
 {
     Scene,
-    Selection, ///< the structure that is selected
-    Lump,      ///< 10 mm
-    Scale,     ///< nothing: a scale by number
-    Direct,    ///< nothing: the device's coordinates are the scene's, no clutch
+    Organ, ///< one structure
+    Lump,  ///< 10 mm about a place
+    Scale, ///< nothing: a scale by number
 };
 
 /// What a button of the device does.
@@ -43,9 +43,10 @@ struct HandSettings
     static constexpr int kButtons = 4;
 
     MapTurn turn = MapTurn::Camera;
-    MapFill fill = MapFill::Direct;
-    double scale = 1.0;        ///< with MapFill::Scale
-    bool isLeftHanded = false; ///< the first two buttons change places: the thumb's is on the other side
+    MapFill fill = MapFill::Scene; ///< organ and lump are this moment's choice: kept as the scene
+    double scale = 1.0;            ///< with MapFill::Scale
+    int rate_kHz = 1;              ///< of the servo loop: 1, 2 or 4
+    bool isLeftHanded = false;     ///< the first two buttons change places: the thumb's is on the other side
     std::array<ButtonUse, kButtons> buttons{ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing,
                                             ButtonUse::Nothing};
 
@@ -62,11 +63,15 @@ struct HandPlace
 {
     core::Vec3 right_W = core::Vec3::UnitX(); ///< of the picture, unit
     core::Vec3 up_W = core::Vec3::UnitY();    ///< of the picture, unit
-    core::Box scene;                          ///< of all that is shown [mm]
-    core::Box selection;                      ///< of the selected structure [mm]
+    core::Box filled;                         ///< what fills the workspace [mm]
 };
 
-/// Makes the servo's map. A device without a workspace of its own (mouse, simulated hand) stays direct.
+/// A lump's size, about a place. [mm]
+[[nodiscard]] core::Box lumpAt(const core::Vec3& p_W);
+
+/// Makes the servo's map. What fills the workspace has room around it, so that it can be come at from outside. A device
+/// without a workspace of its own (mouse, simulated hand) stays direct; one that is a speed has no edge, and its centre
+/// is before what fills it: it may begin anywhere, so it does not begin inside.
 [[nodiscard]] servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info,
                                         const HandPlace& place);
 

@@ -60,6 +60,8 @@ class LiveTouch : public QObject
     [[nodiscard]] servo::TimingReport timing() const { return m_loop.timing(); }
     /// Of the running loop, or of the one to come. [Hz]
     [[nodiscard]] double rate_Hz() const;
+    /// Runs the loop at another rate: a running one starts anew. Refused while a recording runs. On failure as `start`.
+    core::Status setRate(double rate_Hz);
     /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
     [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
     /// Ticks per second over the last half second. [Hz]
@@ -104,6 +106,7 @@ class LiveTouch : public QObject
     QTimer m_handOver; ///< gathers changes of one event into one new scene
     std::shared_ptr<const haptics::HapticScene> m_scene;
     double m_fingertip_mm = 0.0;
+    servo::ServoOptions m_options;
     std::uint32_t m_generation = 0;
     std::uint64_t m_ticks = 0;
     std::int64_t m_measured_ns = 0;

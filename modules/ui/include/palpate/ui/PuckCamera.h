@@ -19,7 +19,7 @@ namespace palpate::ui {
 /// @param from,to  the hand's poses before and after
 void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const device::DeviceState& to);
 
-/// Lets a device that senses a pose move the view instead of the hand.
+/// Lets a device that is rate-controlled and senses a pose move the view instead of the hand.
 class PuckCamera : public QObject
 {
     Q_OBJECT
