@@ -5,6 +5,9 @@
 
 #include <palpate/servo/ServoLoop.h>
 
+#include <QFile>
+#include <QFileInfo>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +46,37 @@ class Palpation : public QObject
         m_bench = std::make_unique<EmulatedBench>();
         m_host = shippingPlugins();
         standin_makeTimeVirtual();
+    }
+
+    /// Fine encoders count more than 16 bits hold between the rest pose and the workspace.
+    void countersThatWrapLoseNoTurn()
+    {
+        constexpr int kCountsPerTurn = 20000;
+        QFile config(QFileInfo(QString::fromStdString(m_bench->file())).path() + QStringLiteral("/woodenhaptics.json"));
+        QVERIFY(config.open(QIODevice::WriteOnly));
+        config.write(QStringLiteral(R"({"cpr_encoder_a": %1, "cpr_encoder_b": %1, "cpr_encoder_c": %1})")
+                         .arg(kCountsPerTurn)
+                         .toUtf8());
+        config.close();
+        m_bench->with([](standin::Bench& b) {
+            b.arm = {};
+            b.arm.unit.countsPerTurn.fill(kCountsPerTurn);
+            b.arm.q = standin::restPose(b.arm.unit);
+        });
+        m_bench->moveHand({{1.0, {0, 0, 20}}, {2.0, {30, 40, -30}}});
+        auto made = m_host->make("woodenhaptics");
+        QVERIFY2(config.remove(), "the other tests have the kit's encoders");
+        QVERIFY2(made.isOk(), made.status().message().c_str());
+        QVERIFY(made.value()->start().isOk());
+        pass(3.0);
+        const device::DeviceState state = made.value()->read(core::monotonicNow_ns());
+        m_bench->with([&](standin::Bench& b) {
+            const auto counts = standin::countsOf(b.arm.unit, b.arm.q);
+            QVERIFY(std::max({std::abs(counts[0]), std::abs(counts[1]), std::abs(counts[2])}) > 32767.0);
+            const standin::V3 p = standin::tipOf(b.arm.unit, b.arm.q);
+            QVERIFY((state.p_D - core::Vec3(p[0], p[1], p[2])).norm() < 0.05); // what the tremor moves in 2 ms
+        });
+        made.value()->stop();
     }
 
     void forceFollowsTheSpringWithinQuantisation_data()

@@ -85,6 +85,30 @@ class SpaceMouse : public QObject
         m_bench->with([](standin::Bench& b) { QCOMPARE(b.puck.light, 0); });
     }
 
+    void comesAnewFromItsOriginWhenAsked()
+    {
+        m_bench->with([](standin::Bench& b) {
+            b.puck = {};
+            standin::plugPuck(b, true);
+        });
+        const auto mouse = make();
+        const device::DeviceInfo info = mouse->info();
+        QVERIFY(info.isRateControlled && info.workspaceRadius_mm == 250.0);
+        QVERIFY((info.q_UD * core::Vec3::UnitZ() - core::Vec3::UnitY()).norm() < 1e-12); // its up is up
+        QVERIFY(mouse->start().isOk());
+        m_bench->with([](standin::Bench& b) { b.puck.axes = {350, 0, 0, 0, 0, 350}; });
+        QVERIFY(readFor(*mouse, 0.5).p_D.x() > 20.0);
+        m_bench->with([](standin::Bench& b) { b.puck.axes = {}; });
+        readFor(*mouse, 0.2);
+        QVERIFY(mouse->calibrate().isOk());
+        const device::DeviceState first = mouse->read(core::monotonicNow_ns());
+        QVERIFY(!first.isPresent); // nobody takes it for a hand that leapt
+        const device::DeviceState next = readFor(*mouse, 0.01);
+        QVERIFY(next.isPresent && next.p_D == core::Vec3(0, 0, 0));
+        QVERIFY(next.q_D.isApprox(core::Quaternion::Identity()));
+        mouse->stop();
+    }
+
     void standsStillWhenItIsPulledWhilePushed()
     {
         m_bench->with([](standin::Bench& b) {

@@ -5,6 +5,9 @@
 #include <Puck.h>
 #include <RateHand.h>
 
+#include <QFile>
+#include <QRegularExpression>
+
 #include <random>
 #include <vector>
 
@@ -77,6 +80,24 @@ class Puck : public QObject
              {0xc650, 0xc651, 0xc654, 0xc655, 0xc656, 0xc657, 0xc658, 0xc664, 0xc665, 0xc668, 0xc62c}) {
             QVERIFY(spacemouse::findModel(0x256f, static_cast<std::uint16_t>(product)) == nullptr);
         }
+    }
+
+    void theUdevRuleIsForThemAndNoOthers()
+    {
+        QFile file(QStringLiteral(PALPATE_SOURCE_DIR "/plugins/spacemouse/70-palpate-spacemouse.rules"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        std::size_t named = 0;
+        for (const QByteArray& line : file.readAll().split('\n')) {
+            const QRegularExpression ids(QStringLiteral("idVendor}==\"(....)\".*idProduct}==\"([^\"]*)\""));
+            const auto match = ids.match(QString::fromUtf8(line));
+            for (const QString& product : match.captured(2).split(QLatin1Char('|'), Qt::SkipEmptyParts)) {
+                QVERIFY2(spacemouse::findModel(static_cast<std::uint16_t>(match.captured(1).toInt(nullptr, 16)),
+                                               static_cast<std::uint16_t>(product.toInt(nullptr, 16))) != nullptr,
+                         qPrintable(product));
+                ++named;
+            }
+        }
+        QCOMPARE(named, spacemouse::models().size());
     }
 
     void ratesHaveADeadZoneAnEndAndATimeOut()

@@ -20,17 +20,6 @@ using core::Vec3;
 
 namespace {
 
-bool isInside(const geometry::SurfaceIndex& surface, const Vec3& p_W)
-{
-    scene::Ray ray{p_W, Vec3(0.31, 0.53, 0.79).normalized()};
-    bool isOdd = false;
-    while (const auto hit = scene::firstHit(surface, ray)) {
-        isOdd = !isOdd;
-        ray.p_W = hit->p_W + 1e-6 * ray.d_W;
-    }
-    return isOdd;
-}
-
 core::Box boxOf(const ui::StructureRow& row)
 {
     const double* b = row.picture->GetBounds();
@@ -169,7 +158,7 @@ class FittedHand : public QObject
             g_W = tick.p_WG;
             isTouching = tick.structure >= 0;
             touched += isTouching ? 1 : 0;
-            const bool isIn = tick.structure != 0 && isInside(liver, p_W); // the liver does not hold it
+            const bool isIn = tick.structure != 0 && scene::isInside(liver, p_W); // the liver does not hold it
             if ((tick.flags & servo::kReset) != 0) {
                 wasOut = false; // begun anew, inside perhaps: let out
                 freed += isIn ? 1 : 0;

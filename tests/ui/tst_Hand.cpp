@@ -188,6 +188,10 @@ class Hand : public QObject
         status.clutch = ui::HandStatus::Clutch::AtEdge;
         panel.show(status);
         QVERIFY(says(panel, QStringLiteral("At the edge")));
+        status.clutch = ui::HandStatus::Clutch::None;
+        status.inside = QStringLiteral("liver");
+        panel.show(status);
+        QVERIFY(says(panel, QStringLiteral("Inside liver")));
         panel.resize(300, 420);
         if (const QByteArray to = qgetenv("PALPATE_HAND_PICTURE"); !to.isEmpty()) {
             panel.grab().save(QString::fromLocal8Bit(to)); // to be looked at

@@ -70,4 +70,20 @@ std::optional<RayHit> firstHit(const SurfaceIndex& surface, const Ray& ray)
     return RayHit{best, ray.p_W + best * ray.d_W, n, found};
 }
 
+bool isInside(const geometry::SurfaceIndex& surface, const Vec3& p_W)
+{
+    constexpr int kMostWalls = 1000;
+    if (!surface.bounds().contains(p_W)) {
+        return false;
+    }
+    const double step = 1e-9 * (surface.bounds().diagonal().norm() + p_W.norm());
+    Ray ray{p_W, Vec3(0.31, 0.53, 0.79).normalized()}; // along no axis: anatomy is often cut along them
+    int walls = 0;
+    for (auto hit = firstHit(surface, ray); hit && walls < kMostWalls; hit = firstHit(surface, ray)) {
+        ++walls;
+        ray.p_W = hit->p_W + step * ray.d_W;
+    }
+    return walls % 2 == 1;
+}
+
 } // namespace palpate::scene

@@ -197,6 +197,21 @@ HandStatus::Clutch HandControl::clutch() const
                                                                             : HandStatus::Clutch::AtEdge;
 }
 
+QString HandControl::inside() const
+{
+    const servo::TickRecord& tick = m_live.newest();
+    if (m_live.map().isDirect || (tick.flags & servo::kNoHand) != 0 || tick.structure >= 0) {
+        return {};
+    }
+    for (const StructureRow& one : m_model.rows()) {
+        if (one.touch != nullptr && StructureModel::isFelt(one.loaded.description) &&
+            one.loaded.surface->report.isClosed() && scene::isInside(*one.touch, tick.p_WH)) {
+            return readableName(one.loaded.description.name);
+        }
+    }
+    return {};
+}
+
 void HandControl::showStatus()
 {
     const servo::TickRecord& tick = m_live.newest();
@@ -211,6 +226,7 @@ void HandControl::showStatus()
     status.energy_mJ = tick.energy_mJ;
     status.damping_N = tick.fDamping_W.norm();
     status.clutch = clutch();
+    status.inside = inside();
     status.latency = m_live.deviceReport().latency;
     status.timing = m_live.timing();
     status.realtime = m_live.realtime();

@@ -36,9 +36,9 @@ QString heldText(const HandStatus& status, bool hasMotors)
              locale.toString(status.rate_Hz > 0.0 ? 1e3 * status.delayTicks / status.rate_Hz : 0.0, 'g', 2));
 }
 
-QString clutchText(HandStatus::Clutch clutch)
+QString clutchText(const HandStatus& status)
 {
-    switch (clutch) {
+    switch (status.clutch) {
     case HandStatus::Clutch::AtEdge:
         return HandPanel::tr("At the edge of the workspace: bring the device back to its middle. The hand in the scene "
                              "stays until then.");
@@ -47,7 +47,10 @@ QString clutchText(HandStatus::Clutch clutch)
     case HandStatus::Clutch::None:
         break;
     }
-    return {};
+    return status.inside.isEmpty()
+               ? QString()
+               : HandPanel::tr("Inside %1, which is felt from outside: bring the hand out towards you first.")
+                     .arg(status.inside);
 }
 
 QString reachText(const HandStatus& status, MapFill fill)
@@ -283,8 +286,8 @@ void HandPanel::show(const HandStatus& status)
     m_energyText->setText(
         tr("Energy %1 mJ · damping added %2 N")
             .arg(locale.toString(status.energy_mJ, 'f', 2), locale.toString(status.damping_N, 'f', 2)));
-    m_clutched->setText(clutchText(status.clutch));
-    m_clutched->setVisible(status.clutch != HandStatus::Clutch::None);
+    m_clutched->setText(clutchText(status));
+    m_clutched->setVisible(!m_clutched->text().isEmpty());
     m_reach->setText(reachText(status, m_settings.fill));
     if (!m_scale->hasFocus()) {
         m_isShowing = true;

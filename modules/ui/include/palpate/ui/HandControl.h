@@ -57,6 +57,7 @@ class HandControl : public QObject
     [[nodiscard]] std::optional<Filled> lump();
     [[nodiscard]] bool isTouching() const;
     [[nodiscard]] HandStatus::Clutch clutch() const;
+    [[nodiscard]] QString inside() const;
 
     VtkViewport& m_viewport;
     LiveTouch& m_live;

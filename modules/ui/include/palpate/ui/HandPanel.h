@@ -37,6 +37,7 @@ struct HandStatus
     double energy_mJ = 0.0; ///< observed, see servo::TickRecord
     double damping_N = 0.0; ///< that the passivity controller adds
     Clutch clutch = Clutch::None;
+    QString inside;              ///< the structure that the hand began in and has not left; it is not felt
     core::TimingSummary latency; ///< see device::DeviceReport
     servo::TimingReport timing;
     servo::RealtimeReport realtime;

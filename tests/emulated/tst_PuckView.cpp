@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shipping SpaceMouse plugin moves the window's view, chosen in the device menu, against an emulated puck. In real
+// time: what is looked at are directions and standstills, never speeds.
+#include "EmulatedArm.h"
+#include "TestRunner.h"
+
+#include <palpate/ui/DeviceChoice.h>
+
+#include <vtkCamera.h>
+
+#include <QFile>
+#include <QMenu>
+#include <QSignalSpy>
+
+#include <filesystem>
+
+using namespace palpate;
+using namespace palpate::test;
+using core::Vec3;
+
+class PuckView : public QObject
+{
+    Q_OBJECT
+
+    struct Window
+    {
+        ui::StructureModel model;
+        ui::LiveTouch live{model};
+        ui::VtkViewport viewport;
+        ui::SessionPanel session;
+        ui::TouchPanel touch;
+        ui::Playback playback{viewport, session, touch};
+        ui::DeviceChoice devices{live, viewport, playback};
+        QMenu menu;
+        QAction* movesView = nullptr;
+
+        Window()
+        {
+            devices.setPlugins(shippingPlugins());
+            devices.fill(menu);
+            for (QAction* action : menu.actions()) {
+                movesView = action->text() == QStringLiteral("SpaceMouse moves the view") ? action : movesView;
+            }
+            vtkCamera& camera = viewport.view().camera(); // from the front, half a metre away
+            camera.SetPosition(0, -500, 0);
+            camera.SetFocalPoint(0, 0, 0);
+            camera.SetViewUp(0, 0, 1);
+        }
+        Vec3 focus() { return Vec3(viewport.view().camera().GetFocalPoint()); }
+        Vec3 eye() { return Vec3(viewport.view().camera().GetPosition()); }
+    };
+
+    std::unique_ptr<EmulatedBench> m_bench;
+    std::unique_ptr<Window> m_window;
+
+    void hold(const std::array<std::int16_t, 6>& axes)
+    {
+        m_bench->with([&](standin::Bench& b) { b.puck.axes = axes; });
+    }
+    void letGo()
+    {
+        hold({});
+        QTest::qWait(200); // the last reports and the timeout have passed
+    }
+
+  private slots:
+    void initTestCase()
+    {
+        m_bench = std::make_unique<EmulatedBench>();
+        // A reach that a second of pushing uses up: the view goes on beyond it.
+        QFile settings(QString::fromStdString(
+            (std::filesystem::path(m_bench->file()).parent_path() / "spacemouse.json").string()));
+        QVERIFY(settings.open(QIODevice::WriteOnly));
+        settings.write(R"({"reach_mm": 20, "speed_mm_per_s": 200, "dead_zone": 0.1})");
+    }
+    void init()
+    {
+        m_bench->with([](standin::Bench& b) {
+            b.puck = {};
+            standin::plugPuck(b, true);
+        });
+        m_window = std::make_unique<Window>();
+        QVERIFY(m_window->movesView != nullptr);
+        m_window->movesView->trigger();
+        QVERIFY(m_window->movesView->isChecked());
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theAnatomyFollowsThePuck()
+    {
+        hold({350, 0, 0, 0, 0, 0}); // to the right
+        QTRY_VERIFY(m_window->focus().x() < -10.0);
+        letGo();
+        QVERIFY(std::abs(m_window->focus().z()) < 1e-9 && std::abs(m_window->focus().y()) < 1e-9);
+        const double distance = (m_window->eye() - m_window->focus()).norm();
+        hold({0, 350, 0, 0, 0, 0}); // towards the user
+        QTRY_VERIFY((m_window->eye() - m_window->focus()).norm() < distance - 10.0);
+        letGo();
+        const Vec3 before = m_window->eye() - m_window->focus();
+        hold({0, 0, 0, 0, 0, 350}); // turned about the vertical
+        QTRY_VERIFY((m_window->eye() - m_window->focus()).normalized().dot(before.normalized()) < 0.99);
+        letGo();
+        QVERIFY(std::abs((m_window->eye() - m_window->focus()).norm() - before.norm()) < 1e-6 * before.norm());
+    }
+
+    void theViewGoesOnWhereTheHandsReachEnds()
+    {
+        hold({350, 0, 0, 0, 0, 0});
+        QTRY_VERIFY(m_window->focus().x() < -200.0); // 20 mm of the hand are 40 mm here
+        letGo();
+    }
+
+    void standsStillInTheDeadZoneAndWhenLetGo()
+    {
+        hold({30, -30, 20, 30, 30, 30}); // less than a tenth of 350
+        QTest::qWait(300);
+        QVERIFY(m_window->focus() == Vec3::Zero() && m_window->eye() == Vec3(0, -500, 0));
+        hold({350, 0, 0, 0, 0, 0});
+        QTRY_VERIFY(m_window->focus().x() < -1.0);
+        letGo();
+        const Vec3 there = m_window->focus();
+        QTest::qWait(200);
+        QVERIFY(m_window->focus() == there);
+    }
+
+    void standsStillWhenPulledOutWhilePushed()
+    {
+        hold({350, 0, 0, 0, 0, 0});
+        QTRY_VERIFY(m_window->focus().x() < -1.0);
+        m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
+        QTest::qWait(400); // what was pushed last is believed for 0.1 s
+        const Vec3 there = m_window->focus();
+        QTest::qWait(300);
+        QVERIFY(m_window->focus() == there);
+    }
+
+    void oneDeviceIsNotTwo()
+    {
+        QSignalSpy refused(&m_window->devices, &ui::DeviceChoice::refused);
+        QCOMPARE(m_window->devices.choose("spacemouse").code(), core::StatusCode::Unsupported);
+        QVERIFY(m_window->live.usesPointer());
+        m_bench->with([](standin::Bench& b) { QCOMPARE(b.puck.light, 1); });
+        m_window->movesView->trigger(); // off
+        m_bench->with([](standin::Bench& b) { QCOMPARE(b.puck.light, 0); });
+        hold({350, 0, 0, 0, 0, 0});
+        QTest::qWait(200);
+        QVERIFY(m_window->focus() == Vec3::Zero());
+        QVERIFY(m_window->devices.choose("spacemouse").isOk());
+        m_window->movesView->trigger();
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(!m_window->movesView->isChecked());
+    }
+};
+
+PALPATE_TEST(PuckView)
+#include "tst_PuckView.moc"
