@@ -26,10 +26,11 @@ QString number(double value, int digits = 2)
     return QLocale().toString(value, 'f', digits);
 }
 
-/// A table of cells that are escaped here; the first row is its head.
+/// A table of cells that are escaped here; the first row is its head. A little narrower than the view: Qt rounds 100 %
+/// up.
 QString table(const QString& title, const std::vector<QStringList>& rows)
 {
-    QString html = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='4' width='100%'>").arg(title);
+    QString html = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='4' width='99%'>").arg(title);
     bool isHead = true;
     for (const QStringList& row : rows) {
         html += QStringLiteral("<tr>");
