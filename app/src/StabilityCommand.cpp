@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace palpate::app {
@@ -55,7 +56,8 @@ void printResult(const stability::Result& result)
     for (const stability::Row& row : result.rows) {
         print("%-20s %-26s %7.3g %8s %8s  %-9.2g %-8s %6.2f %6.2f\n", row.device.c_str(), row.shape.c_str(),
               row.stated_N_per_mm, held(row.without_N_per_mm).c_str(), held(row.with_N_per_mm).c_str(), row.restless_mm,
-              row.isHeld() ? "held" : "NOT HELD", row.cost.mean_percent, row.cost.p99_percent);
+              std::isfinite(row.restless_mm) ? (row.isHeld() ? "held" : "NOT HELD") : "no touch", row.cost.mean_percent,
+              row.cost.p99_percent);
     }
     for (const stability::Sweep& sweep : result.sweeps) {
         print("\n%s, wall, against %s\n%12s %8s %8s %8s %8s\n", sweep.device.c_str(), sweep.what.c_str(),
@@ -123,6 +125,13 @@ int runStability(const StabilityOptions& options)
     }
     printResult(result);
     print("%s\n", (options.out / "stability.html").string().c_str());
+    for (const stability::Row& row : result.rows) {
+        if (!std::isfinite(row.restless_mm)) {
+            return report(Status(StatusCode::Empty, row.shape + ": a hand on " + row.device +
+                                                        " slips off it wherever it presses; is it the size it should "
+                                                        "be (--unit)?"));
+        }
+    }
     return kDone;
 }
 

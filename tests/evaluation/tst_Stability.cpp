@@ -138,6 +138,22 @@ class Stability : public QObject
         }
     }
 
+    /// A hand that ends at rest in the air, slipped off or beside the surface, is no limit cycle and hides none.
+    void aHandInTheAirCountsForNothing()
+    {
+        using palpate::core::Vec3;
+        const Setup setup = setupOf(*findDevicePreset("omega"), false);
+        const Shape& wall = shapes().front();
+        Shape beside = wall;
+        beside.holds.push_back({Vec3(40, 0, 0), -Vec3::UnitZ(), Vec3::Zero()});
+        QCOMPARE(restlessness_mm(beside, 1.0, setup), restlessness_mm(wall, 1.0, setup));
+        QVERIFY(restlessness_mm(beside, 5.0, setup) > kLimitCycle_mm);
+        QCOMPARE(largestStiffness(beside, setup), largestStiffness(wall, setup));
+        beside.holds.erase(beside.holds.begin());
+        QVERIFY(std::isinf(restlessness_mm(beside, 1.0, setup)));
+        QCOMPARE(largestStiffness(beside, setup), 0.0);
+    }
+
     void givesTheSameBitsTwice()
     {
         const Setup setup = setupOf(*findDevicePreset("falcon"), false);

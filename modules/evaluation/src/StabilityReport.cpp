@@ -7,6 +7,7 @@
 #include <palpate/session/AtomicFile.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpate::evaluation::stability {
@@ -46,7 +47,9 @@ std::string table(const Result& result)
     for (const Row& r : result.rows) {
         out += row({escaped(r.device), escaped(r.shape), shortNumber(r.stated_N_per_mm), heldText(r.without_N_per_mm),
                     heldText(r.with_N_per_mm), shortNumber(r.restless_mm),
-                    r.isHeld() ? "<span class='pass'>held</span>" : "<span class='fail'>not held</span>",
+                    !std::isfinite(r.restless_mm) ? "<span class='fail'>no touch</span>"
+                    : r.isHeld()                  ? "<span class='pass'>held</span>"
+                                                  : "<span class='fail'>not held</span>",
                     shortNumber(r.cost.mean_percent), shortNumber(r.cost.p99_percent),
                     shortNumber(r.costSoft.mean_percent), shortNumber(r.costSoft.p99_percent)},
                    "td");

@@ -101,10 +101,16 @@ double largestStiffness(const Shape& shape, const Setup& setup)
 {
     double held = 0.0;
     double lost = kSoftest_N_per_mm;
-    while (restlessness_mm(shape, lost, setup) < kLimitCycle_mm) {
-        held = lost;
-        if (held >= kStiffest_N_per_mm) {
-            return kStiffest_N_per_mm;
+    for (;;) {
+        const double moved = restlessness_mm(shape, lost, setup);
+        const bool isHeld = moved < kLimitCycle_mm;
+        if (!isHeld && (held > 0.0 || std::isfinite(moved))) {
+            break;
+        }
+        // So soft that every hand slipped off: stiffer.
+        held = isHeld ? lost : 0.0;
+        if (lost >= kStiffest_N_per_mm) {
+            return held;
         }
         lost = std::min(kStiffest_N_per_mm, lost * kStep);
     }

@@ -101,6 +101,7 @@ double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setu
 {
     const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
     double worst = 0.0;
+    bool isAnyPressed = false;
     for (const Grip& grip : grips()) {
         for (const Hold& hold : shape.holds) {
             for (const double speed : {30.0, 200.0}) {
@@ -114,17 +115,22 @@ double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setu
                         box.extend(tip_W);
                     }
                 });
-                if (!isTouching || box.isEmpty()) {
+                if (box.isEmpty()) {
                     return std::numeric_limits<double>::infinity();
                 }
-                worst = std::max(worst, box.sizes().maxCoeff());
-                if (!(worst < kLimitCycle_mm)) {
-                    return worst; // decided
+                const double moved = box.sizes().maxCoeff();
+                if (!(moved < kLimitCycle_mm)) {
+                    return moved; // decided
+                }
+                // At rest and touching nothing, it slipped off something small and soft, which says nothing.
+                if (isTouching) {
+                    isAnyPressed = true;
+                    worst = std::max(worst, moved);
                 }
             }
         }
     }
-    return worst;
+    return isAnyPressed ? worst : std::numeric_limits<double>::infinity();
 }
 
 Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& setup)

@@ -65,7 +65,7 @@ QString LiveTouch::limitText() const
     if (held * scale >= m_info.maxStiffness_N_per_mm && m_info.maxStiffness_N_per_mm > 0.0) {
         text += tr(" Its makers state no more.");
     } else {
-        text += tr(" Its force acts %1 ms late at %2 Hz: anything stiffer would make it oscillate.")
+        text += tr(" Its force acts %1 ms late at %2 Hz: anything stiffer could make it oscillate.")
                     .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3), locale.toString(rate_Hz(), 'f', 0));
     }
     if (scale > 1.0) {

@@ -65,7 +65,8 @@ struct Setup
 };
 
 /// Largest peak-to-peak motion of the tip along any axis from 1 s to 1.5 s after the hand rests, over grips, holds,
-/// and speeds of approach (30 and 200 mm/s). [mm] Infinite when the contact was lost.
+/// and speeds of approach (30 and 200 mm/s). [mm] A hold that slips off something small and rests in the air
+/// counts for nothing; infinite when all do.
 [[nodiscard]] double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
 
 /// Motion at rest from which on it counts as a limit cycle. [mm]
