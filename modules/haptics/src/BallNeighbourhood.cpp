@@ -4,6 +4,7 @@
 #include "palpate/haptics/internal/InsideShare.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace palpate::haptics::internal {
@@ -17,7 +18,8 @@ GatheringPlan planFor(const HapticScene& scene, const HapticLayer& layer) noexce
     const double radius = scene.fingertip_mm();
     return {.few = 55,
             .many = 110,
-            .narrowest_mm = 0.25 * layer.facetSize_mm, .widest_mm = std::max(16.0 * layer.facetSize_mm, 2.0 * radius),
+            .narrowest_mm = 0.25 * layer.facetSize_mm,
+            .widest_mm = std::max(16.0 * layer.facetSize_mm, 2.0 * radius),
             .around_mm = radius + 4.0 * layer.skin_mm};
 }
 
@@ -77,14 +79,16 @@ void BallNeighbourhood::offerHeld(const HapticScene& scene, First& first) const 
         at[axis] = static_cast<float>(from[axis] - held.origin()[axis]);
         coordinate = std::max(coordinate, std::abs(at[axis]));
     }
-    alignas(32) float distance[kCapacity];
-    distances(held.groups(), held.count(), at, distance);
+    alignas(32) float distance_mm[kCapacity];
+    distances(held.groups(), held.count(), at, distance_mm);
     // Rounding of a distance: a few ulp of the coordinates, times the flattest triangle that is told off.
-    const double rounding = 1e-5 * coordinate;
-    const double touching = first.radius_mm + rounding;
+    const double touching = first.radius_mm + 1e-5 * coordinate;
     const auto offerBetween = [&](double beyond, double upTo) {
-        for (int i = 0; i < held.count(); ++i) {
-            if (static_cast<double>(distance[i]) > beyond && static_cast<double>(distance[i]) <= upTo) {
+        for (int begin = 0; begin < held.count(); begin += 64) {
+            for (std::uint64_t lanes = lanesBetween(distance_mm + begin, std::min(held.count() - begin, 64),
+                                                    static_cast<float>(beyond), static_cast<float>(upTo));
+                 lanes != 0; lanes &= lanes - 1) {
+                const int i = begin + std::countr_zero(lanes);
                 first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
             }
         }

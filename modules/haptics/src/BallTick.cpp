@@ -22,8 +22,43 @@ constexpr double kBetweenTwo = 0.25;
 constexpr double kShorter = 0.25;
 constexpr double kLeastTrust = 1e-3;
 
+constexpr double kAside = 1e-6; // radii that a ball is moved to see whether it rolls
+
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
+
+/// A direction and its opposite as one: an edge's two triangles go along it in opposite ways, and which of them is met
+/// is a matter of rounding.
+Vec3 eitherWay(const Vec3& d) noexcept
+{
+    const double first = d.x() != 0.0 ? d.x() : d.y() != 0.0 ? d.y() : d.z();
+    return first < 0.0 ? Vec3(-d) : d;
+}
+
+/// The line along which two contacts let the ball go.
+struct Crease
+{
+    Vec3 t = Vec3::Zero();  ///< unit; zero where the contacts are nearly one
+    double curvature = 0.0; ///< of 0.5 |HIP - centre|^2 along it, with the contacts kept
+
+    /// @param push  sum of the multipliers times the normals [mm]
+    Crease(const BallContact& p, const BallContact& q, const Vec3& push) noexcept
+    {
+        const Vec3 across = p.n.cross(q.n);
+        const double sine2 = across.squaredNorm();
+        if (sine2 < 1e-12) {
+            return;
+        }
+        // The Lagrangian's second derivative is 1 less the bends.
+        t = across / std::sqrt(sine2);
+        const double cosine = p.n.dot(q.n), onP = p.n.dot(push), onQ = q.n.dot(push);
+        const auto bend = [this](const BallContact& c, double multiplier) {
+            const double edge = c.along.dot(t);
+            return c.isCurved ? multiplier / c.distance_mm * (1.0 - edge * edge) : 0.0;
+        };
+        curvature = 1.0 - bend(p, (onP - cosine * onQ) / sine2) - bend(q, (onQ - cosine * onP) / sine2);
+    }
+};
 
 } // namespace
 
@@ -96,7 +131,7 @@ Vec3 BallTick::rolled(const Vec3& u, const Vec3& wanted) noexcept
     Vec3 around = Vec3::Zero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_count); ++i) {
         const BallContact& c = m_contacts[i];
-        around += !c.isCurved ? c.n : c.along.isZero(0.0) ? c.contact : c.along;
+        around += !c.isCurved ? c.n : c.along.isZero(0.0) ? c.contact : eitherWay(c.along);
     }
     Vec3& last = m_rolledAround[m_count == 2 ? 1 : 0];
     const bool isAgain = around == last && m_trust >= kLeastTrust;
@@ -118,20 +153,12 @@ Vec3 BallTick::rolled(const Vec3& u, const Vec3& wanted) noexcept
                          std::max(step, m_trust * most));
     } else if (m_count == 2 && (m_contacts[0].isCurved || m_contacts[1].isCurved)) {
         const BallContact &p = m_contacts[0], &q = m_contacts[1];
-        const Vec3 crease = p.n.cross(q.n);
-        const double sine2 = crease.squaredNorm();
-        if (sine2 < 1e-12) {
+        const Crease crease(p, q, push);
+        if (crease.t.isZero(0.0)) {
             return u;
         }
-        // Newton's step: the Lagrangian's second derivative along the crease is 1 less the bends.
-        const Vec3 t = crease / std::sqrt(sine2);
-        const double cosine = p.n.dot(q.n), onP = p.n.dot(push), onQ = q.n.dot(push);
-        const auto bend = [&t](const BallContact& c, double multiplier) {
-            const double edge = c.along.dot(t);
-            return c.isCurved ? multiplier / c.distance_mm * (1.0 - edge * edge) : 0.0;
-        };
-        const double h = 1.0 - bend(p, (onP - cosine * onQ) / sine2) - bend(q, (onQ - cosine * onP) / sine2);
-        bent = t.dot(u) * t;
+        const double h = crease.curvature; // Newton's step
+        bent = crease.t.dot(u) * crease.t;
         const double step = bent.norm(), most = kBetweenTwo * std::min(p.distance_mm, q.distance_mm);
         whole = std::min(step < most * h ? step / h : most, std::max(step, m_trust * most));
     }
@@ -142,6 +169,48 @@ Vec3 BallTick::rolled(const Vec3& u, const Vec3& wanted) noexcept
     m_before = {m_god, m_contacts, m_count, wanted.norm()};
     m_isTrying = true;
     return u + (whole / step - 1.0) * bent;
+}
+
+/// Which way the ball would roll off what it stands on, where the pull goes straight through an edge or a corner and
+/// out beyond it; zero where it can't.
+Vec3 BallTick::slope() const noexcept
+{
+    const BallContact &p = m_contacts[0], &q = m_contacts[1];
+    if (m_count == 1 && p.isCurved && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
+        return p.along.isZero(0.0) ? p.n.unitOrthogonal() : Vec3(p.along.cross(p.n));
+    }
+    if (m_count == 2 && (p.isCurved || q.isCurved)) {
+        const Crease crease(p, q, m_god - m_hip);
+        return crease.curvature > 0.0 ? Vec3::Zero() : crease.t; // a valley holds it
+    }
+    return Vec3::Zero();
+}
+
+/// Moves a ball at rest aside, to one side and then to the other, by so little that it only tells whether it would
+/// roll.
+/// @return true when there is a side to try; where none led closer it stands where it stood
+bool BallTick::topples() noexcept
+{
+    const double spring = (m_hip - m_god).norm();
+    if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
+        m_nudges = 0;
+        m_aside = slope();
+        m_stood = {m_god, m_contacts, m_count, spring};
+    } else {
+        m_god = m_stood.god;
+        m_contacts = m_stood.contacts;
+        m_count = m_stood.count;
+    }
+    while (m_nudges < 2 && !m_aside.isZero(0.0)) {
+        const Vec3 target = m_god + (m_nudges++ == 0 ? kAside : -kAside) * m_scene.fingertip_mm() * m_aside;
+        BallCrossing crossing;
+        if (!m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
+            m_god = target;
+            dropParted();
+            return true;
+        }
+    }
+    return false;
 }
 
 std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
@@ -170,6 +239,9 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         const Vec3 u = nextMove();
         const double step = u.cwiseAbs().maxCoeff();
         if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
+            if (topples()) {
+                continue;
+            }
             return i + 1;
         }
         BallCrossing crossing;
@@ -181,7 +253,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
             dropParted();
             const bool isStillFlat = std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
                                                   [](const BallContact& c) { return c.isCurved; });
-            if (m_count == before && isFlat && isStillFlat) {
+            if (m_count == before && isFlat && isStillFlat && !topples()) {
                 return i + 1;
             }
             continue;

@@ -116,4 +116,14 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
     }
 }
 
+PALPATE_WIDE_LANES std::uint64_t lanesBetween(const float* distance_mm, int count, float beyond, float upTo) noexcept
+{
+    std::uint64_t all = 0;
+    for (int first = 0; first < count; first += kLanes) {
+        const Float8 distance = load8(distance_mm + first);
+        all |= static_cast<std::uint64_t>(core::laneBits((distance > beyond) & (distance <= upTo))) << first;
+    }
+    return count >= 64 ? all : all & ((std::uint64_t{1} << count) - 1);
+}
+
 } // namespace palpate::haptics::internal

@@ -56,6 +56,8 @@ class BallTick
 
     void dropParted() noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
+    [[nodiscard]] Vec3 slope() const noexcept;
+    [[nodiscard]] bool topples() noexcept;
     [[nodiscard]] Vec3 rolled(const Vec3& u, const Vec3& wanted) noexcept;
 
     const Vec3& m_hip;
@@ -76,6 +78,9 @@ class BallTick
         double spring_mm;
     };
     Before m_before;
+    Before m_stood;   ///< where it came to rest before it was moved aside
+    int m_nudges = 0; ///< how many sides have been tried from there
+    Vec3 m_aside = Vec3::Zero();
     bool m_isTrying = false;
     double m_trust = 1.0;                                           ///< share of the longest steps that is still tried
     std::array<Vec3, 2> m_rolledAround{Vec3::Zero(), Vec3::Zero()}; ///< tells one edge or corner, or two, from others

@@ -8,11 +8,11 @@ namespace palpate::haptics::internal {
 /// What decides how much is gathered.
 struct GatheringPlan
 {
-    int few;           ///< facets: with fewer, the next region is larger: else it is left again too soon
-    int many;          ///< with more, smaller: each costs every sweep
+    int few;             ///< facets: with fewer, the next region is larger: else it is left again too soon
+    int many;            ///< with more, smaller: each costs every sweep
     double narrowest_mm; ///< margin of a region: with less it is left with the next tick, unless not all can be held
-    double widest_mm;  ///< margin of a region in free space: on the way to a surface it must not hold all of it
-    double around_mm;  ///< how far outside of the region a facet still matters
+    double widest_mm;    ///< margin of a region in free space: on the way to a surface it must not hold all of it
+    double around_mm;    ///< how far outside of the region a facet still matters
 };
 
 /// The facets around a god-object, gathered once and used for as long as it stays among them: consecutive ticks touch

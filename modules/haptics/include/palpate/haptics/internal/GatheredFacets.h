@@ -83,7 +83,7 @@ class GatheredFacets
     Stage m_stage = Stage::Empty;
     std::array<Group, kMost / kLanes> m_groups;
     // Of each facet, by eights; what is left over of eight repeats the last.
-    const double* m_at[3][kMost];                ///< where its corners lie
+    const double* m_at[3][kMost];                 ///< where its corners lie
     alignas(32) std::uint32_t m_corner[3][kMost]; ///< and their numbers
     alignas(32) std::uint32_t m_structure[kMost];
     alignas(32) std::int32_t m_isTwoSided[kMost]; ///< all ones or zero

@@ -56,8 +56,7 @@ class Neighbourhood
     /// @param walked  facets that are known to block none of them, or none
     /// @return how many of the moves are free.
     /// @par Real-time Wait-free.
-    [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer,
-                                        std::span<const Vec3> path,
+    [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
                                         std::span<const FacetNumber> walked) noexcept PALPATE_NONBLOCKING;
 
     /// Calls `f(facet)` for every facet that comes within `reach_mm` of `g`, and maybe for some that nearly do. Where

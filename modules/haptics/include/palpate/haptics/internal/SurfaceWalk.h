@@ -21,7 +21,7 @@ struct SurfaceWalk
 /// @param g       god-object, moved by moves that nothing blocks [mm]
 /// @param facet   where it stands, replaced by where it gets to
 /// @par Real-time Wait-free.
-[[nodiscard]] SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near,
-                               const Vec3& hip, int side, Vec3& g, Facet& facet) noexcept PALPATE_NONBLOCKING;
+[[nodiscard]] SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip,
+                               int side, Vec3& g, Facet& facet) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal

@@ -21,4 +21,8 @@ float derive(const Corners& corners, TriangleGroup& group) noexcept PALPATE_NONB
 /// @param distance_mm  one for each of the groups' lanes; 0 for a triangle too flat to tell
 void distances(const TriangleGroup* groups, int count, const float* p, float* distance_mm) noexcept PALPATE_NONBLOCKING;
 
+/// @return bit i set where distance i, of up to 64 by eights, is greater than `beyond` and at most `upTo`
+[[nodiscard]] std::uint64_t lanesBetween(const float* distance_mm, int count, float beyond,
+                                         float upTo) noexcept PALPATE_NONBLOCKING;
+
 } // namespace palpate::haptics::internal
