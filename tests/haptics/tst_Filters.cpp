@@ -9,6 +9,7 @@
 #include <palpate/haptics/internal/TriangleDistances.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -116,6 +117,66 @@ class Filters : public QObject
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 5000);
         QVERIFY(kept < offered / 2); // it does tell off
+    }
+
+    void noFacetThatBlocksAChainIsToldOff()
+    {
+        std::mt19937_64 random(5);
+        std::normal_distribution<double> normal;
+        int blocking = 0, kept = 0, offered = 0;
+        for (int round = 0; round < 10000; ++round) {
+            const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
+            const std::vector<Facet> facets = someFacets(random, origin);
+            FacetGroup group;
+            const float reach = derive(cornersOf(facets, origin), group);
+            // Short moves near one facet, through a place on it or on its edge.
+            const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
+            const Vec3 on = aimed.a + (round % 4 == 0 ? 0.0 : 0.4) * (aimed.b - aimed.a) + 0.3 * (aimed.c - aimed.a);
+            std::vector<Vec3> path;
+            float points[4][3], coordinate = 0;
+            for (int i = 0; i < 4; ++i) {
+                const Vec3 aside(normal(random), normal(random), normal(random));
+                path.push_back(on + (i - 1.5) * 0.1 * aside - (i - 1.5) * 0.05 * aimed.n);
+                for (int axis = 0; axis < 3; ++axis) {
+                    points[i][axis] = static_cast<float>(path.back()[axis] - origin[axis]);
+                    coordinate = std::max(coordinate, std::abs(points[i][axis]));
+                }
+            }
+            const std::uint64_t lanes = crossedLanes(&group, kCount, points, 4, 2 * coordinate + reach);
+            for (int i = 0; i < kCount; ++i) {
+                const bool isKept = (lanes >> i & 1u) != 0;
+                ++offered;
+                kept += isKept ? 1 : 0;
+                for (std::size_t move = 0; move < 3; ++move) {
+                    Crossing crossing;
+                    if (blocks(facets[static_cast<std::size_t>(i)], path[move], path[move + 1], 1.0, crossing)) {
+                        ++blocking;
+                        QVERIFY2(isKept, qPrintable(QString("round %1, lane %2").arg(round).arg(i)));
+                    }
+                }
+            }
+        }
+        qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
+        QVERIFY(blocking > 2000);
+        QVERIFY(kept < offered / 2); // it does tell off
+    }
+
+    void trianglesAreFoundByTheirEdge()
+    {
+        alignas(32) std::uint32_t corner[3][16], structure[16];
+        for (std::uint32_t i = 0; i < 16; ++i) { // a strip
+            corner[0][i] = i;
+            corner[1][i] = i + 1;
+            corner[2][i] = i + 2;
+            structure[i] = i == 7 ? 1 : 0;
+        }
+        const std::array<const std::uint32_t*, 3> corners{corner[0], corner[1], corner[2]};
+        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 5), std::uint64_t{1u << 3 | 1u << 4});
+        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 5, 4), std::uint64_t{1u << 3 | 1u << 4});
+        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 6), std::uint64_t{1u << 4});
+        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 7, 8), std::uint64_t{1u << 6}); // 7 is another structure's
+        QCOMPARE(lanesAtEdge(corners, structure, 12, 0, 12, 13), std::uint64_t{1u << 11});
+        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 9), std::uint64_t{0});
     }
 
     void distancesAreThoseOfTheNearestPoint()

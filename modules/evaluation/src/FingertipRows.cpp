@@ -6,7 +6,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kFingertip_mm = 4.0;
+constexpr double kFingertip_mm = 1.0;
 constexpr std::int64_t kMostTicks = 5000;
 constexpr std::int64_t kCheckEvery = 4; // beyond the row's own: the exact ball takes its time
 
