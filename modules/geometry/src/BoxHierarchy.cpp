@@ -247,8 +247,8 @@ class HierarchyBuilder
     unsigned m_threads;
 };
 
-BoxHierarchy BoxHierarchy::build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items, const Vec3& origin,
-                                 unsigned threads)
+BoxHierarchy BoxHierarchy::build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items,
+                                 const Vec3& origin, unsigned threads)
 {
     BoxHierarchy result;
     result.m_origin = origin;

@@ -12,7 +12,11 @@ namespace {
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
-    return {.few = 16, .many = 48, .narrowest_mm = 0.2 * layer.facetSize_mm, .widest_mm = 16.0 * layer.facetSize_mm, .around_mm = 4.0 * layer.skin_mm};
+    return {.few = 16,
+            .many = 48,
+            .narrowest_mm = 0.2 * layer.facetSize_mm,
+            .widest_mm = 16.0 * layer.facetSize_mm,
+            .around_mm = 4.0 * layer.skin_mm};
 }
 
 /// A place relative to an origin, as floats. @return its largest coordinate [mm].
@@ -149,8 +153,8 @@ bool Neighbourhood::beyondEdge(const HapticScene& scene, const HapticLayer& laye
     return false;
 }
 
-std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer& layer,
-                                     std::span<const Vec3> path, std::span<const FacetNumber> walked) noexcept
+std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
+                                     std::span<const FacetNumber> walked) noexcept
 {
     std::size_t moves = path.size() - 1;
     Crossing crossing;

@@ -30,7 +30,7 @@ struct LargeAllocator
     {
         const std::size_t bytes = n * sizeof(T); // vectors keep n below the largest that fits
         if (bytes < kLarge) {
-            return static_cast<T*>(::operator new(bytes, std::align_val_t{alignof(T)}));
+            return static_cast<T*>(::operator new (bytes, std::align_val_t{alignof(T)}));
         }
         void* p = std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage);
         if (p == nullptr) {
@@ -44,13 +44,16 @@ struct LargeAllocator
     void deallocate(T* p, std::size_t n) noexcept
     {
         if (n * sizeof(T) < kLarge) {
-            ::operator delete(p, std::align_val_t{alignof(T)});
+            ::operator delete (p, std::align_val_t{alignof(T)});
         } else {
             std::free(p);
         }
     }
 
-    friend bool operator==(const LargeAllocator& /*a*/, const LargeAllocator& /*b*/) noexcept { return true; }
+    friend bool operator==(const LargeAllocator& /*a*/, const LargeAllocator& /*b*/) noexcept
+    {
+        return true;
+    }
 
   private:
     static constexpr std::size_t kPage = std::size_t{2} << 20;
