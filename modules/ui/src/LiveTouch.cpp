@@ -203,9 +203,11 @@ void LiveTouch::tellRefused()
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
         if (one.palpable && one.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
-            line = tr("%1 asks for %2 N/mm. %3 That is what is felt.")
-                       .arg(QString::fromStdString(one.name), QLocale().toString(one.stiffness_N_per_mm, 'g', 3),
-                            limitText());
+            // Short enough for a line below the picture; the field of the stiffness says why.
+            line =
+                tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here.")
+                    .arg(QString::fromStdString(one.name), QLocale().toString(one.stiffness_N_per_mm, 'g', 3),
+                         QLocale().toString(greatest.stiffness_N_per_mm, 'g', 3), QString::fromStdString(m_info.name));
         }
     }
     if (line != m_refused) {
