@@ -64,23 +64,23 @@ class Tick
     std::uint32_t converge(std::uint32_t limit) noexcept
     {
         double spring = std::numeric_limits<double>::infinity();
-        for (std::uint32_t i = 0; i < limit; ++i) {
+        for (std::uint32_t i = 0; i + m_walked < limit; ++i) {
             if (i % kPatience == kPatience - 1) {
                 // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
                 // many moves has arrived.
                 const double last = std::exchange(spring, (m_hip - m_god).norm());
                 if (spring > last - m_skin_mm && !escape()) {
-                    return moves(i + 1, limit);
+                    return i + 1 + m_walked;
                 }
             }
-            if (m_count == 1 && m_mayWalk && hasWalkedHome()) {
-                return moves(i, limit);
+            if (m_count == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
+                return i + m_walked;
             }
             const Vec3 target = nextTarget();
             Crossing crossing;
             if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
                 if (!stopAt(target, crossing) && !escape()) {
-                    return moves(i + 1, limit);
+                    return i + 1 + m_walked;
                 }
                 continue;
             }
@@ -88,7 +88,7 @@ class Tick
             const int before = m_count;
             keepSupporting();
             if (m_count == before && (isCertain() || !escape())) {
-                return moves(i + 1, limit);
+                return i + 1 + m_walked;
             }
         }
         return limit;
@@ -99,16 +99,12 @@ class Tick
     [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
 
   private:
-    [[nodiscard]] std::uint32_t moves(std::uint32_t tried, std::uint32_t limit) const noexcept
-    {
-        return std::min(tried + m_walked, limit - 1);
-    }
-
     /// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
-    bool hasWalkedHome() noexcept
+    bool hasWalkedHome(std::uint32_t most) noexcept
     {
         Contact& c = m_contacts[0];
-        const internal::SurfaceWalk walk = internal::walk(m_scene, m_layer, m_near, m_hip, c.side, m_god, c.facet);
+        const internal::SurfaceWalk walk =
+            internal::walk(m_scene, m_layer, m_near, m_hip, most, c.side, m_god, c.facet);
         m_walked += walk.moves;
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
@@ -380,7 +376,8 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
         if (m_state.constraints == 1) {
-            walk = internal::walk(scene, layer, m_neighbourhood, p_WH, m_state.side[0], m_state.p_WG, m_facets[0]);
+            walk = internal::walk(scene, layer, m_neighbourhood, p_WH, limits.iterations, m_state.side[0], m_state.p_WG,
+                                  m_facets[0]);
         }
         if (walk.hasArrived) {
             result.p_WG = m_state.p_WG;

@@ -8,7 +8,7 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::size_t kMostFacets = 64;
+constexpr std::uint32_t kMostFacets = 64;
 // In skins, from the facet's edges: nearer, rounding could decide what is touched.
 constexpr double kTouched = 64.0;
 constexpr double kFar = 4.0;      // facet sizes
@@ -61,8 +61,8 @@ Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margi
 
 } // namespace
 
-SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip, int side,
-                 Vec3& g, Facet& facet) noexcept
+SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip,
+                 std::uint32_t most, int side, Vec3& g, Facet& facet) noexcept
 {
     SurfaceWalk result;
     std::array<Vec3, Neighbourhood::kMostPoints> path;
@@ -96,7 +96,7 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         crossed = 0;
         return isFree;
     };
-    for (std::size_t i = 0; i < kMostFacets; ++i) {
+    for (std::uint32_t i = 0; i < std::min(most, kMostFacets); ++i) {
         const Vec3 outwards = side * here->n;
         const double rise = here->skin_mm - outwards.dot(hip - here->a);
         if (rise <= 0.0) {

@@ -17,11 +17,12 @@ struct SurfaceWalk
 /// Moves a god-object that touches one facet along it towards the HIP and on over its edges, as long as each next
 /// facet is pressed too and the surface turns by at most 60 degrees there. What stops it (a crease that holds, a rim,
 /// another surface in the way) is left to the general method, which goes on from there.
+/// @param most    moves, at most
 /// @param side    of the facet that the god-object is on: +1 front, -1 behind
 /// @param g       god-object, moved by moves that nothing blocks [mm]
 /// @param facet   where it stands, replaced by where it gets to
 /// @par Real-time Wait-free.
 [[nodiscard]] SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip,
-                               int side, Vec3& g, Facet& facet) noexcept PALPATE_NONBLOCKING;
+                               std::uint32_t most, int side, Vec3& g, Facet& facet) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal
