@@ -4,6 +4,7 @@
 
 #include <palpate/haptics/Palpator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -23,6 +24,20 @@ Vec3 wander(int i)
     const double a = 4e-3 * i;
     return (i < 60 ? 46 - 0.15 * i : 37 + 3 * std::sin(0.031 * i)) *
            Vec3(std::cos(a), std::sin(a) * 0.8, std::sin(a) * 0.6);
+}
+
+/// A cone of many facets about one corner, more than a neighbourhood holds.
+geometry::TriangleMesh crowd()
+{
+    geometry::TriangleMesh mesh;
+    constexpr std::uint32_t kFacets = 300;
+    mesh.vertices.push_back(Vec3::Zero());
+    for (std::uint32_t i = 0; i < kFacets; ++i) {
+        const double a = 2.0 * 3.14159265358979 * i / kFacets;
+        mesh.vertices.push_back(Vec3(10.0 * std::cos(a), 10.0 * std::sin(a), 1.0 + std::sin(5.0 * a)));
+        mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kFacets});
+    }
+    return mesh;
 }
 
 bool isSameBits(const Vec3& a, const Vec3& b)
@@ -65,6 +80,53 @@ class PalpatorTest : public QObject
             contacts += a.constraints > 0 ? 1 : 0;
         }
         QVERIFY(contacts > 2000);
+    }
+
+    void noCacheChangesAResultInAHurryOrACrowd_data()
+    {
+        QTest::addColumn<bool>("isCrowd");
+        QTest::newRow("hills at 400 mm/s") << false;
+        QTest::newRow("300 facets at a corner") << true;
+    }
+    void noCacheChangesAResultInAHurryOrACrowd()
+    {
+        QFETCH(bool, isCrowd);
+        const HapticScene scene(
+            {HapticStructure{"one", indexed(isCrowd ? crowd() : bumpySphere(40, 40.0, 0.05)), {0.5, 0.001}, 0}});
+        Palpator whole, resumed;
+        whole.setScene(&scene);
+        resumed.setScene(&scene);
+        int contacts = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const double a = (isCrowd ? 0.03 : 0.01) * i;
+            const Vec3 hip = isCrowd ? Vec3(0.02 * std::sin(a), 0.02 * std::sin(1.7 * a), 0.5 - std::min(1.5, 1e-2 * i))
+                                     : Vec3(35.0 *
+                                            Vec3(std::cos(a) * std::cos(0.37 * a), std::sin(a) * std::cos(0.37 * a),
+                                                 std::sin(0.37 * a)) *
+                                            (i < 20 ? 1.5 - 0.025 * i : 1.0));
+            if (i % 3 == 0) {
+                resumed.restore(whole.state());
+            }
+            const TickResult x = whole.step(hip, 1e-3), y = resumed.step(hip, 1e-3);
+            QVERIFY2(isSameBits(x.p_WG, y.p_WG) && x.constraints == y.constraints,
+                     qPrintable(QString("tick %1").arg(i)));
+            contacts += x.constraints > 0 ? 1 : 0;
+        }
+        QVERIFY(contacts > 15000);
+    }
+
+    void noTickMakesMoreMovesThanItMay()
+    {
+        for (const std::uint32_t most : {1u, 2u, 5u}) {
+            haptics::GodObject god;
+            std::uint32_t greatest = 0;
+            for (int i = 0; i < 2000; ++i) {
+                const haptics::GodObjectStep step = god.step(wander(i), m_scene, 0, {most});
+                QVERIFY(step.iterations <= most);
+                greatest = std::max(greatest, step.iterations);
+            }
+            QCOMPARE(greatest, most); // it would make more
+        }
     }
 
     void aHipThatIsNotFiniteChangesNothing()

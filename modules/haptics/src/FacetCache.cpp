@@ -115,6 +115,16 @@ bool FacetCache<Group, kMost>::gather(const HapticScene& scene, const HapticLaye
     return true;
 }
 
+template<class Group, int kMost>
+bool FacetCache<Group, kMost>::gatherAt(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
+                                        const Vec3& p, double margin_mm) noexcept
+{
+    Facets& facets = m_sets[m_used];
+    const bool isAll = facets.begin(scene, layer, around(p, p, p, margin_mm), p, plan.around_mm);
+    facets.finish(scene);
+    return isAll;
+}
+
 template class FacetCache<FacetGroup, 64>;
 template class FacetCache<TriangleGroup, 256>;
 

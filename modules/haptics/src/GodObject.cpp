@@ -18,6 +18,7 @@ using internal::Crossing;
 using internal::Facet;
 using internal::Foot;
 using internal::HalfSpace;
+using internal::kTouched;
 using internal::Neighbourhood;
 
 /// A facet that the god-object touches, and from which side.
@@ -75,6 +76,9 @@ class Tick
             }
             if (m_count == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
                 return i + m_walked;
+            }
+            if (i + m_walked >= limit) {
+                break;
             }
             const Vec3 target = nextTarget();
             Crossing crossing;
@@ -232,34 +236,36 @@ class Tick
             side[n++] = c.side;
         }
         const std::size_t held = n;
-        bool isAll = true;
         // Feet may lie a reach beside a facet.
-        m_near.forEachNear(m_scene, m_layer, m_god, 2.0 * kTouched * m_layer.skin_mm, [&](const Facet& facet) {
-            const int s = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
-            const double reach = kTouched * facet.skin_mm;
-            if (internal::footOn(facet, s, m_god, reach, reach, 0.0) == Foot::Away) {
-                return;
-            }
-            for (std::size_t i = 0; i < held; ++i) {
-                if (touched[i].structure == facet.structure && touched[i].triangle == facet.triangle && side[i] == s) {
+        bool isRoom = true;
+        const bool isKnown =
+            m_near.forEachNear(m_scene, m_layer, m_god, 2.0 * kTouched * m_layer.skin_mm, [&](const Facet& facet) {
+                const int s = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
+                const double reach = kTouched * facet.skin_mm;
+                if (internal::footOn(facet, s, m_god, reach, reach, 0.0) == Foot::Away) {
                     return;
                 }
-            }
-            if (n == touched.size()) {
-                isAll = false;
-                return;
-            }
-            touched[n] = facet;
-            side[n++] = s;
-            skin = std::max(skin, facet.skin_mm);
-        });
+                for (std::size_t i = 0; i < held; ++i) {
+                    if (touched[i].structure == facet.structure && touched[i].triangle == facet.triangle &&
+                        side[i] == s) {
+                        return;
+                    }
+                }
+                if (n == touched.size()) {
+                    isRoom = false;
+                    return;
+                }
+                touched[n] = facet;
+                side[n++] = s;
+                skin = std::max(skin, facet.skin_mm);
+            });
         // Within the skin's thickness a facet's very edge may stand in the way of what is open beyond it: the ways are
         // tried from a little above, away from the HIP.
         const Vec3 wanted = m_hip - m_god;
         const double spring = wanted.norm();
         const double enough = spring - 16.0 * skin; // less gain is not worth a move
         Vec3 from = m_god - wanted * (kTouched * skin / spring);
-        if (isAll && enough > 0.0 &&
+        if (isKnown && isRoom && enough > 0.0 &&
             internal::isHeldByFan(std::span<const Facet>(touched).first(n), from, m_hip - from, enough)) {
             return false;
         }
@@ -331,8 +337,6 @@ class Tick
 
     static constexpr std::size_t kMost = 4;         // three constraints and the plane just met
     static constexpr std::size_t kMostTouched = 16; // facets around a vertex that `escape` considers
-    // In skins: a skin's distance from each of two walls at a sharp angle is this far from a third.
-    static constexpr double kTouched = 64.0;
     static constexpr std::uint32_t kPatience = 32;
 
     const Vec3& m_hip;

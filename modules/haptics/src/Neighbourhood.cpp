@@ -218,19 +218,35 @@ std::uint64_t Neighbourhood::laneOf(const FacetNumber& facet) noexcept
     return 0;
 }
 
-std::uint64_t Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
-                                  double reach_mm) noexcept
+/// Numbers of the facets held that come near, in the order of structures and triangles: which are gathered first
+/// depends on the region.
+int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm,
+                        std::array<int, kHeld>& found) noexcept
 {
-    // A region that holds too many is halved with each attempt; more than can be held at one point stay unknown.
+    // A region that holds too many is halved with each attempt. The last is for what is asked alone: whether that can
+    // be held does not depend on what was tried before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
         if (!m_cache.takePrepared(scene, g)) {
             (void)m_cache.gather(scene, layer, planFor(layer), g, g);
         }
     }
+    if (!holds(g) && !m_cache.gatherAt(scene, layer, planFor(layer), g, reach_mm)) {
+        return 0;
+    }
     const Cache::Facets& held = m_cache.held();
     float at[3];
     const float coordinate = std::max(held.reach_mm(), asFloats(g, held.origin(), at));
-    return nearLanes(held.groups(), held.count(), at, static_cast<float>(reach_mm), 2.0f * coordinate);
+    int count = 0;
+    for (std::uint64_t lanes =
+             nearLanes(held.groups(), held.count(), at, static_cast<float>(reach_mm), 2.0f * coordinate);
+         lanes != 0; lanes &= lanes - 1) {
+        found[static_cast<std::size_t>(count++)] = std::countr_zero(lanes);
+    }
+    std::sort(found.begin(), found.begin() + count, [&held](int i, int j) {
+        return held.structure(i) != held.structure(j) ? held.structure(i) < held.structure(j)
+                                                      : held.triangle(i) < held.triangle(j);
+    });
+    return count;
 }
 
 bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,

@@ -9,20 +9,19 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-// In skins, from the facet's edges: nearer, rounding could decide what is touched.
-constexpr double kTouched = 64.0;
 constexpr double kFar = 4.0;      // facet sizes
 constexpr double kSharpest = 0.5; // cosine of the angle between two facets' normals
 
 /// Where the way to a place in a facet's plane leaves the facet.
 struct Exit
 {
-    int edge = -1;
-    double share = 1.0;
+    int edge = -1;            ///< 0 … 2: from corner a, b, c to the next; -1: it does not leave
+    double share = 1.0;       ///< of the way
     bool isWellInside = true; ///< the place itself, by at least the margin
 };
 
-/// @param entered  edge that the way came in by, -1: none
+/// @param from,to    of the way [mm]
+/// @param margin_mm  from the edges that is well inside
 Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margin_mm) noexcept
 {
     // Seen along the axis that shows most of the facet; the margin shrinks there with it.

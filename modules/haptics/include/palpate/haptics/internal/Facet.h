@@ -28,6 +28,10 @@ struct Facet
 /// rounding of positions that were computed to lie in front.
 inline constexpr double kOnPlane = 1.0 / 16.0;
 
+/// How near to a facet's edge, in skins, a god-object touches more than that facet: a skin's distance from each of two
+/// walls at a sharp angle is this far from a third.
+inline constexpr double kTouched = 64.0;
+
 /// Where a move meets a facet that blocks it.
 struct Crossing
 {

@@ -42,6 +42,10 @@ class FacetCache
     bool gather(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan, const core::Vec3& x,
                 const core::Vec3& y) noexcept PALPATE_NONBLOCKING;
 
+    /// Gathers what is within `margin_mm` of `p` alone. @return false when there is too much.
+    bool gatherAt(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan, const core::Vec3& p,
+                  double margin_mm) noexcept PALPATE_NONBLOCKING;
+
   private:
     void adapt(const GatheringPlan& plan, int count) noexcept;
     [[nodiscard]] core::Vec3 ahead(const core::Vec3& from) const noexcept;

@@ -59,23 +59,27 @@ class Neighbourhood
     [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
                                         std::span<const FacetNumber> walked) noexcept PALPATE_NONBLOCKING;
 
-    /// Calls `f(facet)` for every facet that comes within `reach_mm` of `g`, and maybe for some that nearly do. Where
-    /// more lie there than can be held, those that were gathered last are missing.
+    /// Calls `f(facet)` for every facet that comes within `reach_mm` of `g`, and maybe for some that nearly do, in an
+    /// order that does not depend on what is held.
+    /// @return false, without a call, where more lie there than can be held.
     template<class F>
-    void forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
+    bool forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
     {
-        for (std::uint64_t lanes = near(scene, layer, g, reach_mm); lanes != 0; lanes &= lanes - 1) {
-            const int k = std::countr_zero(lanes);
-            f(facet(scene, k));
+        std::array<int, kHeld> found;
+        const int count = near(scene, layer, g, reach_mm, found);
+        for (int i = 0; i < count; ++i) {
+            f(facet(scene, found[static_cast<std::size_t>(i)]));
         }
+        return holds(g);
     }
 
   private:
-    using Cache = FacetCache<FacetGroup, 64>;
+    static constexpr int kHeld = 64;
+    using Cache = FacetCache<FacetGroup, kHeld>;
 
     struct First;
-    [[nodiscard]] std::uint64_t near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
-                                     double reach_mm) noexcept;
+    [[nodiscard]] int near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm,
+                           std::array<int, kHeld>& found) noexcept;
     void offerHeld(const HapticScene& scene, First& first) const noexcept;
     [[nodiscard]] Facet facet(const HapticScene& scene, int i) const noexcept
     {
