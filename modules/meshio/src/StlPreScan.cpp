@@ -185,7 +185,9 @@ Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context)
         }
         std::string_view rest = reader.line();
         const std::string_view word = takeWord(rest);
+        const std::span<char> line = writable.subspan(reader.begin(), reader.line().size());
         if (word.empty()) {
+            std::ranges::fill(line, ' ');
             continue;
         }
         const bool isName = sameWord(word, "solid") || sameWord(word, "endsolid");
@@ -270,17 +272,15 @@ Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context)
             }
             break;
         }
-        if (!isName) { // a few of them and VTK takes the file for a binary one, and its text for a count
-            for (char& c : writable.subspan(reader.begin(), reader.line().size())) {
-                const bool isText = (c >= ' ' && c < '\x7f') || c == '\t' || c == '\r';
-                c = isText ? c : c == '\v' || c == '\f' ? ' ' : '?';
-            }
-        } else { // any length, any characters: kept from VTK
-            std::fill(writable.begin() + static_cast<std::ptrdiff_t>(word.data() + word.size() - writable.data()),
-                      writable.begin() +
-                          static_cast<std::ptrdiff_t>(reader.line().data() + reader.line().size() - writable.data()),
-                      ' ');
+        // A few characters that are no text (in a blank line, too) and VTK takes the file for a binary one, and its text
+        // for a count. A name may have any, and any length: all of it is kept from VTK.
+        const std::size_t textEnd =
+            isName ? static_cast<std::size_t>(word.data() + word.size() - line.data()) : line.size();
+        for (char& c : line.first(textEnd)) {
+            const bool isText = (c >= ' ' && c < '\x7f') || c == '\t' || c == '\r';
+            c = isText ? c : c == '\v' || c == '\f' ? ' ' : '?';
         }
+        std::ranges::fill(line.subspan(textEnd), ' ');
     }
     if (expect != Expect::Solid) {
         return fault(StatusCode::BadFormat, context.file, atLine(reader.number()),
