@@ -200,11 +200,18 @@ void HostileFiles::ownFilesAreRefused_data()
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"3\"", "3 1 3"),
         "line 5: array \"offsets\": value 1 is 1; expected 3 to 3");
     row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "none of 1 triangle");
-    row("vtp field data without end", "a.vtp",
-        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
-                       "<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"4000000000\" "
-                       "format=\"ascii\">76 0</Array></FieldData>"),
-        "line 3: array \"SPACE\"");
+    const auto withText = [](const char* tuples, const char* characters) {
+        return test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
+                              std::string("<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"") +
+                                  tuples + "\" format=\"ascii\">" + characters + "</Array></FieldData>");
+    };
+    row("vtp field data without end", "a.vtp", withText("4000000000", "76 0"), "line 3: array \"SPACE\"");
+    row("vtp more strings than declared", "a.vtp", withText("1", "76 0 80 0"),
+        "line 3: array \"SPACE\": 1 tuple of 1 component declared; expected 2, which is what is there");
+    row("vtp string without end", "a.vtp", withText("1", "76 0 80"),
+        "line 3: array \"SPACE\": its last string has no end");
+    row("vtp text of no characters", "a.vtp", withText("1", "76 999 0"),
+        "line 3: array \"SPACE\": character 1 is \"999\"");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
     row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");

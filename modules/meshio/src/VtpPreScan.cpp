@@ -48,6 +48,8 @@ class VtpScan
     Status checkPoints(const VtpPiece& piece) const;
     Status checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const;
     Result<std::vector<std::int64_t>> integers(const VtpArray& array) const;
+    /// How many strings the array holds: each ends with a zero.
+    Result<std::uint64_t> countStrings(const VtpArray& array) const;
     Status checkFieldData() const;
     void noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples);
 
@@ -207,31 +209,54 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
     return {};
 }
 
+Result<std::uint64_t> VtpScan::countStrings(const VtpArray& array) const
+{
+    std::string characters;
+    if (array.format == VtpFormat::Ascii) { // a number each
+        std::string_view rest = textOf(array);
+        for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+            const std::optional<std::int64_t> code = wordToInteger(word);
+            if (!code || *code < -128 || *code > 255) {
+                return wrong(array, StatusCode::BadFormat,
+                             "character " + std::to_string(characters.size()) + " is " + inQuotes(word),
+                             "a number from 0 to 255");
+            }
+            characters.push_back(static_cast<char>(*code));
+        }
+    } else {
+        const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
+        if (!blocks.isOk()) {
+            return blocks.status();
+        }
+        const auto bytes = blocks.value().unpack();
+        if (!bytes) {
+            return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
+        }
+        characters.assign(bytes->begin(), bytes->end());
+    }
+    if (!characters.empty() && characters.back() != '\0') {
+        return wrong(array, StatusCode::BadFormat, "its last string has no end", "a zero after each string");
+    }
+    return static_cast<std::uint64_t>(std::ranges::count(characters, '\0'));
+}
+
 Status VtpScan::checkFieldData() const
 {
     for (const VtpArray& array : m_header.fieldData) {
         const bool isText = array.type == "String";
-        std::uint64_t held = 0;
-        if (isText && array.format == VtpFormat::Ascii) {
-            held = static_cast<std::uint64_t>(array.text.size());
-        } else if (isText) {
-            const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
-            if (!blocks.isOk()) {
-                return blocks.status();
-            }
-            held = blocks.value().size();
-        } else {
-            const Result<std::uint64_t> count = countValues(array);
-            if (!count.isOk()) {
-                return count.status();
-            }
-            held = count.value();
+        const Result<std::uint64_t> held = isText ? countStrings(array) : countValues(array);
+        if (!held.isOk()) {
+            return held.status();
         }
+        const std::uint64_t most = held.value();
         const std::uint64_t tuples = array.tuples.value_or(0);
-        if (array.components == 0 || tuples > held || array.components > held + 1 || tuples * array.components > held) {
+        const bool isTooMany =
+            array.components == 0 || tuples > most || array.components > most + 1 || tuples * array.components > most;
+        // VTK writes every string that is there, wherever its memory ends.
+        if (isTooMany || (isText && tuples * array.components != most)) {
             return wrong(array, StatusCode::OutOfRange,
-                         grouped(tuples) + " tuples of " + counted(array.components, "component") + " declared",
-                         "at most " + grouped(held) + ", which is what is there");
+                         counted(tuples, "tuple") + " of " + counted(array.components, "component") + " declared",
+                         (isText ? "" : "at most ") + grouped(most) + ", which is what is there");
         }
     }
     return {};
