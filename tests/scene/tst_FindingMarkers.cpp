@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Frames.h"
 #include "TestRunner.h"
 
 #include <palpate/scene/FindingMarkers.h>
@@ -11,17 +12,9 @@
 
 using namespace palpate;
 using core::Vec3;
+using test::frameAt;
 
 namespace {
-
-scene::ViewFrame frameAt(double distance_mm)
-{
-    scene::ViewFrame frame;
-    frame.eye_W = Vec3(0, 0, distance_mm);
-    frame.height_px = 600.0;
-    frame.scale = 0.5;
-    return frame;
-}
 
 int drawn(vtkRenderer& renderer)
 {
@@ -60,6 +53,25 @@ class FindingMarkers : public QObject
         QVERIFY(markers.bounds().isEmpty());
         markers.set({});
         QCOMPARE(overlay->GetViewProps()->GetNumberOfItems(), 0);
+    }
+
+    void numbersCloseTogetherMoveApart()
+    {
+        vtkNew<vtkRenderer> overlay;
+        scene::FindingMarkers markers;
+        markers.addTo(*overlay);
+        markers.set({Vec3(0, 0, 0), Vec3(2, 0, 0)}); // 8 pixels
+        markers.place(frameAt(300));
+        QCOMPARE(drawn(*overlay), 7); // and the line of the second
+        int offset[2][2];
+        for (int i = 0; i < 2; ++i) {
+            vtkBillboardTextActor3D::SafeDownCast(overlay->GetViewProps()->GetItemAsObject(2 + 4 * i))
+                ->GetDisplayOffset(offset[i]);
+        }
+        const int apart_px = std::max(std::abs(8 + offset[1][0] - offset[0][0]), std::abs(offset[1][1] - offset[0][1]));
+        QVERIFY2(apart_px > 13, qPrintable(QString::number(apart_px))); // the font's size
+        markers.place(frameAt(30));
+        QCOMPARE(drawn(*overlay), 6);
     }
 
     void numbersAreTheFindingsOwn()

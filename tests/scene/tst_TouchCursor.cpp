@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Frames.h"
 #include "TestRunner.h"
 
 #include <palpate/scene/TouchCursor.h>
@@ -8,17 +9,9 @@
 
 using namespace palpate;
 using core::Vec3;
+using test::frameAt;
 
 namespace {
-
-scene::ViewFrame frameAt(double distance_mm)
-{
-    scene::ViewFrame frame;
-    frame.eye_W = Vec3(0, 0, distance_mm);
-    frame.height_px = 600.0;
-    frame.scale = 0.5;
-    return frame;
-}
 
 double width(vtkActor* actor)
 {

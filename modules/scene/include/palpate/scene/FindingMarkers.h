@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/scene/Billboard.h"
+#include "palpate/scene/LabelLayout.h"
 
 #include <vtkBillboardTextActor3D.h>
 
@@ -10,7 +11,7 @@
 namespace palpate::scene {
 
 /// The places that were marked as findings: a disc of constant size on screen with the finding's number beside it,
-/// which tissue does not hide.
+/// which tissue does not hide. Where findings lie close together, numbers move apart and lines lead to their discs.
 class FindingMarkers
 {
   public:
@@ -41,8 +42,13 @@ class FindingMarkers
         vtkSmartPointer<vtkActor> rim;
         vtkSmartPointer<vtkActor> disc;
         vtkSmartPointer<vtkBillboardTextActor3D> number;
+        BillboardLine leader; ///< drawn where the number is not at its usual place
     };
+    void measure(double pixelRatio);
+
     std::vector<Marker> m_markers;
+    std::vector<DiscLabel> m_labels; ///< one a marker; sizes hold for m_pixelRatio
+    double m_pixelRatio = 0.0;
     vtkRenderer* m_overlay = nullptr;
     bool m_isVisible = true;
 };
