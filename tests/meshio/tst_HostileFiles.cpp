@@ -212,6 +212,10 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 3: array \"SPACE\": its last string has no end");
     row("vtp text of no characters", "a.vtp", withText("1", "76 999 0"),
         "line 3: array \"SPACE\": character 1 is \"999\"");
+    row("vtp what is no array", "a.vtp",
+        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
+                       "<FieldData><Aaryr type=\"Strig\" Name=\"SPACE\" NumberOfTuples=\"2\">76 0</Aaryr></FieldData>"),
+        "line 3: an element \"Aaryr\" under \"FieldData\"; expected \"DataArray\" or \"Array\"");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
     row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");

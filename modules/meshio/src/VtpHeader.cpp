@@ -6,6 +6,8 @@
 
 #include <QXmlStreamReader>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palpate::meshio::internal {
@@ -50,7 +52,7 @@ class HeaderReader
     void startElement(VtpHeader& header);
     void startFile(VtpHeader& header);
     void startPiece(VtpHeader& header);
-    void startArray(VtpHeader& header);
+    void startArray(VtpHeader& header, const std::string& parent);
     /// Where an array declared under `parent` belongs; nothing when it must not stand there.
     VtpArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
 
@@ -140,9 +142,8 @@ VtpArray* HeaderReader::place(VtpHeader& header, const std::string& parent, cons
     return (name == "connectivity" || name == "offsets") && !slot ? &slot.emplace() : nullptr;
 }
 
-void HeaderReader::startArray(VtpHeader& header)
+void HeaderReader::startArray(VtpHeader& header, const std::string& parent)
 {
-    const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
     const std::string name = attribute("Name");
     VtpArray* array = place(header, parent, name);
     if (array == nullptr) {
@@ -169,15 +170,22 @@ void HeaderReader::startArray(VtpHeader& header)
 
 void HeaderReader::startElement(VtpHeader& header)
 {
+    static constexpr std::array<std::string_view, 8> kOfArrays{"FieldData", "PointData", "CellData", "Points",
+                                                               "Verts",     "Lines",     "Strips",   "Polys"};
     const std::string& name = m_path.back();
-    if (m_path.size() == 1 && name != "VTKFile") {
+    const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
+    const bool isArray = name == "DataArray" || name == "Array";
+    if (!isArray && std::ranges::find(kOfArrays, parent) != kOfArrays.end()) { // VTK would take it for one
+        (void)fail(StatusCode::BadFormat, "an element " + inQuotes(name) + " under " + inQuotes(parent),
+                   "\"DataArray\" or \"Array\"");
+    } else if (m_path.size() == 1 && name != "VTKFile") {
         (void)fail(StatusCode::BadFormat, "an XML document " + inQuotes(name), "\"VTKFile\"");
     } else if (name == "VTKFile") {
         startFile(header);
     } else if (name == "Piece") {
         startPiece(header);
-    } else if (name == "DataArray" || name == "Array") {
-        startArray(header);
+    } else if (isArray) {
+        startArray(header, parent);
     } else if (name == "AppendedData") {
         header.isAppendedBase64 = attribute("encoding") == "base64";
     }
