@@ -36,15 +36,30 @@ class PluginHost : public QObject
     void readsMetadataWithoutLoading()
     {
         const device::PluginHost all({m_found}); // no probe: nothing may be loaded here
-        QCOMPARE(all.plugins().size(), std::size_t{7});
+        QCOMPARE(all.plugins().size(), std::size_t{9});
         QCOMPARE(problemOf(all, "crashing"), std::string());
         QCOMPARE(problemOf(all, "working"), std::string());
         const auto& plugins = all.plugins();
         const auto working =
             std::find_if(plugins.begin(), plugins.end(), [](const auto& e) { return e.info.id == "working"; });
         QCOMPARE(working->info.license, std::string("BSD-3-Clause"));
-        QCOMPARE(working->info.apiVersion, 1);
+        QCOMPARE(working->info.apiVersion, device::kDeviceApiVersion);
         QCOMPARE(working->info.drives, std::string("nothing"));
+    }
+
+    /// A plugin built before a layout changed would be misread: whoever changes one raises the number, then this.
+    void versionStandsForTheLayouts()
+    {
+        QCOMPARE(PALPATE_DEVICE_PLUGIN_IID, qPrintable(QStringLiteral("palpate.DevicePlugin/2")));
+        QCOMPARE(device::kDeviceApiVersion, 2);
+        if (sizeof(void*) != 8 || sizeof(std::string) != 32) {
+            QSKIP("the sizes below are those of 64 bits and libstdc++");
+        }
+        QCOMPARE(sizeof(device::DeviceInfo), std::size_t{176});
+        QCOMPARE(sizeof(device::DeviceState), std::size_t{96});
+        QCOMPARE(sizeof(device::DeviceReport), std::size_t{104});
+        QCOMPARE(sizeof(device::FoundDevice), std::size_t{96});
+        QCOMPARE(sizeof(device::PluginServices), std::size_t{32});
     }
 
     void namesAndSkipsWhatCannotBeUsed()
@@ -57,8 +72,13 @@ class PluginHost : public QObject
         std::filesystem::resize_file(path / "cut.so", std::filesystem::file_size(path / "cut.so") / 3);
         std::ofstream(path / "notes.txt") << "no plugin's name";
         auto all = host({m_found, path, "/nowhere"});
-        QCOMPARE(all.plugins().size(), std::size_t{10});
-        QVERIFY(problemOf(all, "old").find("device API 0, this program has 1") != std::string::npos);
+        QCOMPARE(all.plugins().size(), std::size_t{12});
+        for (const char* older : {"old", "copied"}) { // whatever the metadata of the second says
+            QVERIFY(problemOf(all, older).find("built for device API 1, this program has 2; build it anew") !=
+                    std::string::npos);
+            QCOMPARE(all.make(older).status().message(), problemOf(all, older));
+        }
+        QVERIFY(problemOf(all, "unsure").find("apiVersion is 1, expected 2") != std::string::npos);
         QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
         QVERIFY(problemOf(all, "text").find("no Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());

@@ -54,10 +54,16 @@ PluginEntry readEntry(const std::filesystem::path& file)
         return refuse(StatusCode::Mismatch, "it is a plugin for something else: found \"" + iid.toStdString() +
                                                 "\", expected \"" PALPATE_DEVICE_PLUGIN_IID "\"");
     }
-    if (entry.info.apiVersion != kDeviceApiVersion || iid != QLatin1String(PALPATE_DEVICE_PLUGIN_IID)) {
-        return refuse(StatusCode::Mismatch, "it was built for device API " + std::to_string(entry.info.apiVersion) +
-                                                ", this program has " + std::to_string(kDeviceApiVersion) +
+    if (iid != QLatin1String(PALPATE_DEVICE_PLUGIN_IID)) {
+        return refuse(StatusCode::Mismatch, "it was built for device API " +
+                                                iid.section(QLatin1Char('/'), 1).toStdString() + ", this program has " +
+                                                std::to_string(kDeviceApiVersion) +
                                                 "; build it anew against this version");
+    }
+    if (entry.info.apiVersion != kDeviceApiVersion) {
+        return refuse(StatusCode::Mismatch, "its metadata's apiVersion is " + std::to_string(entry.info.apiVersion) +
+                                                ", expected " + std::to_string(kDeviceApiVersion) +
+                                                ", which it is built for: correct its plugin.json and build it anew");
     }
     if (!isPlainId(entry.info.id)) {
         return refuse(StatusCode::BadFormat,

@@ -9,6 +9,11 @@
 #include <stdexcept>
 #include <thread>
 
+#ifdef WAYWARD_IID // as an older or newer header has it
+#undef PALPATE_DEVICE_PLUGIN_IID
+#define PALPATE_DEVICE_PLUGIN_IID WAYWARD_IID
+#endif
+
 enum Way
 {
     Crashes,

@@ -13,9 +13,11 @@
 
 namespace palpate::device {
 
-/// Version of everything in this header and in HapticDevice.h. A plugin states the one it was built for in its
-/// metadata; any other is refused before its code is loaded.
-inline constexpr int kDeviceApiVersion = 1;
+/// Version of everything in this header and in HapticDevice.h, layouts included: it rises with every change of a field
+/// or a virtual function, for a plugin that was built before it would be misread. The compiler puts it into each
+/// plugin (PALPATE_DEVICE_PLUGIN_IID) and its author into the metadata; one with another is refused before its code
+/// is loaded.
+inline constexpr int kDeviceApiVersion = 2;
 
 /// What the program lends to a plugin; outlives everything the plugin makes.
 struct PluginServices
@@ -51,5 +53,5 @@ class DevicePlugin
 
 } // namespace palpate::device
 
-#define PALPATE_DEVICE_PLUGIN_IID "palpate.DevicePlugin/1"
+#define PALPATE_DEVICE_PLUGIN_IID "palpate.DevicePlugin/2"
 Q_DECLARE_INTERFACE(palpate::device::DevicePlugin, PALPATE_DEVICE_PLUGIN_IID)

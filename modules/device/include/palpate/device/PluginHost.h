@@ -15,7 +15,7 @@ struct PluginInfo
     std::string version;
     std::string license; ///< SPDX
     std::string drives;  ///< which devices, in words
-    int apiVersion = 0;
+    int apiVersion = 0;  ///< that its author states
 };
 
 /// A file that was found where plugins are.
