@@ -216,6 +216,12 @@ void HostileFiles::ownFilesAreRefused_data()
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
                        "<FieldData><Aaryr type=\"Strig\" Name=\"SPACE\" NumberOfTuples=\"2\">76 0</Aaryr></FieldData>"),
         "line 3: an element \"Aaryr\" under \"FieldData\"; expected \"DataArray\" or \"Array\"");
+    const test::Folder folder;
+    const std::vector<meshio::MeshStructure> structures{test::tetrahedron("a")};
+    QVERIFY(meshio::writeMesh(folder.path("w.vtp"), structures).isOk());
+    std::string packed = test::fileBytes(folder.path("w.vtp"));
+    packed.replace(packed.find('_', packed.find("<AppendedData")) + 1 + 8, 8, 8, '\0'); // VTK divides by it
+    row("vtp blocks of no bytes", "a.vtp", packed, "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
     row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");

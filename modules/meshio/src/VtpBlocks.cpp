@@ -150,6 +150,10 @@ Result<VtpBlocks> VtpBlocks::find(const VtpArray& array, const VtpHeader& header
     }
     const std::uint64_t blockSize = headerWord(head, 1, header);
     const std::uint64_t lastSize = headerWord(head, 2, header);
+    if (first > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK divides by it
+        return wrong("blocks of " + counted(blockSize, "byte") + ", the last of " + grouped(lastSize),
+                     "blocks of at least one byte, none larger than the others");
+    }
     headerBytes += first * width;
     if (isBase64) {
         decodedHeader = fromBase64(text, headerBytes);
