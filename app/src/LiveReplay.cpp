@@ -61,12 +61,11 @@ LiveHand realHand(const session::Motion& motion, std::unique_ptr<device::HapticD
     return {std::move(device), [end] { return std::chrono::steady_clock::now() > end; }};
 }
 
-core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand, double dt_s,
+core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand,
+                                    const servo::ServoOptions& options,
                                     const std::function<Status(const servo::RecordingStart&)>& begin,
                                     const session::TickSink& sink, const std::function<void()>& idle)
 {
-    servo::ServoOptions options;
-    options.rate_Hz = 1.0 / dt_s;
     device::HapticDevice& device = *hand.device;
     servo::ServoLoop loop;
     loop.setScene(std::move(scene));

@@ -43,7 +43,7 @@ struct LiveHand
 /// @param sink   told each tick with a hand, numbered from 0, on the calling thread
 /// @param idle   called about every 20 ms, to commit what was recorded
 [[nodiscard]] core::Result<LiveResult>
-replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand, double dt_s,
+replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand, const servo::ServoOptions& options,
            const std::function<core::Status(const servo::RecordingStart&)>& begin, const session::TickSink& sink,
            const std::function<void()>& idle);
 

@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow
     void setPlugins(std::unique_ptr<palpate::device::PluginHost> plugins);
     /// The hand's device, as soon as a scene is open. @param id  "mouse", "simulated", "playback" or a plugin's
     void chooseDevice(const std::string& id);
+    /// Runs the servo loop on a CPU alone instead of as kept for the device; see `servo::checkCpu`.
+    void useCpu(int cpu);
     [[nodiscard]] bool usesPointer() const noexcept { return m_live.usesPointer(); }
 
   signals:

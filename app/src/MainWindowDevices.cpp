@@ -33,6 +33,11 @@ QString MainWindow::howToTouch() const
                                 : tr("Touch with the device; O or L fits the organ or lump to it, C clutches");
 }
 
+void MainWindow::useCpu(int cpu)
+{
+    m_handControl->useCpu(cpu);
+}
+
 void MainWindow::chooseDevice(const std::string& id)
 {
     // The simulated hand needs something to palpate, the recording has to be open: once all is there.

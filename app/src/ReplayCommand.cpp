@@ -33,6 +33,9 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
             "With --live, the hand: simulated or a device's name (drawn along the motion), or a plugin's device "
             "(moved by whoever holds it, as long as the motion lasts)")
         ->needs("--live");
+    command
+        ->add_option("--cpu", options->cpu, "With --live, the CPU that the servo loop runs on alone, from 0; -1: any")
+        ->needs("--live");
     command->add_option("--plugin-path", options->pluginFolders, "Folder to look for device plugins in first")
         ->allow_extra_args(false);
     command->add_flag("--force", options->isForced,

@@ -49,6 +49,9 @@ Status ReplayRun::checkOptions()
         return unit.status();
     }
     m_unit_mm = unit.value();
+    if (Status cpu = servo::checkCpu(m_options.cpu); !cpu.isOk()) {
+        return cpu;
+    }
     const auto number = [](std::string_view option, const std::string& text, bool isAbove, std::optional<double>& out) {
         if (text.empty()) {
             return Status();
@@ -299,9 +302,12 @@ Status ReplayRun::feelLive()
             m_writeStatus = m_writer->commit();
         }
     };
+    servo::ServoOptions loop;
+    loop.rate_Hz = 1.0 / m_motion.dt_s;
+    loop.cpu = m_options.cpu;
     const auto result = replayLive(
-        m_scene, hand, m_motion.dt_s, begin,
-        [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); }, idle);
+        m_scene, hand, loop, begin, [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); },
+        idle);
     if (!result.isOk()) {
         return result.status();
     }

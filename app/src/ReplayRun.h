@@ -29,6 +29,7 @@ struct ReplayOptions
     std::string unit = "mm", stiffness, damping, radius;
     std::string device; ///< the hand's, when live; empty: the motion itself
     std::vector<std::filesystem::path> pluginFolders;
+    int cpu = -1; ///< that the servo loop runs on alone, when live; -1: on any
     bool isLive = false;
     bool isForced = false;
     bool isPartial = false;

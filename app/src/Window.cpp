@@ -160,6 +160,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
         window.resize(options.screenshotWidth, options.screenshotHeight);
     }
     window.setPlugins(app::findPlugins(options.pluginFolders));
+    if (options.cpu) {
+        window.useCpu(*options.cpu);
+    }
     if (!options.device.empty()) {
         window.chooseDevice(options.device);
     }

@@ -18,6 +18,7 @@ struct WindowOptions
     int screenshotWidth = 1280;
     int screenshotHeight = 800;
     std::string device;                               ///< the hand's; empty: the mouse
+    std::optional<int> cpu;                           ///< that the servo loop runs on alone; none: as kept
     std::vector<std::filesystem::path> pluginFolders; ///< to look for device plugins in first
     bool darkPalette = false;                         ///< for the screenshot: the dark palette instead of the system's
 };

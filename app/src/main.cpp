@@ -7,6 +7,7 @@
 #endif
 
 #include <palpate/meshio/ImportServer.h>
+#include <palpate/servo/RealtimeSetup.h>
 #include <palpate/session/Recording.h>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,7 @@ void addWindowOptions(CLI::App& app, WindowCommandLine& line)
     app.add_option("--device", line.options.device, "The hand's device: mouse, simulated, playback or a plugin's");
     app.add_option("--plugin-path", line.options.pluginFolders, "Folder to look for device plugins in first")
         ->allow_extra_args(false);
+    app.add_option("--cpu", line.options.cpu, "CPU that the servo loop runs on alone, from 0; -1: any");
     app.add_option("--screenshot", line.screenshot, "Touch the scene with a scripted hand, write a PNG and exit");
     app.add_option("--size", line.size, "Size of the screenshot, as 1280x800");
     app.add_flag("--dark", line.options.darkPalette, "Dark palette for the screenshot");
@@ -56,6 +58,9 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
         }
     }
     if (const core::Status status = app::checkPluginFolders(line.options.pluginFolders); !status.isOk()) {
+        return app::report(status);
+    }
+    if (const core::Status status = servo::checkCpu(line.options.cpu.value_or(-1)); !status.isOk()) {
         return app::report(status);
     }
     if (!line.screenshot.empty()) {

@@ -415,6 +415,12 @@ class CommandLine : public QObject
         row("stiffness inf", replay + QStringList{"--stiffness", "inf"}, "--stiffness: found \"inf\"");
         row("stiffness word", replay + QStringList{"--stiffness", "1,5"}, "--stiffness: found \"1,5\"");
         row("damping negative", replay + QStringList{"--damping=-0.1"}, "--damping: found \"-0.1\"");
+        row("CPU of none", replay + QStringList{"--live", "--cpu", "100000"},
+            "CPU 100000: this machine has no such CPU, expected one of 0");
+        row("CPU negative", replay + QStringList{"--live", "--cpu=-2"}, "CPU -2: this machine has no such CPU");
+        row("CPU of a word", replay + QStringList{"--live", "--cpu", "first"}, "--cpu = first");
+        row("CPU without a loop", replay + QStringList{"--cpu", "0"}, "--live");
+        row("CPU of none, window", {"box.stl", "--cpu", "100000"}, "");
         row("scene missing", {"replay", "no.stl", "--motion", "m.csv", "--out", "t.csv"}, "no.stl");
         row("motion missing", {"replay", "box.stl", "--motion", "no.csv", "--out", "t.csv"}, "no.csv");
         row("motion is a folder", {"replay", "box.stl", "--motion", ".", "--out", "t.csv"}, "directory");

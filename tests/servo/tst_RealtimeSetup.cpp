@@ -112,6 +112,55 @@ class RealtimeSetup : public QObject
         QVERIFY(item->message.find("CPU 100000") != std::string::npos);
     }
 
+    void aCpuIsGivenWhenItIsAllowed()
+    {
+        const std::vector<int> allowed = palpate::servo::allowedCpus();
+        QVERIFY(!allowed.empty());
+        QVERIFY(palpate::servo::checkCpu(-1).isOk());
+        QVERIFY(palpate::servo::checkCpu(allowed.back()).isOk());
+        std::vector<int> got;
+        onAThread([&] {
+            RealtimeRequest request;
+            request.askPriority = false;
+            request.cpu = allowed.back();
+            const RealtimeReport report = makeThreadRealtime(request);
+            QVERIFY(itemOf(report, "own CPU")->isGranted);
+            got = palpate::servo::allowedCpus();
+        });
+        QCOMPARE(got, std::vector<int>{allowed.back()});
+    }
+
+    void aCpuThatIsNotThereIsRefusedInWords()
+    {
+        for (const int cpu : {100'000, -2}) {
+            const palpate::core::Status status = palpate::servo::checkCpu(cpu);
+            QCOMPARE(status.code(), palpate::core::StatusCode::BadCommandLine);
+            const std::string start = "CPU " + std::to_string(cpu) + ": this machine has no such CPU, expected one of ";
+            QVERIFY2(status.message().find(start) == 0, status.message().c_str());
+        }
+    }
+
+    /// As `taskset -c` leaves it.
+    void aCpuThatIsNotAllowedIsRefusedInWords()
+    {
+        const std::vector<int> allowed = palpate::servo::allowedCpus();
+        if (allowed.size() < 2) {
+            QSKIP("one CPU is allowed here: none is left to be forbidden");
+        }
+        onAThread([&] {
+            RealtimeRequest request;
+            request.askPriority = false;
+            request.cpu = allowed[0];
+            static_cast<void>(makeThreadRealtime(request));
+            const palpate::core::Status status = palpate::servo::checkCpu(allowed[1]);
+            QCOMPARE(status.code(), palpate::core::StatusCode::BadCommandLine);
+            QCOMPARE(status.message(), "CPU " + std::to_string(allowed[1]) +
+                                           ": the program may not run on it (see taskset -p, or the container's "
+                                           "settings), expected one of " +
+                                           std::to_string(allowed[0]));
+        });
+    }
+
     void keepsDenormalsAndRoundsToNearestWhateverTheCreatorHad()
     {
         double half = 0.0;

@@ -69,6 +69,7 @@ class Hand : public QObject
         settings.fill = MapFill::Scale;
         settings.scale = 0.25;
         settings.rate_kHz = 4;
+        settings.cpu = 1;
         settings.isLeftHanded = true;
         settings.buttons = {ButtonUse::Nothing, ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing};
         settings.save(store, QStringLiteral("touch"));
@@ -76,11 +77,14 @@ class Hand : public QObject
         QVERIFY(back.turn == settings.turn && back.fill == settings.fill && back.isLeftHanded);
         QCOMPARE(back.scale, 0.25);
         QCOMPARE(back.rate_kHz, 4);
+        QCOMPARE(back.cpu, 1);
         QVERIFY(back.buttons == settings.buttons);
         QVERIFY(!HandSettings::load(store, QStringLiteral("omega")).isLeftHanded);
         store.setValue(QStringLiteral("devices/touch/fill"), 77);
         store.setValue(QStringLiteral("devices/touch/scale"), QStringLiteral("nan"));
         store.setValue(QStringLiteral("devices/touch/rate_kHz"), 3);
+        store.setValue(QStringLiteral("devices/touch/cpu"), QStringLiteral("all"));
+        QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).cpu, -1);
         QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).scale, 1.0);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).rate_kHz, 1);
@@ -276,6 +280,27 @@ class Hand : public QObject
         live.stop();
         QVERIFY(live.useDevice(nullptr).isOk());
         QCOMPARE(live.delayTicks(), 1);
+    }
+
+    void theLoopRunsOnTheCpuAskedForOrAsBefore()
+    {
+        ui::StructureModel model;
+        ui::LiveTouch live(model);
+        QVERIFY(live.start().isOk());
+        const int cpu = servo::allowedCpus().back();
+        QVERIFY(live.setLoop(2000.0, cpu).isOk());
+        bool isGranted = false;
+        for (const servo::RealtimeItem& item : live.realtime().items) {
+            isGranted = isGranted || (item.name == "own CPU" && item.isGranted);
+        }
+        QVERIFY(isGranted);
+        QVERIFY(!live.setLoop(1000.0, 100'000).isOk());
+        QCOMPARE(live.cpu(), cpu);
+        QCOMPARE(live.rate_Hz(), 2000.0);
+        QVERIFY(live.setLoop(1000.0, -1).isOk());
+        for (const servo::RealtimeItem& item : live.realtime().items) {
+            QVERIFY(item.name != "own CPU");
+        }
     }
 
     void aStifferTissueThanIsHeldIsRefusedInWords()

@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace palpate::servo {
 
@@ -91,7 +92,56 @@ __attribute__((noinline)) void touchStack() noexcept
     static_cast<void>(stack[0]);
 }
 
+/// As taskset writes it: 0-3,8.
+std::string cpuList(const std::vector<int>& cpus)
+{
+    std::string out;
+    for (std::size_t i = 0; i < cpus.size();) {
+        std::size_t last = i;
+        while (last + 1 < cpus.size() && cpus[last + 1] == cpus[last] + 1) {
+            ++last;
+        }
+        out += out.empty() ? "" : ",";
+        out += std::to_string(cpus[i]);
+        if (last > i) {
+            out += "-";
+            out += std::to_string(cpus[last]);
+        }
+        i = last + 1;
+    }
+    return out;
+}
+
 } // namespace
+
+std::vector<int> allowedCpus()
+{
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    std::vector<int> cpus;
+    if (sched_getaffinity(0, sizeof(set), &set) == 0) {
+        for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+            if (CPU_ISSET(static_cast<unsigned>(cpu), &set)) {
+                cpus.push_back(cpu);
+            }
+        }
+    }
+    return cpus;
+}
+
+core::Status checkCpu(int cpu)
+{
+    const std::vector<int> allowed = allowedCpus();
+    if (cpu == -1 || std::find(allowed.begin(), allowed.end(), cpu) != allowed.end()) {
+        return {};
+    }
+    const bool isThere = cpu >= 0 && cpu < sysconf(_SC_NPROCESSORS_CONF);
+    return {core::StatusCode::BadCommandLine,
+            "CPU " + std::to_string(cpu) + ": " +
+                (isThere ? "the program may not run on it (see taskset -p, or the container's settings)"
+                         : "this machine has no such CPU") +
+                ", expected one of " + cpuList(allowed)};
+}
 
 RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
 {

@@ -48,6 +48,9 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         return {StatusCode::BadCommandLine,
                 "servo rate is " + std::to_string(options.rate_Hz) + " Hz, expected 1 to 10000"};
     }
+    if (Status cpu = checkCpu(options.cpu); !cpu.isOk()) {
+        return cpu;
+    }
     if (options.ringCapacity < 2 || options.ringCapacity > kLargestRing) {
         return {StatusCode::BadCommandLine, "the servo ring holds " + std::to_string(options.ringCapacity) +
                                                 " ticks, expected 2 to " + std::to_string(kLargestRing)};

@@ -35,22 +35,36 @@ void HandControl::takeDevice()
 {
     QSettings store;
     const device::DeviceInfo& info = m_live.deviceInfo();
-    m_panel.setDevice(info, HandSettings::load(store, QString::fromStdString(info.id)));
+    HandSettings settings = HandSettings::load(store, QString::fromStdString(info.id));
+    settings.cpu = m_cpu.value_or(settings.cpu);
+    m_panel.setDevice(info, settings);
     if (servo::edgeOf(info) > 0.0) {
         m_follow.start();
     } else {
         m_follow.stop();
     }
-    takeRate();
+    takeLoop();
     takeScene();
     showStatus();
 }
 
-void HandControl::takeRate()
+void HandControl::useCpu(int cpu)
 {
-    if (const core::Status status = m_live.setRate(m_panel.settings().rate_kHz * 1000.0); !status.isOk()) {
-        HandSettings settings = m_panel.settings();
+    m_cpu = cpu;
+    takeDevice();
+}
+
+void HandControl::takeLoop()
+{
+    HandSettings settings = m_panel.settings();
+    if (const core::Status allowed = servo::checkCpu(settings.cpu); !allowed.isOk()) {
+        settings.cpu = -1; // kept on another machine, or outside a container
+        m_panel.setSettings(settings);
+        emit said(tr("%1: any is used").arg(QString::fromStdString(allowed.message())));
+    }
+    if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
         settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
+        settings.cpu = m_live.cpu();
         m_panel.setSettings(settings);
         emit said(QString::fromStdString(status.message()));
     }
@@ -159,7 +173,10 @@ std::optional<HandControl::Filled> HandControl::lump()
 
 void HandControl::keep()
 {
-    takeRate();
+    if (m_cpu && *m_cpu != m_panel.settings().cpu) {
+        m_cpu.reset();
+    }
+    takeLoop();
     QSettings store;
     m_panel.settings().save(store, QString::fromStdString(m_live.deviceInfo().id));
     lay();

@@ -199,6 +199,15 @@ QWidget* HandPanel::makeMapping()
         tr("Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter "
            "below."));
     form->addRow(tr("Servo rate"), m_rate);
+    m_cpu = new QComboBox(mapping);
+    m_cpu->addItem(tr("Any"), -1);
+    for (const int cpu : servo::allowedCpus()) {
+        m_cpu->addItem(tr("CPU %1 alone").arg(cpu), cpu);
+    }
+    m_cpu->setAccessibleName(tr("CPU of the servo loop"));
+    m_cpu->setToolTip(tr("Where the servo loop runs. One CPU alone helps where it is kept free of everything else; "
+                         "elsewhere \"Any\" lets\nthe loop go where there is room."));
+    form->addRow(tr("Servo CPU"), m_cpu);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_buttons[i] = new QComboBox(mapping);
         m_buttons[i]->addItems({tr("Nothing"), tr("Clutch"), tr("Centre")});
@@ -220,6 +229,7 @@ QWidget* HandPanel::makeMapping()
 
     connect(m_turn, &QComboBox::activated, this, &HandPanel::edit);
     connect(m_rate, &QComboBox::activated, this, &HandPanel::edit);
+    connect(m_cpu, &QComboBox::activated, this, &HandPanel::edit);
     connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this] {
         if (!m_isShowing) {
             m_settings.fill = MapFill::Scale;
@@ -253,6 +263,7 @@ void HandPanel::setSettings(const HandSettings& settings)
     m_isShowing = true;
     m_turn->setCurrentIndex(static_cast<int>(m_settings.turn));
     m_rate->setCurrentIndex(m_rate->findData(m_settings.rate_kHz));
+    m_cpu->setCurrentIndex(m_cpu->findData(m_settings.cpu));
     m_leftHanded->setChecked(m_settings.isLeftHanded);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_buttons[i]->setCurrentIndex(static_cast<int>(m_settings.buttons[i]));
@@ -268,6 +279,7 @@ void HandPanel::edit()
     }
     m_settings.turn = static_cast<MapTurn>(m_turn->currentIndex());
     m_settings.rate_kHz = m_rate->currentData().toInt();
+    m_settings.cpu = m_cpu->currentData().toInt();
     m_settings.isLeftHanded = m_leftHanded->isChecked();
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_settings.buttons[i] = static_cast<ButtonUse>(m_buttons[i]->currentIndex());

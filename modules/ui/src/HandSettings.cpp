@@ -31,10 +31,13 @@ HandSettings HandSettings::load(QSettings& store, const QString& id)
     HandSettings out;
     out.turn = static_cast<MapTurn>(numberBelow(store, key(id, "turn"), static_cast<int>(out.turn), 3));
     out.fill = static_cast<MapFill>(numberBelow(store, key(id, "fill"), static_cast<int>(out.fill), 4));
+    bool isNumber = false;
     const double scale = store.value(key(id, "scale"), out.scale).toDouble();
     out.scale = scale >= 0.01 && scale <= 100.0 ? scale : 1.0;
     const int rate_kHz = store.value(key(id, "rate_kHz"), out.rate_kHz).toInt();
     out.rate_kHz = rate_kHz == 2 || rate_kHz == 4 ? rate_kHz : 1;
+    out.cpu = store.value(key(id, "cpu"), out.cpu).toInt(&isNumber);
+    out.cpu = isNumber && out.cpu >= 0 ? out.cpu : -1;
     out.isLeftHanded = store.value(key(id, "leftHanded"), false).toBool();
     for (int i = 0; i < kButtons; ++i) {
         ButtonUse& use = out.buttons[static_cast<std::size_t>(i)];
@@ -50,6 +53,7 @@ void HandSettings::save(QSettings& store, const QString& id) const
     store.setValue(key(id, "fill"), static_cast<int>(fill == MapFill::Scale ? MapFill::Scale : MapFill::Scene));
     store.setValue(key(id, "scale"), scale);
     store.setValue(key(id, "rate_kHz"), rate_kHz);
+    store.setValue(key(id, "cpu"), cpu);
     store.setValue(key(id, "leftHanded"), isLeftHanded);
     for (int i = 0; i < kButtons; ++i) {
         store.setValue(key(id, "button") + QString::number(i), static_cast<int>(buttons[static_cast<std::size_t>(i)]));

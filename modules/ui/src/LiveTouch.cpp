@@ -80,15 +80,19 @@ double LiveTouch::rate_Hz() const
     return m_options.rate_Hz;
 }
 
-core::Status LiveTouch::setRate(double rate_Hz)
+core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
 {
-    if (rate_Hz == m_options.rate_Hz) {
+    if (rate_Hz == m_options.rate_Hz && cpu == m_options.cpu) {
         return {};
     }
     if (m_recorder.status().isRecording) {
-        return {core::StatusCode::Unsupported, "the rate cannot be changed while a recording runs; stop it first"};
+        return {core::StatusCode::Unsupported, "rate and CPU cannot be changed while a recording runs; stop it first"};
+    }
+    if (core::Status allowed = servo::checkCpu(cpu); !allowed.isOk()) {
+        return allowed;
     }
     m_options.rate_Hz = rate_Hz;
+    m_options.cpu = cpu;
     core::Status status;
     if (m_loop.isRunning()) {
         m_loop.stop();

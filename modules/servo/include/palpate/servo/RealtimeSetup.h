@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Status.h>
+
 #include <string>
 #include <vector>
 
@@ -30,6 +32,14 @@ struct RealtimeRequest
     int cpu = -1;            ///< run on this one; -1: on any
     const char* threadName = "palpate-servo"; ///< at most 15 characters
 };
+
+/// CPUs that the calling thread may run on, from 0: what taskset, a container or a cpuset leave of the machine's.
+[[nodiscard]] std::vector<int> allowedCpus();
+
+/// Says whether a thread may be asked to run on a CPU alone.
+/// @param cpu  -1: on any, always ok
+/// @return BadCommandLine: there is none, or it is not among `allowedCpus`
+[[nodiscard]] core::Status checkCpu(int cpu);
 
 /// Makes the calling thread as regular as permitted: SCHED_FIFO, memory locked as it is touched, 1 ns timer slack, a
 /// name, a CPU, and the default floating-point environment.

@@ -21,7 +21,7 @@ struct ServoOptions
 {
     double rate_Hz = 1000.0;              ///< 1 to 10000
     bool askRealtime = true;              ///< SCHED_FIFO and locked memory, when permitted
-    int cpu = -1;                         ///< run on this one; -1: on any
+    int cpu = -1;                         ///< run on this one alone, see checkCpu; -1: on any
     bool isPassivityControlled = true;    ///< adds the damping that keeps a device with motors from oscillating
     std::size_t ringCapacity = 1U << 16U; ///< recorded ticks that wait for the recorder; 65 s at 1 kHz
 };

@@ -26,6 +26,9 @@ class HandControl : public QObject
 
     /// The device in `live` is another one: its own settings apply.
     void takeDevice();
+    /// Runs the servo loop on a CPU, with this device and others chosen later, whatever was kept for them; an edit in
+    /// the panel ends that.
+    void useCpu(int cpu);
     /// By a key: the device moves, the hand in the scene stays.
     void setClutched(bool isClutched);
     /// Puts the middle of the workspace in the middle of what it reaches. The hand then begins anew there.
@@ -51,7 +54,7 @@ class HandControl : public QObject
     void lay();
     void showStatus();
     void takeScene();
-    void takeRate();
+    void takeLoop();
     [[nodiscard]] std::optional<Filled> scene();
     [[nodiscard]] std::optional<Filled> organ();
     [[nodiscard]] std::optional<Filled> lump();
@@ -67,6 +70,7 @@ class HandControl : public QObject
     QTimer m_follow; ///< the camera says nothing when it turns
     Filled m_filled;
     std::vector<core::Vec3> m_findings;
+    std::optional<int> m_cpu; ///< that was asked for instead of the kept one
     std::uint32_t m_centreRequest = 0;
     std::uint32_t m_buttonsBefore = 0;
     bool m_isClutched = false;

@@ -81,6 +81,7 @@ class HandPanel : public QWidget
     QDoubleSpinBox* m_scale = nullptr;
     QComboBox* m_turn = nullptr;
     QComboBox* m_rate = nullptr;
+    QComboBox* m_cpu = nullptr;
     QCheckBox* m_leftHanded = nullptr;
     std::array<QComboBox*, 2> m_buttons{};
     QPushButton* m_clutch = nullptr;

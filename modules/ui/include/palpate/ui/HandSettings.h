@@ -46,6 +46,7 @@ struct HandSettings
     MapFill fill = MapFill::Scene; ///< organ and lump are this moment's choice: kept as the scene
     double scale = 1.0;            ///< with MapFill::Scale
     int rate_kHz = 1;              ///< of the servo loop: 1, 2 or 4
+    int cpu = -1;                  ///< that the servo loop runs on alone; -1: on any
     bool isLeftHanded = false;     ///< the first two buttons change places: the thumb's is on the other side
     std::array<ButtonUse, kButtons> buttons{ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing,
                                             ButtonUse::Nothing};

@@ -60,8 +60,11 @@ class LiveTouch : public QObject
     [[nodiscard]] servo::TimingReport timing() const { return m_loop.timing(); }
     /// Of the running loop, or of the one to come. [Hz]
     [[nodiscard]] double rate_Hz() const;
-    /// Runs the loop at another rate: a running one starts anew. Refused while a recording runs. On failure as `start`.
-    core::Status setRate(double rate_Hz);
+    /// CPU that the loop runs on alone; -1: on any.
+    [[nodiscard]] int cpu() const noexcept { return m_options.cpu; }
+    /// Runs the loop at a rate and on a CPU: a running one starts anew when one of them is another. Refused while a
+    /// recording runs, and by `servo::checkCpu`. On failure as `start`.
+    core::Status setLoop(double rate_Hz, int cpu);
     /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
     [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
     /// Ticks per second over the last half second. [Hz]
