@@ -213,6 +213,33 @@ class ServoLoop : public QObject
         QCOMPARE(device.stops.load(), 2);
     }
 
+    /// An arm that counts from its calibration pose would have to be calibrated again.
+    void restartsAtAnotherRateWithTheDeviceOpen()
+    {
+        TestDevice device;
+        Loop loop;
+        QCOMPARE(loop.restart({}).code(), StatusCode::Internal); // nothing runs
+        loop.setScene(palpate::test::sphereScene(30.0, 1.0));
+        ServoOptions options = plain();
+        QVERIFY(loop.start(device, options).isOk());
+        QVERIFY(press(device, loop));
+        options.rate_Hz = 2000.0;
+        options.cpu = 100'000;
+        QCOMPARE(loop.restart(options).code(), StatusCode::BadCommandLine);
+        QCOMPARE(loop.rate_Hz(), 1000.0);
+        QVERIFY(loop.isRunning());
+        options.cpu = -1;
+        const auto reads = device.reads.load();
+        QVERIFY(loop.restart(options).isOk());
+        QVERIFY(waitFor([&] { return device.reads.load() > reads + 50; }));
+        QCOMPARE(loop.rate_Hz(), 2000.0);
+        QCOMPARE(device.starts.load(), 1);
+        QCOMPARE(device.stops.load(), 0);
+        loop.stop();
+        QCOMPARE(device.force.load(), 0.0);
+        QCOMPARE(device.stops.load(), 1);
+    }
+
     void stopsAtOnceAtTheLowestRate()
     {
         TestDevice device;

@@ -20,6 +20,19 @@ constexpr double kLowestRate_Hz = 1.0;
 constexpr double kHighestRate_Hz = 10000.0;
 constexpr std::size_t kLargestRing = 1U << 24U;
 
+Status checkOptions(const ServoOptions& options)
+{
+    if (!(options.rate_Hz >= kLowestRate_Hz && options.rate_Hz <= kHighestRate_Hz)) {
+        return {StatusCode::BadCommandLine,
+                "servo rate is " + std::to_string(options.rate_Hz) + " Hz, expected 1 to 10000"};
+    }
+    if (options.ringCapacity < 2 || options.ringCapacity > kLargestRing) {
+        return {StatusCode::BadCommandLine, "the servo ring holds " + std::to_string(options.ringCapacity) +
+                                                " ticks, expected 2 to " + std::to_string(kLargestRing)};
+    }
+    return checkCpu(options.cpu);
+}
+
 } // namespace
 
 ServoLoop::ServoLoop()
@@ -39,27 +52,46 @@ ServoLoop::~ServoLoop()
 
 Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& options)
 {
-    Impl& impl = *m_impl;
     if (isRunning()) {
         return {StatusCode::Internal, "the servo loop is already running"};
     }
     stop(); // what is left of a thread that ended by an error
-    if (!(options.rate_Hz >= kLowestRate_Hz && options.rate_Hz <= kHighestRate_Hz)) {
-        return {StatusCode::BadCommandLine,
-                "servo rate is " + std::to_string(options.rate_Hz) + " Hz, expected 1 to 10000"};
-    }
-    if (Status cpu = checkCpu(options.cpu); !cpu.isOk()) {
-        return cpu;
-    }
-    if (options.ringCapacity < 2 || options.ringCapacity > kLargestRing) {
-        return {StatusCode::BadCommandLine, "the servo ring holds " + std::to_string(options.ringCapacity) +
-                                                " ticks, expected 2 to " + std::to_string(kLargestRing)};
+    if (Status status = checkOptions(options); !status.isOk()) {
+        return status;
     }
     try { // a driver is other people's code
         if (Status started = device.start(); !started.isOk()) {
             return started;
         }
-        const device::DeviceInfo info = device.info();
+    } catch (const std::exception& e) {
+        device.stop();
+        return {StatusCode::Internal, std::string("the device could not be started: ") + e.what()};
+    } catch (...) {
+        device.stop();
+        return {StatusCode::Internal, "the device could not be started: its driver failed"};
+    }
+    m_impl->device = &device;
+    return startThread(options);
+}
+
+Status ServoLoop::restart(const ServoOptions& options)
+{
+    if (!isRunning()) {
+        return {StatusCode::Internal, "the servo loop is not running"};
+    }
+    if (Status status = checkOptions(options); !status.isOk()) {
+        return status;
+    }
+    endThread();
+    return startThread(options);
+}
+
+/// Without a thread the device, which was started, is stopped again.
+Status ServoLoop::startThread(const ServoOptions& options)
+{
+    Impl& impl = *m_impl;
+    try {
+        const device::DeviceInfo info = impl.device->info();
         impl.limits = GateLimits::forDevice(info);
         impl.passivity = PassivityLimits::forDevice(info);
         impl.delayTicks.store(impl.passivity.delayTicks, std::memory_order_relaxed);
@@ -68,7 +100,6 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
             impl.ring->capacity() / 2 >= options.ringCapacity) {
             impl.ring = std::make_unique<core::SpscRing<PlainCopy<TickRecord>>>(options.ringCapacity);
         }
-        impl.device = &device;
         impl.request = {};
         impl.request.askPriority = options.askRealtime;
         impl.request.cpu = options.cpu;
@@ -92,10 +123,10 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         impl.thread = std::thread([&impl, &ready] { impl.runThread(ready); });
         ready.wait();
     } catch (const std::exception& e) {
-        device.stop();
+        std::exchange(impl.device, nullptr)->stop();
         return {StatusCode::Internal, std::string("the device or the servo thread could not be started: ") + e.what()};
     } catch (...) {
-        device.stop();
+        std::exchange(impl.device, nullptr)->stop();
         return {StatusCode::Internal, "the device could not be started: its driver failed"};
     }
     if (!isRunning()) {
@@ -105,18 +136,24 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
     return {};
 }
 
+void ServoLoop::endThread() noexcept
+{
+    Impl& impl = *m_impl;
+    impl.isStopRequested.store(true, std::memory_order_release);
+    impl.thread.join();
+    releaseRealtime(impl.realtime);
+    collect();
+}
+
 void ServoLoop::stop() noexcept
 {
     Impl& impl = *m_impl;
     if (!impl.thread.joinable()) {
         return;
     }
-    impl.isStopRequested.store(true, std::memory_order_release);
-    impl.thread.join();
+    endThread();
     impl.device->stop();
     impl.device = nullptr;
-    releaseRealtime(impl.realtime);
-    collect();
 }
 
 bool ServoLoop::isRunning() const noexcept

@@ -95,8 +95,13 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
     m_options.cpu = cpu;
     core::Status status;
     if (m_loop.isRunning()) {
-        m_loop.stop();
-        status = start();
+        m_delayTicks = 1;
+        m_ticks = 0;
+        m_measured_ns = core::monotonicNow_ns();
+        status = m_loop.restart(m_options);
+        if (!m_loop.isRunning()) {
+            status = start();
+        }
     }
     m_handOver.start(); // what may be held is another
     emit greatestChanged();

@@ -61,6 +61,11 @@ class ServoLoop
     /// @param device  must outlive the run
     /// @return BadCommandLine: options out of range; Internal: already running or no thread; or what the device said
     core::Status start(device::HapticDevice& device, const ServoOptions& options = {});
+    /// Runs on with other options, as `start` does, but the device stays open: one that counts from its calibration
+    /// pose does not forget it. The force goes away and is eased in again.
+    /// @return BadCommandLine: options out of range, all goes on as before; Internal: not running, or no thread, and
+    ///         then the device is stopped
+    core::Status restart(const ServoOptions& options);
     /// Takes the force away within 10 ms, ends the thread, stops the device. Nothing when not running.
     void stop() noexcept;
     /// False before start, after stop and after the thread ended by an error.
@@ -105,6 +110,9 @@ class ServoLoop
     [[nodiscard]] std::vector<TickRecord> ticksBeforeFault();
 
   private:
+    core::Status startThread(const ServoOptions& options);
+    void endThread() noexcept;
+
     struct Impl;
     std::unique_ptr<Impl> m_impl;
 };

@@ -62,8 +62,8 @@ class LiveTouch : public QObject
     [[nodiscard]] double rate_Hz() const;
     /// CPU that the loop runs on alone; -1: on any.
     [[nodiscard]] int cpu() const noexcept { return m_options.cpu; }
-    /// Runs the loop at a rate and on a CPU: a running one starts anew when one of them is another. Refused while a
-    /// recording runs, and by `servo::checkCpu`. On failure as `start`.
+    /// Runs the loop at a rate and on a CPU: a running one begins anew, with the device kept open, when one of them is
+    /// another. Refused while a recording runs, and by `servo::checkCpu`. On failure as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
     /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
     [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
