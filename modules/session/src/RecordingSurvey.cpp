@@ -156,6 +156,7 @@ class Surveyor
             if (isOld) {
                 m_result.scenes.insert(generation);
             } else if (!m_checkedScenes.contains(generation)) {
+                m_result.uncheckedScenes.insert(generation);
                 m_result.faults.push_back("scene " + std::to_string(generation) + ": found without a checksum");
             }
         }
@@ -163,6 +164,7 @@ class Surveyor
             if (isOld) {
                 m_result.events.insert(id);
             } else if (!m_checkedEvents.contains(id)) {
+                m_result.uncheckedEvents.insert(id);
                 m_result.faults.push_back("event " + std::to_string(id) + ": found without a checksum");
             }
         }

@@ -13,9 +13,11 @@ namespace palpate::session::internal {
 /// Which parts of a recording are, bit for bit, what was written.
 struct Survey
 {
-    std::vector<Check> blocks;         ///< of ticks that are as written, ascending
-    std::set<std::uint32_t> scenes;    ///< generations that are
-    std::set<std::int64_t> events;     ///< ids of those that are
+    std::vector<Check> blocks;               ///< of ticks that are as written, ascending
+    std::set<std::uint32_t> scenes;          ///< generations that are
+    std::set<std::int64_t> events;           ///< ids of those that are
+    std::set<std::uint32_t> uncheckedScenes; ///< generations that no line of checks covers
+    std::set<std::int64_t> uncheckedEvents;
     std::vector<std::string> embedded; ///< hashes of those that are
     std::vector<std::string> faults;   ///< what is not, one line each that names it; empty: all is
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Recovery.h"
 
+#include "PageSalvage.h"
 #include "RecordingSurvey.h"
 #include "Schema.h"
 #include "palpate/session/RecordingReader.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <unistd.h>
@@ -27,6 +27,8 @@ using internal::Database;
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kUnchecked = ": kept without a checksum to hold it against";
 
 fs::path with(const fs::path& path, const std::string& suffix)
 {
@@ -57,6 +59,51 @@ class WorkFile
     fs::path m_path;
 };
 
+/// A database that rows can be read from, and what in it is as written.
+struct Source
+{
+    explicit Source(Database opened)
+        : database(std::move(opened))
+        , tables(database)
+    {
+    }
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+
+    Status read()
+    {
+        internal::Statement head = database.prepare("SELECT count(*) FROM sqlite_master");
+        if (head.step() != internal::Statement::Step::Row) {
+            return {StatusCode::BadFormat, "its first page is damaged"};
+        }
+        head.reset();
+        if (Status status = tables.readVersion(); !status.isOk()) {
+            return status;
+        }
+        if (Status status = tables.readMeta(meta); !status.isOk()) {
+            faults.push_back(status.message());
+        }
+        survey = internal::survey(tables, meta);
+        faults.insert(faults.end(), survey.faults.begin(), survey.faults.end());
+        return {};
+    }
+    /// How much of it is as written.
+    std::int64_t worth() const
+    {
+        auto rows = static_cast<std::int64_t>(survey.scenes.size() + survey.events.size() + survey.embedded.size());
+        for (const internal::Check& block : survey.blocks) {
+            rows += block.rows;
+        }
+        return rows;
+    }
+
+    Database database;
+    internal::RecordingTables tables;
+    internal::MetaTable meta;
+    internal::Survey survey;
+    std::vector<std::string> faults;
+};
+
 class Rescue
 {
   public:
@@ -64,6 +111,7 @@ class Rescue
         : m_from(from)
         , m_to(to)
         , m_source(to, "-source")
+        , m_pages(to, "-pages")
         , m_copy(to, "-part")
     {
     }
@@ -71,7 +119,7 @@ class Rescue
     core::Result<Recovery> run()
     {
         for (const auto step :
-             {&Rescue::openSource, &Rescue::readHead, &Rescue::makeCopy, &Rescue::copyTicks, &Rescue::finish}) {
+             {&Rescue::copySource, &Rescue::chooseSource, &Rescue::makeCopy, &Rescue::copyTicks, &Rescue::finish}) {
             if (Status status = (this->*step)(); !status.isOk()) {
                 return status;
             }
@@ -86,16 +134,18 @@ class Rescue
     }
     void lose(std::string line)
     {
-        // SQLite names our own copy of the file.
-        for (auto at = line.find(m_source.path().string()); at != std::string::npos;
-             at = line.find(m_source.path().string())) {
-            line.replace(at, m_source.path().string().size(), m_from.filename().string());
+        // SQLite names our own copies of the file.
+        for (const WorkFile* work : {&m_source, &m_pages}) {
+            const std::string own = work->path().string();
+            for (auto at = line.find(own); at != std::string::npos; at = line.find(own)) {
+                line.replace(at, own.size(), m_from.filename().string());
+            }
         }
         m_result.losses.push_back(std::move(line));
     }
 
     /// SQLite rolls a journal back by writing: into our copy, never into what is all there is.
-    Status openSource()
+    Status copySource()
     {
         std::error_code error;
         if (!fs::exists(m_from, error)) {
@@ -103,9 +153,6 @@ class Rescue
         }
         if (fs::equivalent(m_from, m_to, error)) {
             return wrong(StatusCode::BadCommandLine, m_to, "is the recording itself, expected another name");
-        }
-        if (!isRecordingFile(m_from)) {
-            return wrong(StatusCode::BadFormat, m_from, "found no SQLite database, expected a recording");
         }
         error.clear();
         fs::copy_file(m_from, m_source.path(), fs::copy_options::overwrite_existing, error);
@@ -118,40 +165,55 @@ class Rescue
             return wrong(StatusCode::Unreadable, m_to, "cannot be written: " + error.message());
         }
         fs::permissions(m_source.path(), fs::perms::owner_read | fs::perms::owner_write, error);
-        auto opened = Database::open(m_source.path(), Database::Mode::ReadWrite);
-        if (!opened.isOk()) {
-            return opened.status();
-        }
-        m_database.emplace(std::move(opened).value());
-        m_tables.emplace(*m_database);
         return {};
     }
 
-    Status readHead()
+    /// Reads the database as it is; where something in it is damaged, also what its pages hold without it, and goes on
+    /// with what holds more.
+    Status chooseSource()
     {
-        internal::Statement head = m_database->prepare("SELECT count(*) FROM sqlite_master");
-        if (head.step() != internal::Statement::Step::Row) {
-            return wrong(StatusCode::BadFormat, m_from, "its first page is damaged: nothing can be recovered");
+        Status direct(StatusCode::BadFormat, "found no SQLite database, expected a recording");
+        if (isRecordingFile(m_from)) {
+            direct = open(m_source.path(), m_chosen);
         }
-        head.reset();
-        if (Status status = m_tables->readVersion(); !status.isOk()) {
-            return wrong(status.code(), m_from, status.message());
+        if (direct.code() == StatusCode::Mismatch) {
+            return wrong(direct.code(), m_from, direct.message()); // a newer version's pages say something else
         }
-        if (Status status = m_tables->readMeta(m_meta); !status.isOk()) {
-            lose(status.message());
+        if (!direct.isOk() || !m_chosen->faults.empty()) {
+            const auto salvage = internal::salvagePages(m_source.path(), m_pages.path());
+            std::unique_ptr<Source> found;
+            if (salvage.isOk() && salvage.value().ticks > 0 && open(m_pages.path(), found).isOk() &&
+                (!direct.isOk() || found->worth() > m_chosen->worth())) {
+                m_chosen = std::move(found);
+                lose("its structure is damaged: " + std::to_string(salvage.value().rows) +
+                     " rows were gathered from its " + std::to_string(salvage.value().pages) + " pages one by one");
+                direct = {};
+            }
         }
-        m_survey = internal::survey(*m_tables, m_meta);
-        for (const std::string& fault : m_survey.faults) {
+        if (!direct.isOk()) {
+            return wrong(direct.code(), m_from, direct.message() + ": nothing can be recovered");
+        }
+        for (const std::string& fault : m_chosen->faults) {
             lose(fault);
         }
         readInfo();
         return {};
     }
 
+    static Status open(const fs::path& path, std::unique_ptr<Source>& out)
+    {
+        auto opened = Database::open(path, Database::Mode::ReadWrite);
+        if (!opened.isOk()) {
+            return opened.status();
+        }
+        out = std::make_unique<Source>(std::move(opened).value());
+        return out->read();
+    }
+
     /// Takes each value that makes sense; the others get what a new recording has.
     void readInfo()
     {
-        if (auto whole = internal::fromMeta(m_meta); whole.isOk()) {
+        if (auto whole = internal::fromMeta(m_chosen->meta); whole.isOk()) {
             m_info = std::move(whole).value();
             return;
         }
@@ -159,12 +221,12 @@ class Rescue
         std::string lost;
         bool hasStart = false;
         for (auto& [key, value] : good) {
-            const auto found = m_meta.find(key);
+            const auto found = m_chosen->meta.find(key);
             const std::string before = value;
-            if (found != m_meta.end()) {
+            if (found != m_chosen->meta.end()) {
                 value = found->second;
             }
-            const bool isTaken = found != m_meta.end() && internal::fromMeta(good).isOk();
+            const bool isTaken = found != m_chosen->meta.end() && internal::fromMeta(good).isOk();
             if (!isTaken) {
                 value = before;
                 lost += (lost.empty() ? "" : ", ") + key;
@@ -187,16 +249,18 @@ class Rescue
         }
         m_writer = std::move(made).value();
         std::vector<SceneRecord> scenes;
-        (void)m_tables->readScenes(scenes); // what is wrong with it was said
+        (void)m_chosen->tables.readScenes(scenes); // what is wrong with it was said
         for (SceneRecord& scene : scenes) {
-            if (!m_survey.scenes.contains(scene.generation)) {
+            if (m_chosen->survey.uncheckedScenes.contains(scene.generation)) {
+                lose("scene " + std::to_string(scene.generation) + kUnchecked);
+            } else if (!m_chosen->survey.scenes.contains(scene.generation)) {
                 lose("scene " + std::to_string(scene.generation) + ": left out");
                 continue;
             }
             for (StructureRecord& structure : scene.structures) {
                 const std::string& hash = structure.source.sha256;
-                if (std::binary_search(m_survey.embedded.begin(), m_survey.embedded.end(), hash)) {
-                    if (auto surface = m_tables->readEmbedded(hash); surface.isOk()) {
+                if (std::binary_search(m_chosen->survey.embedded.begin(), m_chosen->survey.embedded.end(), hash)) {
+                    if (auto surface = m_chosen->tables.readEmbedded(hash); surface.isOk()) {
                         structure.source.embed =
                             std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
                     }
@@ -207,9 +271,12 @@ class Rescue
             }
         }
         std::vector<std::pair<std::int64_t, RecordingEvent>> events;
-        (void)m_tables->readEvents(events);
+        (void)m_chosen->tables.readEvents(events);
         for (const auto& [id, event] : events) {
-            if (m_survey.events.contains(id)) {
+            if (m_chosen->survey.uncheckedEvents.contains(id)) {
+                lose("event " + std::to_string(id) + kUnchecked);
+                (void)m_writer->addEvent(event);
+            } else if (m_chosen->survey.events.contains(id)) {
                 (void)m_writer->addEvent(event);
             }
         }
@@ -220,7 +287,7 @@ class Rescue
     Status copyRange(std::int64_t first, std::int64_t last, std::int64_t& copied)
     {
         Status written;
-        const Status read = m_tables->readTicks(first, last, [&](const servo::TickRecord& tick) {
+        const Status read = m_chosen->tables.readTicks(first, last, [&](const servo::TickRecord& tick) {
             written = m_writer->append(tick);
             copied += written.isOk() ? 1 : 0;
             m_last = tick.tick;
@@ -235,7 +302,7 @@ class Rescue
     Status copyTicks()
     {
         std::vector<internal::Check> checks;
-        (void)m_tables->readChecks(checks);
+        (void)m_chosen->tables.readChecks(checks);
         std::erase_if(checks, [](const internal::Check& check) { return check.kind != internal::kTicksCheck; });
         std::int64_t next = std::numeric_limits<std::int64_t>::min();
         const auto copyUnchecked = [&](std::int64_t last) {
@@ -256,7 +323,7 @@ class Rescue
                     return status;
                 }
             }
-            const bool isGood = std::any_of(m_survey.blocks.begin(), m_survey.blocks.end(),
+            const bool isGood = std::any_of(m_chosen->survey.blocks.begin(), m_chosen->survey.blocks.end(),
                                             [&](const internal::Check& good) { return good.id == check.id; });
             if (isGood) {
                 if (Status status = copyRange(check.first, check.last, m_result.ticks); !status.isOk()) {
@@ -272,7 +339,7 @@ class Rescue
 
     Status finish()
     {
-        const bool isComplete = m_meta.contains(internal::kComplete);
+        const bool isComplete = m_chosen->meta.contains(internal::kComplete);
         if (!isComplete) {
             lose("the end: the recording was cut off; nothing is known after tick " + std::to_string(m_last));
         }
@@ -300,11 +367,9 @@ class Rescue
     const fs::path m_from;
     const fs::path m_to;
     const WorkFile m_source;
+    const WorkFile m_pages;
     const WorkFile m_copy;
-    std::optional<Database> m_database;
-    std::optional<internal::RecordingTables> m_tables;
-    internal::MetaTable m_meta;
-    internal::Survey m_survey;
+    std::unique_ptr<Source> m_chosen;
     RecordingInfo m_info;
     std::unique_ptr<RecordingWriter> m_writer;
     std::int64_t m_last = -1; ///< newest tick in the copy
