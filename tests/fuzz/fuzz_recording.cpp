@@ -3,7 +3,9 @@
 
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
+#include <palpate/session/Recovery.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -32,17 +34,47 @@ std::string recording(std::int64_t ticks)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The first page, which leads to all others, is gone.
+std::string headless(std::string recording)
+{
+    constexpr std::size_t kPage = 4096;
+    std::fill_n(recording.begin(), kPage, '\0');
+    return recording;
+}
+
+/// What comes out of a damaged recording is a sound one.
+void recover(const std::filesystem::path& path)
+{
+    const std::filesystem::path copy = path.parent_path() / "copy.palpate";
+    const auto recovered = session::recoverRecording(path, copy);
+    if (!recovered.isOk()) {
+        require(recovered.status().message().find('\n') == std::string::npos, "a refusal is one line");
+        return;
+    }
+    const auto reader = session::RecordingReader::open(copy);
+    require(reader.isOk(), "a recovered copy can be opened");
+    require(reader.value()->extent().ticks == recovered.value().ticks, "it holds what was said");
+    require(reader.value()->verify().isOk(), "its checksums hold");
+}
+
 } // namespace
 
 std::vector<std::string> seeds()
 {
-    return {recording(300), recording(1), recording(0), std::string("SQLite format 3\0", 16), ""};
+    return {recording(300),
+            headless(recording(300)),
+            recording(1),
+            headless(recording(1)),
+            recording(0),
+            std::string("SQLite format 3\0", 16),
+            ""};
 }
 
 void tryInput(std::string_view bytes)
 {
     static const InputFile file("r.palpate");
     file.set(bytes);
+    recover(file.path());
     const auto reader = session::RecordingReader::open(file.path());
     if (!reader.isOk()) {
         require(reader.status().message().find('\n') == std::string::npos, "a refusal is one line");

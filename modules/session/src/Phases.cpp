@@ -70,7 +70,7 @@ void PhaseAccumulator::add(const servo::TickRecord& tick)
         return;
     }
     if (!m_block) {
-        m_block.emplace();
+        m_block = Block{};
         m_block->goesOn = goesOn;
         m_block->first_WG = tick.p_WG;
         m_block->phase.firstTick = tick.tick;

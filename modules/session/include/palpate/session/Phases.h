@@ -55,7 +55,7 @@ class PhaseAccumulator
     struct Block
     {
         Phase phase;
-        core::Vec3 first_WG, last_WG;
+        core::Vec3 first_WG = core::Vec3::Zero(), last_WG = core::Vec3::Zero();
         double sumForce_N = 0.0;
         bool goesOn = false; ///< the contact was there before it
     };
