@@ -60,7 +60,11 @@ void HandControl::takeLoop()
     if (const core::Status allowed = servo::checkCpu(settings.cpu); !allowed.isOk()) {
         settings.cpu = -1; // kept on another machine, or outside a container
         m_panel.setSettings(settings);
-        emit said(tr("%1: any is used").arg(QString::fromStdString(allowed.message())));
+        // After what else is said of a device just chosen.
+        QMetaObject::invokeMethod(
+            this,
+            [this, line = tr("%1; any is used").arg(QString::fromStdString(allowed.message()))] { emit said(line); },
+            Qt::QueuedConnection);
     }
     if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
         settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
