@@ -42,6 +42,13 @@ std::string headless(std::string recording)
     return recording;
 }
 
+/// A quote within the text of a table, which has more than one line: SQLite quotes the rest of it.
+std::string openQuote(std::string recording)
+{
+    recording.at(recording.find("part TEXT") + 3) = '\'';
+    return recording;
+}
+
 /// What comes out of a damaged recording is a sound one.
 void recover(const std::filesystem::path& path)
 {
@@ -50,6 +57,9 @@ void recover(const std::filesystem::path& path)
     if (!recovered.isOk()) {
         require(recovered.status().message().find('\n') == std::string::npos, "a refusal is one line");
         return;
+    }
+    for (const std::string& loss : recovered.value().losses) {
+        require(loss.find('\n') == std::string::npos, "a loss is one line");
     }
     const auto reader = session::RecordingReader::open(copy);
     require(reader.isOk(), "a recovered copy can be opened");
@@ -66,6 +76,7 @@ std::vector<std::string> seeds()
             recording(1),
             headless(recording(1)),
             recording(0),
+            openQuote(recording(0)),
             std::string("SQLite format 3\0", 16),
             ""};
 }

@@ -3,12 +3,22 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace palpate::session::internal {
 
 namespace {
 constexpr int kBusyTimeout_ms = 2000;
+}
+
+std::string oneLine(std::string_view text)
+{
+    constexpr std::size_t kMost = 160;
+    std::string out(text.substr(0, kMost));
+    std::replace_if(
+        out.begin(), out.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return out + (text.size() > kMost ? "..." : "");
 }
 
 Statement::Statement(sqlite3_stmt* statement)
@@ -136,7 +146,7 @@ std::int64_t Database::integer(const char* sql) const
 core::Status Database::error(std::string_view doing) const
 {
     const char* what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
-    return {core::StatusCode::Unreadable, m_path.string() + ": " + std::string(doing) + ": " + what};
+    return {core::StatusCode::Unreadable, m_path.string() + ": " + std::string(doing) + ": " + oneLine(what)};
 }
 
 int Database::errorCode() const

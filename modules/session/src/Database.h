@@ -14,6 +14,10 @@ struct sqlite3_stmt;
 
 namespace palpate::session::internal {
 
+/// A text of the file's or of SQLite's, which quotes the file, fit for a one-line message: without control characters,
+/// cut to what fits.
+[[nodiscard]] std::string oneLine(std::string_view text);
+
 /// A prepared statement. Columns and parameters count from 0.
 class Statement
 {

@@ -135,7 +135,7 @@ class Surveyor
             rows = check.rows; // the hash tells
         } else {
             name = "checks";
-            return "found a line of kind \"" + check.kind + "\", expected one of this version";
+            return "found a line of kind \"" + oneLine(check.kind) + "\", expected one of this version";
         }
         if (!status.isOk()) {
             return status.message();

@@ -195,7 +195,7 @@ std::vector<std::string> RecordingTables::embeddedHashes() const
 
 core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::string& sha256) const
 {
-    const std::string name = "embedded surface " + sha256.substr(0, 12) + "...";
+    const std::string name = "embedded surface " + oneLine(sha256.substr(0, 12)) + "...";
     Statement row = m_version < 2 ? Statement()
                                   : m_database.prepare("SELECT vertices, triangles, two_sided, source, all_sha256 "
                                                        "FROM embedded WHERE sha256 = ?");
