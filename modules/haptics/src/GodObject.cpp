@@ -238,8 +238,8 @@ class Tick
         const std::size_t held = n;
         // Feet may lie a reach beside a facet.
         bool isRoom = true;
-        const bool isKnown =
-            m_near.forEachNear(m_scene, m_layer, m_god, 2.0 * kTouched * m_layer.skin_mm, [&](const Facet& facet) {
+        const bool isKnown = m_near.forEachNear(
+            m_scene, m_layer, m_god, Neighbourhood::kNearby * m_layer.skin_mm, [&](const Facet& facet) {
                 const int s = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
                 const double reach = kTouched * facet.skin_mm;
                 if (internal::footOn(facet, s, m_god, reach, reach, 0.0) == Foot::Away) {

@@ -16,7 +16,7 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .many = 48,
             .narrowest_mm = 0.2 * layer.facetSize_mm,
             .widest_mm = 16.0 * layer.facetSize_mm,
-            .around_mm = 4.0 * layer.skin_mm};
+            .around_mm = Neighbourhood::kNearby * layer.skin_mm};
 }
 
 /// A place relative to an origin, as floats. @return its largest coordinate [mm].

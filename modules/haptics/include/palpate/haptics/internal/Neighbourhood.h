@@ -22,7 +22,8 @@ struct FacetNumber
 class Neighbourhood
 {
   public:
-    static constexpr std::size_t kMostPoints = 9; ///< of a path
+    static constexpr std::size_t kMostPoints = 9;     ///< of a path
+    static constexpr double kNearby = 2.0 * kTouched; ///< skins: as far as forEachNear can ask
 
     /// Forgets everything: the scene changed.
     void clear() noexcept PALPATE_NONBLOCKING { m_cache.clear(); }
@@ -59,8 +60,8 @@ class Neighbourhood
     [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
                                         std::span<const FacetNumber> walked) noexcept PALPATE_NONBLOCKING;
 
-    /// Calls `f(facet)` for every facet that comes within `reach_mm` of `g`, and maybe for some that nearly do, in an
-    /// order that does not depend on what is held.
+    /// Calls `f(facet)` for every facet that comes within `reach_mm`, at most kNearby skins, of `g`, and maybe for some
+    /// that nearly do, in an order that does not depend on what is held.
     /// @return false, without a call, where more lie there than can be held.
     template<class F>
     bool forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
