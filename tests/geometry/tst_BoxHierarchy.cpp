@@ -9,6 +9,7 @@
 using namespace palpate;
 using core::Box;
 using core::Vec3;
+using geometry::BoxedItem;
 using geometry::BoxHierarchy;
 using geometry::FloatBox;
 
@@ -20,7 +21,7 @@ class BoxHierarchyTest : public QObject
     {
         std::vector<Box> boxes;
         BoxHierarchy hierarchy;
-        core::LargeArray<std::uint32_t> items;
+        std::vector<std::uint32_t> items; ///< numbers, in the order of the leaves
     };
 
     static Scene randomScene(std::size_t n, double offset, double size, unsigned threads, unsigned seed)
@@ -29,13 +30,16 @@ class BoxHierarchyTest : public QObject
         std::uniform_real_distribution<double> unit(0.0, 1.0);
         Scene scene;
         const Vec3 origin = Vec3::Constant(offset);
-        std::vector<FloatBox> floats;
+        std::vector<BoxedItem> items;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3 low = origin + 100.0 * Vec3(unit(random), unit(random), unit(random));
             scene.boxes.emplace_back(low, low + size * Vec3(unit(random), unit(random), unit(random)));
-            floats.push_back(FloatBox::around(scene.boxes.back(), origin));
+            items.emplace_back(FloatBox::around(scene.boxes.back(), origin), static_cast<std::uint32_t>(i));
         }
-        scene.hierarchy = BoxHierarchy::build(floats, scene.items, origin, threads);
+        scene.hierarchy = BoxHierarchy::build(items, origin, threads);
+        for (const BoxedItem& item : items) {
+            scene.items.push_back(item.number);
+        }
         return scene;
     }
 
@@ -135,10 +139,16 @@ class BoxHierarchyTest : public QObject
 
     void keepsEveryItemOnceEvenWhenAllAreEqual()
     {
-        std::vector<FloatBox> boxes(1000, FloatBox{{0, 0, 0}, {1, 1, 1}});
-        core::LargeArray<std::uint32_t> items;
-        const BoxHierarchy hierarchy = BoxHierarchy::build(boxes, items, Vec3::Zero(), 2);
-        QCOMPARE(std::set<std::uint32_t>(items.begin(), items.end()).size(), std::size_t{1000});
+        std::vector<BoxedItem> items;
+        for (std::uint32_t i = 0; i < 1000; ++i) {
+            items.emplace_back(FloatBox{{0, 0, 0}, {1, 1, 1}}, i);
+        }
+        const BoxHierarchy hierarchy = BoxHierarchy::build(items, Vec3::Zero(), 2);
+        std::set<std::uint32_t> numbers;
+        for (const BoxedItem& item : items) {
+            numbers.insert(item.number);
+        }
+        QCOMPARE(numbers.size(), std::size_t{1000});
         std::size_t seen = 0;
         hierarchy.visitBox(Box(Vec3::Zero(), Vec3::Ones()),
                            [&](std::uint32_t, std::uint32_t n) { return seen += n, true; });

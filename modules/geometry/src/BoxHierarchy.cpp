@@ -1,168 +1,280 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/BoxHierarchy.h"
 
+#include <palpate/core/Float4.h>
+
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
-#include <numeric>
 #include <thread>
 
 namespace palpate::geometry {
 
 namespace {
 
+using core::Float4;
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
 
-struct Item
+/// A box in two registers; the fourth lanes mean nothing.
+struct Box4
 {
-    FloatBox box;
-    std::uint32_t number;
+    Float4 low = core::splat4(kInfinity);
+    Float4 high = core::splat4(-kInfinity);
+
+    void extend(const Box4& b)
+    {
+        low = core::least(low, b.low);
+        high = core::greatest(high, b.high);
+    }
+    [[nodiscard]] float halfArea() const
+    {
+        const Float4 size = high - low;
+        return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    }
 };
 
-FloatBox emptyBox()
+Box4 boxOf(const BoxedItem& item)
 {
-    return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+    static_assert(sizeof(BoxedItem) == 2 * sizeof(Float4));
+    const auto* lanes = reinterpret_cast<const char*>(&item);
+    Box4 box;
+    std::memcpy(&box.low, lanes, sizeof box.low);
+    std::memcpy(&box.high, lanes + sizeof box.low, sizeof box.high);
+    return box;
 }
 
-void extend(FloatBox& a, const FloatBox& b)
+/// Twice the centre of an item's box; the fourth lane is zero.
+Float4 doubledCentre(const BoxedItem& item)
 {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        a.low[axis] = std::min(a.low[axis], b.low[axis]);
-        a.high[axis] = std::max(a.high[axis], b.high[axis]);
-    }
+    const Box4 box = boxOf(item);
+    const auto three = [](Float4 v) { return __builtin_shufflevector(v, Float4{}, 0, 1, 2, 4); };
+    return three(box.low) + three(box.high);
 }
 
-float halfArea(const FloatBox& b)
+/// Neighbouring items, and what they fill.
+struct Range
 {
-    const float x = b.high[0] - b.low[0], y = b.high[1] - b.low[1], z = b.high[2] - b.low[2];
-    return x * y + y * z + z * x;
-}
-
-float doubledCentre(const FloatBox& b, std::size_t axis)
-{
-    return b.low[axis] + b.high[axis];
-}
-
-/// A node of the binary tree that is built first. A subtree over n items owns the 2 n - 1 slots from its root on:
-/// threads never share one, and the tree does not depend on their number.
-struct BinaryNode
-{
-    FloatBox box;
     std::uint32_t first, last;
-    std::uint32_t right; ///< slot of the right child; the left one is the next slot; 0: a leaf
+    int depth; ///< halvings that led here
+    Box4 box, centres;
+
+    [[nodiscard]] std::uint32_t count() const { return last - first; }
 };
 
 } // namespace
 
 /// Top-down binned surface-area heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies",
-/// 2007), then two binary levels collapsed into one node of four.
+/// 2007); of a node's parts the one with the largest surface is split until there are four.
 class HierarchyBuilder
 {
   public:
-    HierarchyBuilder(const std::vector<FloatBox>& boxes, unsigned threads)
-        : m_items(boxes.size())
-        , m_binary(2 * boxes.size())
-        , m_threads(threads)
+    using Node = BoxHierarchy::Node;
+    using Nodes = core::LargeArray<Node>;
+
+    explicit HierarchyBuilder(std::vector<BoxedItem>& items)
+        : m_items(items)
     {
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            m_items[i] = {boxes[i], static_cast<std::uint32_t>(i)};
-        }
     }
 
-    void run(BoxHierarchy& result, std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& numbers)
+    void run(Nodes& nodes, unsigned threads)
     {
-        split(0, 0, static_cast<std::uint32_t>(m_items.size()), 0);
-        result.m_nodes.reserve(m_items.size() / 6 + 8);
-        collapse(result.m_nodes, 0);
-        result.m_nodes.shrink_to_fit();
-        numbers.resize(m_items.size());
-        for (std::size_t i = 0; i < m_items.size(); ++i) {
-            boxes[i] = m_items[i].box;
-            numbers[i] = m_items[i].number;
+        const auto count = static_cast<std::uint32_t>(m_items.size());
+        nodes.reserve(m_items.size() / 6 + 8);
+        const Range all = range(0, count, 0);
+        if (threads < 2 || count < 20'000) {
+            add(all, nodes);
+        } else {
+            addOnTwoThreads(all, nodes);
         }
+        nodes.shrink_to_fit();
     }
 
   private:
-    void split(std::uint32_t slot, std::uint32_t first, std::uint32_t last, int depth)
+    [[nodiscard]] Range range(std::uint32_t first, std::uint32_t last, int depth) const
     {
-        BinaryNode& node = m_binary[slot];
-        FloatBox box = emptyBox(), centres = emptyBox();
+        Range result{first, last, depth, {}, {}};
         for (std::uint32_t i = first; i < last; ++i) {
-            extend(box, m_items[i].box);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const float c = doubledCentre(m_items[i].box, axis);
-                centres.low[axis] = std::min(centres.low[axis], c);
-                centres.high[axis] = std::max(centres.high[axis], c);
+            result.box.extend(boxOf(m_items[i]));
+            const Float4 c = doubledCentre(m_items[i]);
+            result.centres.extend({c, c});
+        }
+        return result;
+    }
+
+    /// Up to four parts of a range, in the order of their items.
+    struct Parts
+    {
+        std::array<Range, 4> part;
+        std::size_t count = 1;
+    };
+
+    Parts divide(const Range& whole)
+    {
+        Parts parts;
+        parts.part[0] = whole;
+        while (parts.count < 4) {
+            std::size_t open = 4;
+            float largest = -1.0f;
+            for (std::size_t i = 0; i < parts.count; ++i) {
+                const Range& part = parts.part[i];
+                if (part.count() > BoxHierarchy::kLeafSize && part.box.halfArea() > largest) {
+                    largest = part.box.halfArea();
+                    open = i;
+                }
+            }
+            if (open == 4) {
+                break;
+            }
+            const Range opened = parts.part[open];
+            const std::uint32_t middle = partition(opened.centres, opened.first, opened.last, opened.depth);
+            for (std::size_t i = parts.count; i > open + 1; --i) {
+                parts.part[i] = parts.part[i - 1];
+            }
+            parts.part[open] = range(opened.first, middle, opened.depth + 1);
+            parts.part[open + 1] = range(middle, opened.last, opened.depth + 1);
+            ++parts.count;
+        }
+        return parts;
+    }
+
+    /// A node of these parts; the children that are no leaves are still to be set.
+    static Node nodeOf(const Parts& parts)
+    {
+        Node node{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const bool isUsed = i < parts.count;
+            const Range& part = parts.part[isUsed ? i : 0];
+            for (int axis = 0; axis < 3; ++axis) {
+                node.low[axis][i] = isUsed ? part.box.low[axis] : std::numeric_limits<float>::max();
+                node.high[axis][i] = isUsed ? part.box.high[axis] : -std::numeric_limits<float>::max();
+            }
+            if (isUsed && part.count() <= BoxHierarchy::kLeafSize) {
+                node.child[i] = part.first << 3 | part.count();
+                node.leafMask |= 1u << i;
             }
         }
-        node = {box, first, last, 0};
-        if (last - first <= BoxHierarchy::kLeafSize) {
-            return;
+        return node;
+    }
+
+    /// Adds the node of a range and all below it. @return its index.
+    std::uint32_t add(const Range& whole, Nodes& nodes)
+    {
+        const Parts parts = divide(whole);
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back(nodeOf(parts));
+        for (std::size_t i = 0; i < parts.count; ++i) {
+            if (parts.part[i].count() > BoxHierarchy::kLeafSize) {
+                const std::uint32_t child = add(parts.part[i], nodes);
+                nodes[index].child[i] = child;
+            }
         }
-        const std::uint32_t middle = partition(centres, first, last, depth);
-        node.right = slot + 2 * (middle - first);
-        if (m_threads > 1 && depth == 0 && last - first > 20'000) {
-            std::thread left([&] { split(slot + 1, first, middle, depth + 1); });
-            split(node.right, middle, last, depth + 1);
-            left.join();
-        } else {
-            split(slot + 1, first, middle, depth + 1);
-            split(node.right, middle, last, depth + 1);
+        return index;
+    }
+
+    /// The same nodes in the same order: the last parts of the root are added apart, then moved behind the first ones.
+    void addOnTwoThreads(const Range& whole, Nodes& nodes)
+    {
+        const Parts parts = divide(whole);
+        nodes.push_back(nodeOf(parts));
+        std::size_t shared = 1; // parts of the first thread: about half of the items
+        while (shared + 1 < parts.count && parts.part[shared].last - whole.first <= whole.count() * 5 / 8) {
+            ++shared;
+        }
+        Nodes others;
+        others.reserve(nodes.capacity() / 2);
+        std::array<std::uint32_t, 4> root{};
+        const auto addParts = [&](std::size_t first, std::size_t last, Nodes& to) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (parts.part[i].count() > BoxHierarchy::kLeafSize) {
+                    root[i] = add(parts.part[i], to);
+                }
+            }
+        };
+        std::thread other([&] { addParts(shared, parts.count, others); });
+        addParts(0, shared, nodes);
+        other.join();
+        const auto moved = static_cast<std::uint32_t>(nodes.size());
+        nodes.insert(nodes.end(), others.begin(), others.end());
+        for (std::size_t n = moved; n < nodes.size(); ++n) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                const bool isInner = nodes[n].child[i] != 0 && (nodes[n].leafMask >> i & 1u) == 0;
+                nodes[n].child[i] += isInner ? moved : 0;
+            }
+        }
+        for (std::size_t i = 0; i < parts.count; ++i) {
+            if (parts.part[i].count() > BoxHierarchy::kLeafSize) {
+                nodes[0].child[i] = root[i] + (i < shared ? 0 : moved);
+            }
         }
     }
 
     /// @return where the right part begins; both parts are at least one leaf where there is enough for it.
-    std::uint32_t partition(const FloatBox& centres, std::uint32_t first, std::uint32_t last, int depth)
+    std::uint32_t partition(const Box4& centres, std::uint32_t first, std::uint32_t last, int depth)
     {
         const std::uint32_t count = last - first;
         // Past this depth only halving is allowed, which bounds the depth: 32 + log2(2^29) < kMaxDepth.
         if (depth < 32 && count > 8) {
+            // All three axes at once.
+            const Float4 extent = centres.high - centres.low;
+            Float4 scale{};
+            for (int axis = 0; axis < 3; ++axis) {
+                scale[axis] = extent[axis] > 0.0f ? static_cast<float>(kBins) * 0.9999f / extent[axis] : 0.0f;
+            }
+            const auto binOf = [&](const BoxedItem& item) {
+                return __builtin_convertvector((doubledCentre(item) - centres.low) * scale, core::Mask4);
+            };
+            std::array<std::array<Box4, kBins>, 3> boxes;
+            std::array<std::array<std::uint32_t, kBins>, 3> counts{};
+            // A large set is well described by a part of it; which part is fixed, so the tree is too.
+            const std::uint32_t stride = count > 65'536 ? count / 16'384 : 1;
+            for (std::uint32_t i = first; i < last; i += stride) {
+                const Box4 box = boxOf(m_items[i]);
+                const core::Mask4 at = binOf(m_items[i]);
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const auto bin = static_cast<std::size_t>(at[axis]);
+                    boxes[axis][bin].extend(box);
+                    ++counts[axis][bin];
+                }
+            }
             float bestCost = kInfinity;
             std::size_t bestAxis = 0;
             int bestBin = 0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const float low = centres.low[axis], extent = centres.high[axis] - low;
-                if (!(extent > 0.0f)) {
+                if (!(extent[axis] > 0.0f)) {
                     continue;
                 }
-                const float scale = static_cast<float>(kBins) * 0.9999f / extent;
-                std::array<FloatBox, kBins> boxes;
-                boxes.fill(emptyBox());
-                std::array<std::uint32_t, kBins> counts{};
-                // A large set is well described by a part of it; which part is fixed, so the tree is too.
-                const std::uint32_t stride = count > 65'536 ? count / 16'384 : 1;
-                for (std::uint32_t i = first; i < last; i += stride) {
-                    const auto bin = static_cast<std::size_t>((doubledCentre(m_items[i].box, axis) - low) * scale);
-                    extend(boxes[bin], m_items[i].box);
-                    ++counts[bin];
-                }
                 std::array<float, kBins> leftCost;
-                FloatBox sweep = emptyBox();
+                Box4 sweep;
                 std::uint32_t n = 0;
-                for (std::size_t b = 0; b + 1 < kBins; ++b) {
-                    extend(sweep, boxes[b]);
-                    n += counts[b];
-                    leftCost[b] = n == 0 ? kInfinity : halfArea(sweep) * static_cast<float>(n);
+                for (int b = 0; b + 1 < kBins; ++b) {
+                    sweep.extend(boxes[axis][static_cast<std::size_t>(b)]);
+                    n += counts[axis][static_cast<std::size_t>(b)];
+                    leftCost[static_cast<std::size_t>(b)] =
+                        n == 0 ? kInfinity : sweep.halfArea() * static_cast<float>(n);
                 }
-                sweep = emptyBox();
+                sweep = Box4();
                 n = 0;
-                for (std::size_t b = kBins - 1; b > 0; --b) {
-                    extend(sweep, boxes[b]);
-                    n += counts[b];
-                    const float cost = n == 0 ? kInfinity : leftCost[b - 1] + halfArea(sweep) * static_cast<float>(n);
+                for (int b = kBins - 1; b > 0; --b) {
+                    sweep.extend(boxes[axis][static_cast<std::size_t>(b)]);
+                    n += counts[axis][static_cast<std::size_t>(b)];
+                    const float cost =
+                        n == 0 ? kInfinity
+                               : leftCost[static_cast<std::size_t>(b - 1)] + sweep.halfArea() * static_cast<float>(n);
                     if (cost < bestCost) {
                         bestCost = cost;
                         bestAxis = axis;
-                        bestBin = static_cast<int>(b);
+                        bestBin = b;
                     }
                 }
             }
             if (bestCost < kInfinity) {
-                const float low = centres.low[bestAxis];
-                const float scale = static_cast<float>(kBins) * 0.9999f / (centres.high[bestAxis] - low);
+                const std::uint32_t best = 1u << bestAxis;
                 const auto begin = m_items.begin() + first;
-                const auto middle = std::partition(begin, m_items.begin() + last, [&](const Item& item) {
-                    return static_cast<int>((doubledCentre(item.box, bestAxis) - low) * scale) < bestBin;
+                const auto middle = std::partition(begin, m_items.begin() + last, [&](const BoxedItem& item) {
+                    return (core::laneBits(binOf(item) < core::Mask4{bestBin, bestBin, bestBin, bestBin}) & best) != 0;
                 });
                 const auto left = static_cast<std::uint32_t>(middle - begin);
                 if (left > 0 && left < count) {
@@ -174,87 +286,34 @@ class HierarchyBuilder
     }
 
     /// Halves along the longest axis; the left half is a whole number of leaves.
-    std::uint32_t halve(const FloatBox& centres, std::uint32_t first, std::uint32_t last)
+    std::uint32_t halve(const Box4& centres, std::uint32_t first, std::uint32_t last)
     {
-        std::size_t axis = 0;
-        for (std::size_t a = 1; a < 3; ++a) {
-            if (centres.high[a] - centres.low[a] > centres.high[axis] - centres.low[axis]) {
-                axis = a;
-            }
+        const Float4 extent = centres.high - centres.low;
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) {
+            axis = extent[a] > extent[axis] ? a : axis;
         }
         const std::uint32_t count = last - first;
         const std::uint32_t left =
             (count / 2 + BoxHierarchy::kLeafSize - 1) / BoxHierarchy::kLeafSize * BoxHierarchy::kLeafSize;
         const std::uint32_t middle = first + (left < count ? left : count / 2);
         std::nth_element(m_items.begin() + first, m_items.begin() + middle, m_items.begin() + last,
-                         [axis](const Item& a, const Item& b) {
-                             const float ca = doubledCentre(a.box, axis), cb = doubledCentre(b.box, axis);
+                         [axis](const BoxedItem& a, const BoxedItem& b) {
+                             const float ca = doubledCentre(a)[axis], cb = doubledCentre(b)[axis];
                              return ca != cb ? ca < cb : a.number < b.number;
                          });
         return middle;
     }
 
-    std::uint32_t collapse(core::LargeArray<BoxHierarchy::Node>& nodes, std::uint32_t slot)
-    {
-        const auto index = static_cast<std::uint32_t>(nodes.size());
-        nodes.emplace_back();
-        std::array<std::uint32_t, 4> children{slot, 0, 0, 0};
-        std::size_t count = 1;
-        // Open the child with the largest surface until there are four.
-        while (count < 4) {
-            std::size_t open = 4;
-            float largest = -1.0f;
-            for (std::size_t i = 0; i < count; ++i) {
-                const BinaryNode& child = m_binary[children[i]];
-                if (child.right != 0 && halfArea(child.box) > largest) {
-                    largest = halfArea(child.box);
-                    open = i;
-                }
-            }
-            if (open == 4) {
-                break;
-            }
-            const std::uint32_t opened = children[open];
-            for (std::size_t i = count; i > open + 1; --i) {
-                children[i] = children[i - 1];
-            }
-            children[open] = opened + 1;
-            children[open + 1] = m_binary[opened].right;
-            ++count;
-        }
-        for (std::size_t i = 0; i < 4; ++i) {
-            const FloatBox box = i < count ? m_binary[children[i]].box : emptyBox();
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                nodes[index].low[axis][i] = i < count ? box.low[axis] : std::numeric_limits<float>::max();
-                nodes[index].high[axis][i] = i < count ? box.high[axis] : -std::numeric_limits<float>::max();
-            }
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const BinaryNode& child = m_binary[children[i]];
-            if (child.right == 0) {
-                nodes[index].child[i] = child.first << 3 | (child.last - child.first);
-                nodes[index].leafMask |= 1u << i;
-            } else {
-                const std::uint32_t inner = collapse(nodes, children[i]);
-                nodes[index].child[i] = inner;
-            }
-        }
-        return index;
-    }
-
-    std::vector<Item> m_items;
-    std::vector<BinaryNode> m_binary;
-    unsigned m_threads;
+    std::vector<BoxedItem>& m_items;
 };
 
-BoxHierarchy BoxHierarchy::build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items,
-                                 const Vec3& origin, unsigned threads)
+BoxHierarchy BoxHierarchy::build(std::vector<BoxedItem>& items, const Vec3& origin, unsigned threads)
 {
     BoxHierarchy result;
     result.m_origin = origin;
-    items.clear();
-    if (!boxes.empty()) {
-        HierarchyBuilder(boxes, threads).run(result, boxes, items);
+    if (!items.empty()) {
+        HierarchyBuilder(items).run(result.m_nodes, threads);
     }
     return result;
 }

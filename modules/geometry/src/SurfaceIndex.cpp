@@ -4,21 +4,42 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 namespace palpate::geometry {
 
 namespace {
 
-/// Bound of the error of a plane distance computed from this triangle, for points about as near as it is large: that of
-/// the point's own position, and that of the normal, whose cross product is off by less than 2 eps of the longest
-/// edge's square.
-double planeDistanceError(const Vec3& a, const Vec3& b, const Vec3& c, double coordinate)
+/// What the skin and the facets' size follow from.
+struct Extremes
 {
-    constexpr double kEps = std::numeric_limits<double>::epsilon();
-    const Vec3 ab = b - a, ac = c - a;
-    const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
-    const double slenderness = longest2 / ab.cross(ac).norm();
-    return 2.0 * kEps * (coordinate + std::sqrt(longest2) * slenderness);
+    double slenderest_mm2 = 0.0; ///< longest edge times the edge squared over twice the area, squared
+    double doubledArea_mm2 = 0.0;
+};
+
+/// Boxes the triangles first … last.
+Extremes box(const TriangleMesh& mesh, const Vec3& origin, std::size_t first, std::size_t last, BoxedItem* items)
+{
+    Extremes result;
+    for (std::size_t i = first; i < last; ++i) {
+        const Triangle& t = mesh.triangles[i];
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+        const Box bounds(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+        items[i] = BoxedItem(FloatBox::around(bounds, origin), static_cast<std::uint32_t>(i));
+        const Vec3 ab = b - a, ac = c - a;
+        const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
+        const double area2 = ab.cross(ac).squaredNorm();
+        result.slenderest_mm2 = std::max(result.slenderest_mm2, longest2 * longest2 * longest2 / area2);
+        result.doubledArea_mm2 += std::sqrt(area2);
+    }
+    return result;
+}
+
+/// Bound of the error of a plane distance, for points about as near to a triangle as it is large: that of the point's
+/// own position, and that of the normal, whose cross product is off by less than 2 eps of the longest edge's square.
+double planeDistanceError(double slenderest_mm2, double coordinate_mm)
+{
+    return 2.0 * std::numeric_limits<double>::epsilon() * (coordinate_mm + std::sqrt(slenderest_mm2));
 }
 
 } // namespace
@@ -36,45 +57,54 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
         std::max(index.m_bounds.min().cwiseAbs().maxCoeff(), index.m_bounds.max().cwiseAbs().maxCoeff());
     const double extent = index.m_bounds.diagonal().norm();
 
-    std::vector<FloatBox> boxes(mesh.triangles.size());
-    double worst = 0.0, doubledArea = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-        boxes[i] = FloatBox::around(Box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)), origin);
-        worst = std::max(worst, planeDistanceError(a, b, c, coordinate));
-        doubledArea += (b - a).cross(c - a).norm();
+    // In two halves whatever the number of threads: the sum has the same bits.
+    std::vector<BoxedItem> items(mesh.triangles.size());
+    const std::size_t half = items.size() / 2;
+    Extremes front, back;
+    const auto boxBack = [&] { back = box(mesh, origin, half, items.size(), items.data()); };
+    std::thread other(threads > 1 && items.size() > 20'000 ? std::thread(boxBack) : std::thread());
+    front = box(mesh, origin, 0, half, items.data());
+    if (other.joinable()) {
+        other.join();
+    } else {
+        boxBack();
     }
+    const double worst = planeDistanceError(std::max(front.slenderest_mm2, back.slenderest_mm2), coordinate);
+    const double doubledArea = front.doubledArea_mm2 + back.doubledArea_mm2;
     // Eight times the worst rounding error, at least 2^-40 of the extent (2e-10 mm on an organ of 200 mm) so that the
     // arithmetic of contacts has room, at most what the design allows.
     index.m_skin_mm = std::min(
         {std::max(8.0 * worst, std::ldexp(extent, -40)), 1e-4, std::max(1e-6 * extent, 8.0 * 2.3e-16 * coordinate)});
     index.m_facetSize_mm = std::sqrt(doubledArea / static_cast<double>(mesh.triangles.size()) * 1.1547);
 
-    core::LargeArray<std::uint32_t> order;
-    index.m_hierarchy = BoxHierarchy::build(boxes, order, origin, threads);
+    index.m_hierarchy = BoxHierarchy::build(items, origin, threads);
 
     constexpr std::uint32_t kUnseen = 0xffffffffu;
     std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kUnseen);
     index.m_vertices.reserve(mesh.vertices.size() + 1);
-    index.m_triangles.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const Triangle& t = mesh.triangles[order[i]];
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            std::uint32_t& vertex = renumbered[t[corner]];
+    index.m_triangles.reserve(items.size());
+    index.m_sources.reserve(items.size());
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        core::prefetch(&mesh.triangles[items[std::min(i + kAhead, items.size() - 1)].number]);
+        const std::uint32_t source = items[i].number;
+        Triangle t = mesh.triangles[source];
+        for (std::uint32_t& corner : t) {
+            std::uint32_t& vertex = renumbered[corner];
             if (vertex == kUnseen) {
                 vertex = static_cast<std::uint32_t>(index.m_vertices.size());
-                index.m_vertices.push_back(mesh.vertices[t[corner]]);
+                index.m_vertices.push_back(mesh.vertices[corner]);
             }
-            index.m_triangles[i][corner] = vertex;
+            corner = vertex;
         }
-        if (repaired.twoSided[order[i]] != 0) {
-            index.m_triangles[i][0] |= kTwoSidedBit;
+        if (repaired.twoSided[source] != 0) {
+            t[0] |= kTwoSidedBit;
         }
+        index.m_triangles.push_back(t);
+        index.m_sources.push_back(source);
     }
     index.m_vertexCount = static_cast<std::uint32_t>(index.m_vertices.size());
     index.m_vertices.push_back(Vec3::Zero());
-    index.m_sources = std::move(order);
     return index;
 }
 

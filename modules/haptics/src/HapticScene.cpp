@@ -31,21 +31,20 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         for (const std::uint32_t i : members) {
             bounds.extend(m_structures[i].surface->bounds());
         }
-        std::vector<geometry::FloatBox> boxes;
+        std::vector<geometry::BoxedItem> items;
         for (const std::uint32_t i : members) {
             const geometry::SurfaceIndex& surface = *m_structures[i].surface;
             // A god-object within a few skins of a surface must find it.
             const double reach = 8.0 * surface.skin_mm();
             layer.skin_mm = std::max(layer.skin_mm, surface.skin_mm());
             const core::Box box(surface.bounds().min().array() - reach, surface.bounds().max().array() + reach);
-            boxes.push_back(geometry::FloatBox::around(box, bounds.center()));
+            items.emplace_back(geometry::FloatBox::around(box, bounds.center()), i);
             layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()
                                                            : std::min(layer.facetSize_mm, surface.facetSize_mm());
         }
-        core::LargeArray<std::uint32_t> order;
-        layer.hierarchy = geometry::BoxHierarchy::build(boxes, order, bounds.center(), 1);
-        for (const std::uint32_t i : order) {
-            layer.structures.push_back(members[i]);
+        layer.hierarchy = geometry::BoxHierarchy::build(items, bounds.center(), 1);
+        for (const geometry::BoxedItem& item : items) {
+            layer.structures.push_back(item.number);
         }
         m_layers.push_back(std::move(layer));
     }

@@ -35,6 +35,16 @@ inline Float4 absolute(Float4 v) noexcept
     return v;
 }
 
+inline Float4 least(Float4 a, Float4 b) noexcept
+{
+    return a < b ? a : b;
+}
+
+inline Float4 greatest(Float4 a, Float4 b) noexcept
+{
+    return a > b ? a : b;
+}
+
 /// @return bit i set where lane i is all ones.
 inline std::uint32_t laneBits(Mask4 mask) noexcept
 {

@@ -27,6 +27,23 @@ struct FloatBox
     [[nodiscard]] static FloatBox around(const Box& box, const Vec3& origin) noexcept PALPATE_NONBLOCKING;
 };
 
+/// A box and what it is around, as BoxHierarchy::build sorts them: two registers long.
+struct alignas(16) BoxedItem
+{
+    std::array<float, 3> low;
+    std::uint32_t number; ///< of the item
+    std::array<float, 3> high;
+    std::uint32_t unused = 0;
+
+    BoxedItem() = default;
+    BoxedItem(const FloatBox& box, std::uint32_t itemNumber)
+        : low(box.low)
+        , number(itemNumber)
+        , high(box.high)
+    {
+    }
+};
+
 /// A bounding-volume hierarchy of four children a node over any boxes: the triangles of a surface, or the structures of
 /// a layer. Built once in O(n log n), read-only after that: any number of threads may query it.
 class BoxHierarchy
@@ -49,13 +66,11 @@ class BoxHierarchy
     /// Items in a hierarchy, at most: three bits of a child hold the leaf's count.
     static constexpr std::size_t kMaxItems = std::size_t{1} << 29;
 
-    /// Builds over `boxes`; the result does not depend on the number of threads.
-    /// @param boxes    one an item; reordered: on return the items are in the order of the leaves
-    /// @param items    filled with the new order: `items[i]` is the number that item i had in `boxes`
+    /// Builds over `items`; the result does not depend on the number of threads.
+    /// @param items    reordered: on return they are in the order of the leaves
     /// @param origin   what the boxes are relative to, in the frame of the queries [mm]
     /// @param threads  1 or 2 threads build
-    [[nodiscard]] static BoxHierarchy build(std::vector<FloatBox>& boxes, core::LargeArray<std::uint32_t>& items,
-                                            const Vec3& origin, unsigned threads);
+    [[nodiscard]] static BoxHierarchy build(std::vector<BoxedItem>& items, const Vec3& origin, unsigned threads);
 
     /// Calls `leaf(first, count)` for each leaf whose box touches `box`, in a fixed order, until it returns false.
     /// @par Real-time Wait-free; bounded by the number of nodes.
