@@ -219,9 +219,17 @@ void HostileFiles::ownFilesAreRefused_data()
     const test::Folder folder;
     const std::vector<meshio::MeshStructure> structures{test::tetrahedron("a")};
     QVERIFY(meshio::writeMesh(folder.path("w.vtp"), structures).isOk());
-    std::string packed = test::fileBytes(folder.path("w.vtp"));
-    packed.replace(packed.find('_', packed.find("<AppendedData")) + 1 + 8, 8, 8, '\0'); // VTK divides by it
-    row("vtp blocks of no bytes", "a.vtp", packed, "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
+    const std::string written = test::fileBytes(folder.path("w.vtp"));
+    const std::size_t data = written.find('_', written.find("<AppendedData")) + 1;
+    row("vtp blocks of no bytes", "a.vtp", std::string(written).replace(data + 8, 8, 8, '\0'), // VTK divides by it
+        "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
+    // VTK names the element of the point data when it cannot read the cells'.
+    const std::size_t offset = written.find("offset=\"", written.find("\"StructureId\"")) + 8;
+    const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // behind its header
+    std::string damaged = std::string(written).replace(block, 4, 4, '?');
+    const std::size_t pointData = damaged.find("<PointData"), cellData = damaged.find("<CellData");
+    row("vtp cells damaged, no point data", "a.vtp", damaged.erase(pointData, cellData - pointData),
+        "line 9: array \"StructureId\": its compressed data are damaged");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
     row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");

@@ -302,6 +302,10 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
             if (Status status = checkCount(array, cells); !status.isOk()) {
                 return status;
             }
+            // VTK follows a null pointer when it names cell data that do not unpack and there are no point data.
+            if (const Result<std::vector<std::int64_t>> numbers = integers(array); !numbers.isOk()) {
+                return numbers.status();
+            }
         }
     }
     noteShortData(piece.pointData, piece.points);
