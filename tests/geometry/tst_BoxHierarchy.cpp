@@ -135,6 +135,19 @@ class BoxHierarchyTest : public QObject
         const Scene one = randomScene(50000, 0.0, 0.5, 1, 4), two = randomScene(50000, 0.0, 0.5, 2, 4);
         QCOMPARE(one.items, two.items);
         QCOMPARE(one.hierarchy.nodeCount(), two.hierarchy.nodeCount());
+        const auto visited = [](const Scene& scene, double size) {
+            std::vector<std::uint32_t> leaves;
+            scene.hierarchy.visitBox(Box(Vec3::Constant(50.0 - size), Vec3::Constant(50.0 + size)),
+                                     [&](std::uint32_t first, std::uint32_t n) {
+                                         leaves.insert(leaves.end(), {first, n});
+                                         return true;
+                                     });
+            return leaves;
+        };
+        for (const double size : {1.0, 10.0, 60.0}) {
+            QCOMPARE(visited(one, size), visited(two, size));
+        }
+        QVERIFY(visited(one, 60.0).size() > 2 * 50000 / 4);
     }
 
     void keepsEveryItemOnceEvenWhenAllAreEqual()

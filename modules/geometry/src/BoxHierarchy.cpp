@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <future>
 #include <limits>
-#include <thread>
 
 namespace palpate::geometry {
 
@@ -193,9 +193,9 @@ class HierarchyBuilder
                 }
             }
         };
-        std::thread other([&] { addParts(shared, parts.count, others); });
+        std::future<void> other = std::async(std::launch::async, [&] { addParts(shared, parts.count, others); });
         addParts(0, shared, nodes);
-        other.join();
+        other.get();
         const auto moved = static_cast<std::uint32_t>(nodes.size());
         nodes.insert(nodes.end(), others.begin(), others.end());
         for (std::size_t n = moved; n < nodes.size(); ++n) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
-#include <thread>
 
 namespace palpate::geometry {
 
@@ -60,15 +60,10 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     // In two halves whatever the number of threads: the sum has the same bits.
     std::vector<BoxedItem> items(mesh.triangles.size());
     const std::size_t half = items.size() / 2;
-    Extremes front, back;
-    const auto boxBack = [&] { back = box(mesh, origin, half, items.size(), items.data()); };
-    std::thread other(threads > 1 && items.size() > 20'000 ? std::thread(boxBack) : std::thread());
-    front = box(mesh, origin, 0, half, items.data());
-    if (other.joinable()) {
-        other.join();
-    } else {
-        boxBack();
-    }
+    std::future<Extremes> other =
+        std::async(threads > 1 && items.size() > 20'000 ? std::launch::async : std::launch::deferred,
+                   [&] { return box(mesh, origin, half, items.size(), items.data()); });
+    const Extremes front = box(mesh, origin, 0, half, items.data()), back = other.get();
     const double worst = planeDistanceError(std::max(front.slenderest_mm2, back.slenderest_mm2), coordinate);
     const double doubledArea = front.doubledArea_mm2 + back.doubledArea_mm2;
     // Eight times the worst rounding error, at least 2^-40 of the extent (2e-10 mm on an organ of 200 mm) so that the
