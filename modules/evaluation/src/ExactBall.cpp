@@ -17,7 +17,7 @@ constexpr long double kTouched = 64;      // skins: what is nearer is a contact
 constexpr long double kLeastGain = 0.01L; // skins: a move that brings less is none
 constexpr long double kSpare = 1.0L / 64; // skins: what rounding may bring a contact nearer
 constexpr long double kTangent = 1e-17L;  // of a way, where two contacts are told from one
-constexpr long double kLongest = 0.5L;    // radii that a way is drawn out to
+constexpr long double kLongest = 0.1L;    // radii that a way is drawn out to
 constexpr long double kSlow = 0.3L;       // of the way before: what is longer is drawn out
 constexpr long double kAlike = 0.9L;      // cosine between the two
 constexpr long double kProbe = 1e-3L;     // radii that it is moved aside to see whether it topples
@@ -243,10 +243,10 @@ bool ExactBall::topples(Long3& g, const Long3& hip) const
     }
     const long double least = leastGain(hip - g);
     for (const Long3& way : ways) {
-        // Downhill from the very start, not beyond a hump.
+        // Downhill from the very start, not beyond a hump: the foot may be on a facet's last tenth of a micrometre.
         Long3 reached = g;
         int downhill = 0;
-        for (const long double share : {0.25L, 0.5L, 1.0L}) {
+        for (const long double share : {1.0L / 64, 0.25L, 1.0L}) {
             const Long3 target = g + share * kProbe * m_radius_mm * way;
             reached = sweep(sweep(g, target), hip);
             const Long3 move = reached - g;

@@ -124,8 +124,11 @@ class Run
         double excess = 0.0, jumpExcess = 0.0;
         compare(god, hip, excess, jumpExcess);
         if (residual <= m_residual.figure().bound && !isGood(residual, excess, jumpExcess)) {
-            // At rest, but elsewhere: two ways parted, at a ridge or a saddle, and either is legal.
-            m_elsewhere += 1.0;
+            // At rest, but elsewhere: two ways parted, at a ridge or a saddle, and either is legal. A ball that was put
+            // down where it doesn't fit comes to another rest by each way, as every finite move lets it out a little.
+            if (m_straight.intrusion_mm(m_god) <= m_onSurface_mm) {
+                m_elsewhere += 1.0;
+            }
             excess = jumpExcess = 0.0;
         }
         m_residual.see(residual, number);

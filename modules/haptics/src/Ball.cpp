@@ -109,7 +109,8 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     const double side = height < 0.0 && facet.isTwoSided ? -1.0 : 1.0;
     const Vec3 d = y - x;
     const Vec3 away = x - nearestOn(facet, x).q;
-    if (away.dot(d) >= 0.0) {
+    const double closing = -away.dot(d);
+    if (closing <= 0.0) {
         return false; // the distance from a convex set only grows from here
     }
     const double distance = away.norm();
@@ -121,6 +122,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
         return false;
     }
     crossing.key = isTouching ? 0.0 : t;
+    crossing.closing_mm = isTouching ? closing / distance : 0.0;
     crossing.stop = distance <= kept ? 0.0 : std::min(t, entry(facet, side, x, d, kept, 1.0));
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;

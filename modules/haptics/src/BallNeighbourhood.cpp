@@ -31,6 +31,9 @@ bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
     if (a.stop != b.stop) {
         return a.stop < b.stop;
     }
+    if (a.closing_mm != b.closing_mm) {
+        return a.closing_mm > b.closing_mm; // of many that touch, what stands against the move most
+    }
     return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
                                                   : a.facet.triangle < b.facet.triangle;
 }

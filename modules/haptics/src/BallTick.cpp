@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace palpate::haptics::internal {
 
@@ -13,27 +12,24 @@ namespace {
 
 constexpr std::uint32_t kPatience = 32;
 
-// How far a step round edges and corners goes by the curvature's word, in radii: round one, where the step is exact, up
-// to 60 degrees; between two, as far as the quadratic model holds.
-constexpr double kRoundOne = 1.73;
-constexpr double kBetweenTwo = 0.25;
+// Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
+// together, but no more than so many radii or times the way from the one before, and only if that is longer at all.
+constexpr int kCreeping = 2;
+constexpr double kAlike = 0.9;
+constexpr double kLongest = 0.5;
+constexpr double kGrowth = 16.0;
+constexpr double kLonger = 1.01;
 
-// A long step that led away from the HIP is taken back and tried shorter, down to steps as on planes.
+// A long step has so many moves to show that it leads nearer to the HIP. Else it is taken back, and the next is
+// shorter.
+constexpr int kTrial = 6;
 constexpr double kShorter = 0.25;
-constexpr double kLeastTrust = 1e-3;
 
-constexpr double kAside = 1e-6; // radii that a ball is moved to see whether it rolls
+constexpr double kParted = 3.0; // skins of gap, beyond the first, from which on a contact is none
+constexpr double kAside = 1e-4; // radii that a ball is moved to see whether it rolls
 
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
-
-/// A direction and its opposite as one: an edge's two triangles go along it in opposite ways, and which of them is met
-/// is a matter of rounding.
-Vec3 eitherWay(const Vec3& d) noexcept
-{
-    const double first = d.x() != 0.0 ? d.x() : d.y() != 0.0 ? d.y() : d.z();
-    return first < 0.0 ? Vec3(-d) : d;
-}
 
 /// The line along which two contacts let the ball go.
 struct Crease
@@ -92,7 +88,7 @@ void BallTick::dropParted() noexcept
     const double radius = m_scene.fingertip_mm();
     const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](BallContact& c) {
         c.lookFrom(m_god);
-        return c.distance_mm > radius + 3.0 * c.facet.skin_mm;
+        return c.distance_mm > radius + kParted * c.facet.skin_mm;
     });
     m_count = static_cast<int>(end - m_contacts.begin());
 }
@@ -120,55 +116,57 @@ Vec3 BallTick::nextMove() noexcept
         }
     }
     m_count = point.count;
-    return rolled(point.u, wanted);
+    return m_count > 0 ? lengthened(point.u) : point.u;
 }
 
-/// Lengthens a step that goes round edges and corners: their planes turn with the ball, by the multiplier over the
-/// radius.
-Vec3 BallTick::rolled(const Vec3& u, const Vec3& wanted) noexcept
+/// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to where steps
+/// that shrink with the way made as the last one did come to nothing, the secant's root.
+Vec3 BallTick::lengthened(const Vec3& u) noexcept
 {
-    // Only round what it has gone round before: on a fine mesh the ball has left an edge after the first plain step.
-    Vec3 around = Vec3::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(m_count); ++i) {
-        const BallContact& c = m_contacts[i];
-        around += !c.isCurved ? c.n : c.along.isZero(0.0) ? c.contact : eitherWay(c.along);
-    }
-    Vec3& last = m_rolledAround[m_count == 2 ? 1 : 0];
-    const bool isAgain = around == last && m_trust >= kLeastTrust;
-    last = around;
-    if (!isAgain) {
+    m_step = {m_god, u, m_count, 0};
+    const Vec3 moved = m_god - m_last.god;
+    const double step = u.norm(), length = moved.norm();
+    if (m_count != m_last.count || moved.dot(u) <= kAlike * length * step) {
         return u;
     }
-    const Vec3 push = u - wanted; // sum of the multipliers times the normals
-    Vec3 bent = Vec3::Zero();     // the part of u that goes round
-    double whole = 0.0;           // its length when it goes all the way
-    if (m_count == 1 && m_contacts[0].isCurved) {
-        const BallContact& c = m_contacts[0];
-        bent = u - c.n.dot(u) * c.n;
-        bent -= c.along.dot(bent) * c.along;
-        // To where the pull goes straight through the edge or the corner: from there the ball comes down in place.
-        const double above = c.distance_mm + c.n.dot(wanted);
-        const double step = bent.norm(), most = kRoundOne * c.distance_mm;
-        whole = std::min(c.distance_mm * step < most * above ? c.distance_mm * step / above : most,
-                         std::max(step, m_trust * most));
-    } else if (m_count == 2 && (m_contacts[0].isCurved || m_contacts[1].isCurved)) {
-        const BallContact &p = m_contacts[0], &q = m_contacts[1];
-        const Crease crease(p, q, push);
-        if (crease.t.isZero(0.0)) {
-            return u;
-        }
-        const double h = crease.curvature; // Newton's step
-        bent = crease.t.dot(u) * crease.t;
-        const double step = bent.norm(), most = kBetweenTwo * std::min(p.distance_mm, q.distance_mm);
-        whole = std::min(step < most * h ? step / h : most, std::max(step, m_trust * most));
-    }
-    const double step = bent.norm();
-    if (step == 0.0 || whole <= step) {
+    m_step.alike = m_last.alike + 1;
+    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u)) {
         return u;
     }
-    m_before = {m_god, m_contacts, m_count, wanted.norm()};
-    m_isTrying = true;
-    return u + (whole / step - 1.0) * bent;
+    const double shrunk = moved.dot(m_last.u - u);
+    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * length});
+    const double whole = length * length * step < most * shrunk ? length * length * step / shrunk : most;
+    if (whole <= kLonger * step) {
+        return u;
+    }
+    m_before = {m_god, m_contacts, m_count, (m_hip - m_god).norm()};
+    m_trialMoves = kTrial;
+    m_tried_mm = whole;
+    return whole / step * u;
+}
+
+/// Judges a long step by where it has led.
+/// @param isOver  it leads nowhere else
+/// @return false when it was taken back
+bool BallTick::isKept(bool isOver) noexcept
+{
+    if (m_trialMoves == 0) {
+        return true;
+    }
+    if ((m_hip - m_god).norm() < m_before.spring_mm + kParted * m_skin_mm) {
+        m_trialMoves = 0;
+        m_longest_mm = std::max(m_longest_mm, m_tried_mm / kShorter);
+        return true;
+    }
+    if (--m_trialMoves > 0 && !isOver) {
+        return true;
+    }
+    m_trialMoves = 0;
+    m_longest_mm = kShorter * m_tried_mm;
+    m_god = m_before.god;
+    m_contacts = m_before.contacts;
+    m_count = m_before.count;
+    return false;
 }
 
 /// Which way the ball would roll off what it stands on, where the pull goes straight through an edge or a corner and
@@ -186,7 +184,7 @@ Vec3 BallTick::slope() const noexcept
     return Vec3::Zero();
 }
 
-/// Moves a ball at rest aside, to one side and then to the other, by so little that it only tells whether it would
+/// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
 /// roll.
 /// @return true when there is a side to try; where none led closer it stands where it stood
 bool BallTick::topples() noexcept
@@ -201,8 +199,13 @@ bool BallTick::topples() noexcept
         m_contacts = m_stood.contacts;
         m_count = m_stood.count;
     }
-    while (m_nudges < 2 && !m_aside.isZero(0.0)) {
-        const Vec3 target = m_god + (m_nudges++ == 0 ? kAside : -kAside) * m_scene.fingertip_mm() * m_aside;
+    const int sides = m_contacts[0].along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
+    while (m_nudges < sides && !m_aside.isZero(0.0)) {
+        if (m_nudges == 2) {
+            m_aside = m_contacts[0].n.cross(m_aside);
+        }
+        const double aside = m_nudges++ % 2 == 0 ? kAside : -kAside;
+        const Vec3 target = m_god + aside * m_scene.fingertip_mm() * m_aside;
         BallCrossing crossing;
         if (!m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
             m_god = target;
@@ -216,44 +219,38 @@ bool BallTick::topples() noexcept
 std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 {
     double spring = std::numeric_limits<double>::infinity();
+    std::uint32_t since = 0;
     dropParted();
     for (std::uint32_t i = 0; i < limit; ++i) {
-        if (i % kPatience == kPatience - 1) {
-            const double last = std::exchange(spring, (m_hip - m_god).norm());
-            if (spring > last - m_skin_mm) {
-                if (m_trust < kLeastTrust && m_count > 0) {
-                    return i + 1;
-                }
-                m_trust = 0.0; // where long steps take turns, short ones arrive
+        (void)isKept(false);
+        if (const double now = (m_hip - m_god).norm(); now < spring - m_skin_mm) {
+            spring = now;
+            since = i;
+        } else if (i >= since + kPatience && m_count > 0 && isKept(true)) {
+            if (!topples()) {
+                return i + 1;
             }
-        }
-        if (m_isTrying && m_count > 0) {
-            m_isTrying = false;
-            if ((m_hip - m_god).norm() > m_before.spring_mm + m_skin_mm) {
-                m_god = m_before.god;
-                m_contacts = m_before.contacts;
-                m_count = m_before.count;
-                m_trust *= kShorter;
-            }
+            since = i;
         }
         const Vec3 u = nextMove();
         const double step = u.cwiseAbs().maxCoeff();
         if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
-            if (topples()) {
+            if (!isKept(true) || topples()) {
                 continue;
             }
             return i + 1;
         }
+        const bool isLong = m_trialMoves == kTrial;
         BallCrossing crossing;
         if (!m_near.sweep(m_scene, m_layer, m_god, m_god + u, crossing)) {
             const int before = m_count;
-            const bool isFlat = std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
-                                             [](const BallContact& c) { return c.isCurved; });
+            const bool wasFlat = isFlat();
+            if (m_count > 0) {
+                m_last = m_step;
+            }
             m_god += u;
             dropParted();
-            const bool isStillFlat = std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
-                                                  [](const BallContact& c) { return c.isCurved; });
-            if (m_count == before && isFlat && isStillFlat && !topples()) {
+            if (m_count == before && wasFlat && isFlat() && !isLong && isKept(true) && !topples()) {
                 return i + 1;
             }
             continue;
@@ -263,12 +260,14 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         if (hasMoved) {
             m_god += crossing.stop * u;
             dropParted();
+        } else if (isLong) {
+            m_trialMoves = 0;
         }
         const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
             return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
         });
         if (isHeld) {
-            if (!hasMoved) {
+            if (!hasMoved && isKept(true)) {
                 return i + 1;
             }
             continue;
@@ -279,7 +278,21 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         }
         touch(crossing.facet, crossing.side);
     }
+    (void)isKept(true);
     return limit;
+}
+
+bool BallTick::isFlat() const noexcept
+{
+    return std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                        [](const BallContact& c) { return c.isCurved; });
+}
+
+/// Faces alone are touched, here and at the end of the step: their planes are the surface.
+bool BallTick::staysFlat(const Vec3& u) const noexcept
+{
+    return isFlat() && std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                                    [&](const BallContact& c) { return nearestOn(c.facet, m_god + u).isCurved; });
 }
 
 } // namespace palpate::haptics::internal

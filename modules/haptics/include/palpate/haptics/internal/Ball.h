@@ -20,8 +20,9 @@ struct Nearest
 /// Where a moving ball meets a facet that blocks it.
 struct BallCrossing
 {
-    double key = 0.0;  ///< share of the move at which the ball touches; 0 when it does already
-    double stop = 0.0; ///< share that may be made: there the gap is the skin
+    double key = 0.0;        ///< share of the move at which the ball touches; 0 when it does already
+    double stop = 0.0;       ///< share that may be made: there the gap is the skin
+    double closing_mm = 0.0; ///< how much nearer the whole move would lead, to first order, when it touches already
     Facet facet;
     int side = 1; ///< of the facet's plane that the centre is on
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace palpate::haptics::internal {
 
@@ -27,8 +28,13 @@ struct BallContact
 /// facet blocks.
 ///
 /// At each place the contacts give half-spaces through the contact points, and Zilles & Salisbury's constrained point
-/// the next target, as for a point. Round edges and corners those planes turn with the ball: there the step is exact
-/// for one and Newton's for two, taken back when it leads away from the HIP, so that it converges in a few moves.
+/// the next target, as for a point. Round edges and corners those planes turn with the ball, and the steps along them
+/// creep. Their direction is that of the projected gradient; a secant through the last two tells how long the next must
+/// be to end it. Such a step leads on over any number of facets, so it is judged by where the ball is some moves later,
+/// and taken back when that is no nearer to the HIP.
+/// @par Source Birgin, Martínez & Raydan, SIAM J. Optim. 10 (2000) 1196, doi:10.1137/S1052623497330963: projected
+/// gradient with spectral (secant) step lengths and a non-monotone test. Here along the surface, by moves that are each
+/// legal.
 /// @par Real-time Wait-free; bounded by `limit`.
 class BallTick
 {
@@ -58,7 +64,10 @@ class BallTick
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
-    [[nodiscard]] Vec3 rolled(const Vec3& u, const Vec3& wanted) noexcept;
+    [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
+    [[nodiscard]] bool isKept(bool isOver) noexcept;
+    [[nodiscard]] bool isFlat() const noexcept;
+    [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
 
     const Vec3& m_hip;
     const HapticScene& m_scene;
@@ -81,9 +90,19 @@ class BallTick
     Before m_stood;   ///< where it came to rest before it was moved aside
     int m_nudges = 0; ///< how many sides have been tried from there
     Vec3 m_aside = Vec3::Zero();
-    bool m_isTrying = false;
-    double m_trust = 1.0;                                           ///< share of the longest steps that is still tried
-    std::array<Vec3, 2> m_rolledAround{Vec3::Zero(), Vec3::Zero()}; ///< tells one edge or corner, or two, from others
+    /// A step as the planes give it.
+    struct Step
+    {
+        Vec3 god = Vec3::Zero(); ///< where from [mm]
+        Vec3 u = Vec3::Zero();   ///< [mm]
+        int count = 0;           ///< contacts
+        int alike = 0;           ///< how many before it led the same way
+    };
+    Step m_step;                                                   ///< the present one
+    Step m_last;                                                   ///< the last one that nothing blocked
+    int m_trialMoves = 0;                                          ///< left to the long step that is being judged
+    double m_tried_mm = 0.0;                                       ///< its length
+    double m_longest_mm = std::numeric_limits<double>::infinity(); ///< that is still tried
 };
 
 } // namespace palpate::haptics::internal
