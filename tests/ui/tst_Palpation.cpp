@@ -2,11 +2,13 @@
 #include "Rows.h"
 #include "TestRunner.h"
 
+#include <palpate/device/DevicePresets.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/ui/PalpationController.h>
 
 #include <QTemporaryDir>
 
+#include <atomic>
 #include <optional>
 
 using namespace palpate;
@@ -101,6 +103,51 @@ class Palpation : public QObject
             QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
         }
     }
+    void theForceShownIsWhatTheHandGets()
+    {
+        /// Presses 4 mm deep, at most 1 N; then gives the same state for ever.
+        struct Stuck final : palpate::device::HapticDevice
+        {
+            explicit Stuck(const std::atomic<bool>& isStuck)
+                : m_isStuck(isStuck)
+            {
+            }
+            palpate::device::DeviceInfo info() const override
+            {
+                auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+                info.maxForce_N = 1.0;
+                return info;
+            }
+            palpate::core::Status start() override { return {}; }
+            void stop() noexcept override {}
+            palpate::device::DeviceState read(std::int64_t now_ns) noexcept override
+            {
+                if (!m_isStuck) {
+                    m_state.p_D = {std::max(46.0, 60.0 - 0.01 * m_ticks++), 0.0, 0.0};
+                    m_state.time_ns = now_ns;
+                    m_state.isPresent = true;
+                }
+                return m_state;
+            }
+            void write(const palpate::core::Vec3& /*f_D*/) noexcept override {}
+
+            const std::atomic<bool>& m_isStuck;
+            palpate::device::DeviceState m_state;
+            int m_ticks = 0;
+        };
+        std::atomic<bool> isStuck = false;
+        QVERIFY(m_live->useDevice(std::make_unique<Stuck>(isStuck)).isOk());
+        QVERIFY(m_live->start().isOk());
+        // 2 N of the model; the device gives half of that.
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        QTRY_VERIFY2(std::abs(m_reading->force_N - 1.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
+        isStuck = true;
+        QTRY_VERIFY2(m_reading && m_reading->force_N == 0.0, qPrintable(QString::number(m_reading->force_N)));
+        QVERIFY(m_reading->depth_mm > 3.9);
+        m_live->stop();
+        QVERIFY(m_live->useDevice(nullptr).isOk());
+    }
+
     void recordsWhatWasFelt()
     {
         const QTemporaryDir folder;

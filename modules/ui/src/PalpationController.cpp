@@ -170,10 +170,12 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         return;
     }
     m_shown_ns = now_ns;
+    // What the hand feels: of a device that pushes, what it was given, nothing after a fault.
+    const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.f_W;
     scene::TouchState state;
     state.p_WH = tick.p_WH;
     state.p_WG = tick.p_WG;
-    state.f_W = tick.f_W;
+    state.f_W = f_W;
     state.fingertip_mm = m_live.fingertip_mm();
     state.isInContact = tick.structure >= 0;
     state.isPresent = true;
@@ -189,7 +191,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         const meshio::SceneStructure& structure = m_model.structure(tick.structure);
         reading.structure = readableName(structure.name);
         reading.stiffness_N_per_mm = structure.stiffness_N_per_mm;
-        reading.force_N = tick.f_W.norm();
+        reading.force_N = f_W.norm();
         reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
         reading.constraints = tick.constraints;
     }

@@ -17,7 +17,7 @@ class TouchChart;
 struct TouchReading
 {
     double time_s = 0.0;
-    double force_N = 0.0;
+    double force_N = 0.0; ///< on the hand; of the model where the device does not push
     double depth_mm = 0.0;
     QString structure; ///< empty in free space
     double stiffness_N_per_mm = 0.0;
