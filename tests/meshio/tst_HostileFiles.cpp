@@ -223,6 +223,9 @@ void HostileFiles::ownFilesAreRefused_data()
     const std::size_t data = written.find('_', written.find("<AppendedData")) + 1;
     row("vtp blocks of no bytes", "a.vtp", std::string(written).replace(data + 8, 8, 8, '\0'), // VTK divides by it
         "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
+    const std::size_t encoding = written.find("encoding=\"raw\"");
+    row("vtp of another encoding", "a.vtp", std::string(written).replace(encoding + 10, 3, "ras"),
+        "line 34: encoding=\"ras\"; expected \"raw\" or \"base64\"");
     // VTK names the element of the point data when it cannot read the cells'.
     const std::size_t offset = written.find("offset=\"", written.find("\"StructureId\"")) + 8;
     const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // behind its header

@@ -187,7 +187,11 @@ void HeaderReader::startElement(VtpHeader& header)
     } else if (isArray) {
         startArray(header, parent);
     } else if (name == "AppendedData") {
-        header.isAppendedBase64 = attribute("encoding") == "base64";
+        const std::string encoding = attribute("encoding");
+        if (!encoding.empty() && encoding != "raw" && encoding != "base64") {
+            (void)fail(StatusCode::BadFormat, "encoding=" + inQuotes(encoding), "\"raw\" or \"base64\"");
+        }
+        header.isAppendedBase64 = encoding != "raw"; // as VTK takes it when it is not said
     }
 }
 
