@@ -12,7 +12,7 @@ namespace {
 using core::Vec3;
 
 constexpr double kTicksAhead = 14.0;
-constexpr double kMarginsAhead = 10.0; // at most, for a fast motion
+constexpr double kMarginsAhead = 16.0; // at most, for a fast motion
 constexpr double kMarginsOfMove = 3.0; // how much of a long move is gathered for at once
 // Share of the last tick in the mean motion: facets make the god-object rock about its way.
 constexpr double kNewest = 0.25;
