@@ -272,8 +272,8 @@ Result<PreScan> scanAsciiStl(FileImage& image, const ScanContext& context)
             }
             break;
         }
-        // A few characters that are no text (in a blank line, too) and VTK takes the file for a binary one, and its text
-        // for a count. A name may have any, and any length: all of it is kept from VTK.
+        // A few characters that are no text (in a blank line, too) and VTK takes the file for a binary one, and its
+        // text for a count. A name may have any, and any length: all of it is kept from VTK.
         const std::size_t textEnd =
             isName ? static_cast<std::size_t>(word.data() + word.size() - line.data()) : line.size();
         for (char& c : line.first(textEnd)) {
