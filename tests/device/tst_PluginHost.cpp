@@ -82,7 +82,10 @@ class PluginHost : public QObject
         QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
         QVERIFY(problemOf(all, "text").find("no Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());
+        const std::string nobody = all.find("nobody").status().message();
         for (const device::PluginEntry& entry : all.plugins()) {
+            QVERIFY2(!entry.status.isOk() || nobody.find(entry.info.id, nobody.find("found: ")) != std::string::npos,
+                     nobody.c_str());
             if (entry.file.stem() == "again") {
                 QVERIFY(entry.status.message().find("comes first") != std::string::npos);
             }

@@ -175,7 +175,13 @@ core::Result<DevicePlugin*> PluginHost::load(std::string_view id)
     if (skipped != nullptr) {
         return skipped->status;
     }
-    return Status(StatusCode::NotFound, "no device plugin is called \"" + std::string(id) + '"');
+    std::string found;
+    for (const PluginEntry& entry : m_plugins) {
+        found += entry.status.isOk() ? (found.empty() ? "" : ", ") + entry.info.id : "";
+    }
+    return Status(StatusCode::NotFound, "no device plugin is called \"" + std::string(id) +
+                                            "\"; found: " + (found.empty() ? "none" : found) +
+                                            " (\"palpate devices\" lists the built-in ones, too)");
 }
 
 core::Result<std::vector<FoundDevice>> PluginHost::find(std::string_view id)
