@@ -47,6 +47,8 @@ class VtpScan
     Status checkPiece(const VtpPiece& piece);
     Status checkPoints(const VtpPiece& piece) const;
     Status checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const;
+    /// The bytes of an array that is not ASCII.
+    Result<std::vector<unsigned char>> unpacked(const VtpArray& array) const;
     Result<std::vector<std::int64_t>> integers(const VtpArray& array) const;
     /// How many strings the array holds: each ends with a zero.
     Result<std::uint64_t> countStrings(const VtpArray& array) const;
@@ -127,6 +129,19 @@ Status VtpScan::checkPoints(const VtpPiece& piece) const
     return {};
 }
 
+Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpArray& array) const
+{
+    const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
+    if (!blocks.isOk()) {
+        return blocks.status();
+    }
+    auto bytes = blocks.value().unpack();
+    if (!bytes) {
+        return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
+    }
+    return std::move(*bytes);
+}
+
 Result<std::vector<std::int64_t>> VtpScan::integers(const VtpArray& array) const
 {
     if (array.format == VtpFormat::Ascii) {
@@ -137,15 +152,11 @@ Result<std::vector<std::int64_t>> VtpScan::integers(const VtpArray& array) const
         }
         return out;
     }
-    const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
-    if (!blocks.isOk()) {
-        return blocks.status();
+    const Result<std::vector<unsigned char>> bytes = unpacked(array);
+    if (!bytes.isOk()) {
+        return bytes.status();
     }
-    const auto bytes = blocks.value().unpack();
-    if (!bytes) {
-        return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
-    }
-    return vtpIntegers(*bytes, array.type, m_header.isBigEndian);
+    return vtpIntegers(bytes.value(), array.type, m_header.isBigEndian);
 }
 
 Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const
@@ -224,15 +235,11 @@ Result<std::uint64_t> VtpScan::countStrings(const VtpArray& array) const
             characters.push_back(static_cast<char>(*code));
         }
     } else {
-        const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
-        if (!blocks.isOk()) {
-            return blocks.status();
+        const Result<std::vector<unsigned char>> bytes = unpacked(array);
+        if (!bytes.isOk()) {
+            return bytes.status();
         }
-        const auto bytes = blocks.value().unpack();
-        if (!bytes) {
-            return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
-        }
-        characters.assign(bytes->begin(), bytes->end());
+        characters.assign(bytes.value().begin(), bytes.value().end());
     }
     if (!characters.empty() && characters.back() != '\0') {
         return wrong(array, StatusCode::BadFormat, "its last string has no end", "a zero after each string");
