@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
-#include <palpate/geometry/BoxHierarchy.h>
+#include <palpate/geometry/internal/BoxHierarchyPairs.h>
 
 #include <random>
 #include <set>
@@ -117,6 +117,51 @@ class BoxHierarchyTest : public QObject
             }
         }
         QVERIFY(count < 3000 || size == 0.0 || found > 100);
+    }
+
+    void pairsOfLeavesMeetOnce_data()
+    {
+        QTest::addColumn<int>("items");
+        QTest::addColumn<unsigned>("threads");
+        QTest::newRow("one leaf") << 3 << 1u;
+        QTest::newRow("few") << 40 << 1u;
+        QTest::newRow("some") << 3000 << 1u;
+        QTest::newRow("some, two threads") << 3000 << 2u;
+        QTest::newRow("one leaf, two threads") << 3 << 2u;
+    }
+    void pairsOfLeavesMeetOnce()
+    {
+        QFETCH(int, items);
+        QFETCH(unsigned, threads);
+        const double around = 0.5;
+        const Scene scene = randomScene(static_cast<std::size_t>(items), 0.0, 4.0, threads, 9);
+        std::array<std::vector<std::array<std::uint32_t, 2>>, 2> met; // by thread
+        scene.hierarchy.visitPairs(
+            around, threads, [&](unsigned thread, std::uint32_t f, std::uint32_t n, std::uint32_t g, std::uint32_t m) {
+                for (std::uint32_t i = f; i < f + n; ++i) {
+                    for (std::uint32_t j = f == g ? i + 1 : g; j < g + m; ++j) {
+                        met[thread].push_back({std::min(i, j), std::max(i, j)});
+                    }
+                }
+            });
+        std::set<std::array<std::uint32_t, 2>> pairs;
+        for (const auto& part : met) {
+            for (const auto& pair : part) {
+                QVERIFY(pairs.insert(pair).second);
+            }
+        }
+        std::size_t near = 0;
+        for (std::uint32_t i = 0; i < scene.items.size(); ++i) {
+            for (std::uint32_t j = i + 1; j < scene.items.size(); ++j) {
+                const Box &a = scene.boxes[scene.items[i]], &b = scene.boxes[scene.items[j]];
+                const Box grown(a.min().array() - around, a.max().array() + around);
+                if (grown.intersects(b)) {
+                    QVERIFY(pairs.count({i, j}) == 1);
+                    ++near;
+                }
+            }
+        }
+        QVERIFY(items < 100 || (near > 100 && pairs.size() < 100 * near));
     }
 
     void leavesOutWhatLiesBeyondTheShareOfInterest()

@@ -17,6 +17,8 @@ using core::Float4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
+constexpr std::uint32_t kFew = 2048;    // items that are all looked at to split them
+constexpr std::uint32_t kMany = 20'000; // items from which a second thread is worth it
 
 /// A box in two registers; the fourth lanes mean nothing.
 struct Box4
@@ -74,7 +76,7 @@ class HierarchyBuilder
     using Node = BoxHierarchy::Node;
     using Nodes = core::LargeArray<Node>;
 
-    explicit HierarchyBuilder(std::vector<BoxedItem>& items)
+    explicit HierarchyBuilder(std::span<BoxedItem> items)
         : m_items(items)
     {
     }
@@ -83,11 +85,10 @@ class HierarchyBuilder
     {
         const auto count = static_cast<std::uint32_t>(m_items.size());
         nodes.reserve(m_items.size() / 6 + 8);
-        const Range all = range(0, count, 0);
-        if (threads < 2 || count < 20'000) {
-            add(all, nodes);
+        if (count < kMany) {
+            add(range(0, count, 0), nodes);
         } else {
-            addOnTwoThreads(all, nodes);
+            addMany(count, threads, nodes);
         }
         nodes.shrink_to_fit();
     }
@@ -174,13 +175,45 @@ class HierarchyBuilder
         return index;
     }
 
-    /// The same nodes in the same order: the last parts of the root are added apart, then moved behind the first ones.
-    void addOnTwoThreads(const Range& whole, Nodes& nodes)
+    /// Halves a range, where its box's surface wants it.
+    [[nodiscard]] std::array<Range, 2> split(const Range& whole)
     {
-        const Parts parts = divide(whole);
+        const std::uint32_t middle = partition(whole.centres, whole.first, whole.last, whole.depth);
+        return {range(whole.first, middle, whole.depth + 1), range(middle, whole.last, whole.depth + 1)};
+    }
+
+    /// The whole tree; with two threads the same nodes in the same order. The last parts of the root are added apart,
+    /// then moved behind the first ones.
+    void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
+    {
+        const auto together = [policy = threads > 1 ? std::launch::async : std::launch::deferred](auto&& one,
+                                                                                                  auto&& other) {
+            std::future<void> later = std::async(policy, other);
+            one();
+            later.get();
+        };
+        Range whole, front, back;
+        together([&] { front = range(0, count / 2, 0); }, [&] { back = range(count / 2, count, 0); });
+        whole = {0, count, 0, front.box, front.centres};
+        whole.box.extend(back.box);
+        whole.centres.extend(back.centres);
+        const std::uint32_t middle = partition(whole.centres, 0, count, 0);
+        Parts parts;
+        parts.count = 4;
+        together(
+            [&] {
+                const auto [a, b] = split(range(0, middle, 1));
+                parts.part[0] = a;
+                parts.part[1] = b;
+            },
+            [&] {
+                const auto [a, b] = split(range(middle, count, 1));
+                parts.part[2] = a;
+                parts.part[3] = b;
+            });
         nodes.push_back(nodeOf(parts));
         std::size_t shared = 1; // parts of the first thread: about half of the items
-        while (shared + 1 < parts.count && parts.part[shared].last - whole.first <= whole.count() * 5 / 8) {
+        while (shared + 1 < parts.count && parts.part[shared].last <= count * 5 / 8) {
             ++shared;
         }
         Nodes others;
@@ -193,9 +226,7 @@ class HierarchyBuilder
                 }
             }
         };
-        std::future<void> other = std::async(std::launch::async, [&] { addParts(shared, parts.count, others); });
-        addParts(0, shared, nodes);
-        other.get();
+        together([&] { addParts(0, shared, nodes); }, [&] { addParts(shared, parts.count, others); });
         const auto moved = static_cast<std::uint32_t>(nodes.size());
         nodes.insert(nodes.end(), others.begin(), others.end());
         for (std::size_t n = moved; n < nodes.size(); ++n) {
@@ -217,8 +248,8 @@ class HierarchyBuilder
         const std::uint32_t count = last - first;
         // Past this depth only halving is allowed, which bounds the depth: 32 + log2(2^29) < kMaxDepth.
         if (depth < 32 && count > 8) {
-            // All three axes at once.
             const Float4 extent = centres.high - centres.low;
+            const std::size_t longest = longestOf(extent);
             Float4 scale{};
             for (int axis = 0; axis < 3; ++axis) {
                 scale[axis] = extent[axis] > 0.0f ? static_cast<float>(kBins) * 0.9999f / extent[axis] : 0.0f;
@@ -228,12 +259,14 @@ class HierarchyBuilder
             };
             std::array<std::array<Box4, kBins>, 3> boxes;
             std::array<std::array<std::uint32_t, kBins>, 3> counts{};
-            // A large set is well described by a part of it; which part is fixed, so the tree is too.
-            const std::uint32_t stride = count > 65'536 ? count / 16'384 : 1;
+            // A large set is well described by a part of it; which part is fixed, so the tree is too. For a small one
+            // the longest axis is nearly always the best.
+            const std::uint32_t stride = count > kFew ? count / (kFew / 2) : 1;
+            const std::size_t firstAxis = count > kFew ? 0 : longest, lastAxis = count > kFew ? 2 : longest;
             for (std::uint32_t i = first; i < last; i += stride) {
                 const Box4 box = boxOf(m_items[i]);
                 const core::Mask4 at = binOf(m_items[i]);
-                for (std::size_t axis = 0; axis < 3; ++axis) {
+                for (std::size_t axis = firstAxis; axis <= lastAxis; ++axis) {
                     const auto bin = static_cast<std::size_t>(at[axis]);
                     boxes[axis][bin].extend(box);
                     ++counts[axis][bin];
@@ -242,7 +275,7 @@ class HierarchyBuilder
             float bestCost = kInfinity;
             std::size_t bestAxis = 0;
             int bestBin = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t axis = firstAxis; axis <= lastAxis; ++axis) {
                 if (!(extent[axis] > 0.0f)) {
                     continue;
                 }
@@ -285,14 +318,19 @@ class HierarchyBuilder
         return halve(centres, first, last);
     }
 
+    static std::size_t longestOf(Float4 extent)
+    {
+        std::size_t longest = 0;
+        for (std::size_t axis = 1; axis < 3; ++axis) {
+            longest = extent[axis] > extent[longest] ? axis : longest;
+        }
+        return longest;
+    }
+
     /// Halves along the longest axis; the left half is a whole number of leaves.
     std::uint32_t halve(const Box4& centres, std::uint32_t first, std::uint32_t last)
     {
-        const Float4 extent = centres.high - centres.low;
-        int axis = 0;
-        for (int a = 1; a < 3; ++a) {
-            axis = extent[a] > extent[axis] ? a : axis;
-        }
+        const std::size_t axis = longestOf(centres.high - centres.low);
         const std::uint32_t count = last - first;
         const std::uint32_t left =
             (count / 2 + BoxHierarchy::kLeafSize - 1) / BoxHierarchy::kLeafSize * BoxHierarchy::kLeafSize;
@@ -305,10 +343,10 @@ class HierarchyBuilder
         return middle;
     }
 
-    std::vector<BoxedItem>& m_items;
+    std::span<BoxedItem> m_items;
 };
 
-BoxHierarchy BoxHierarchy::build(std::vector<BoxedItem>& items, const Vec3& origin, unsigned threads)
+BoxHierarchy BoxHierarchy::build(std::span<BoxedItem> items, const Vec3& origin, unsigned threads)
 {
     BoxHierarchy result;
     result.m_origin = origin;

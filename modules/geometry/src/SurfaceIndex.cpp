@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/SurfaceIndex.h"
 
+#include "ClearTriangles.h"
+#include "Neighbours.h"
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -58,7 +61,7 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     const double extent = index.m_bounds.diagonal().norm();
 
     // In two halves whatever the number of threads: the sum has the same bits.
-    std::vector<BoxedItem> items(mesh.triangles.size());
+    core::LargeArray<BoxedItem> items(mesh.triangles.size());
     const std::size_t half = items.size() / 2;
     std::future<Extremes> other =
         std::async(threads > 1 && items.size() > 20'000 ? std::launch::async : std::launch::deferred,
@@ -93,20 +96,33 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
             corner = vertex;
         }
         if (repaired.twoSided[source] != 0) {
-            t[0] |= kTwoSidedBit;
+            t[0] |= kFlagBit;
         }
         index.m_triangles.push_back(t);
         index.m_sources.push_back(source);
     }
     index.m_vertexCount = static_cast<std::uint32_t>(index.m_vertices.size());
     index.m_vertices.push_back(Vec3::Zero());
+    findNeighbours(index.m_triangles, index.m_vertexCount, threads, index.m_neighbours);
+    // With a skin below the rounding of distances nothing could be promised.
+    if (8.0 * worst <= index.m_skin_mm) {
+        const std::vector<std::uint8_t> isClear = findClear(index, threads);
+        for (std::uint32_t i = 0; i < index.triangleCount(); ++i) {
+            index.m_triangles[i][1] |= isClear[i] != 0 ? kFlagBit : 0;
+            for (std::uint32_t& beyond : index.m_neighbours[i]) {
+                const std::uint32_t neighbour = beyond >> 2;
+                beyond |= neighbour != kNoNeighbour && isClear[neighbour] != 0 ? kFlagBit : 0;
+            }
+        }
+    }
     return index;
 }
 
 std::size_t SurfaceIndex::byteSize() const noexcept
 {
     return m_vertices.capacity() * sizeof(Vec3) + m_triangles.capacity() * sizeof(Triangle) +
-           m_sources.capacity() * sizeof(std::uint32_t) + m_hierarchy.byteSize();
+           m_sources.capacity() * sizeof(std::uint32_t) + m_neighbours.capacity() * sizeof(Triangle) +
+           m_hierarchy.byteSize();
 }
 
 } // namespace palpate::geometry

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -53,6 +55,17 @@ struct LargeAllocator
     friend bool operator==(const LargeAllocator& /*a*/, const LargeAllocator& /*b*/) noexcept
     {
         return true;
+    }
+    /// What is not given a value gets none: `resize` does not touch memory.
+    template<class U>
+    void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>)
+    {
+        ::new (static_cast<void*>(p)) U;
+    }
+    template<class U, class... Arguments>
+    void construct(U* p, Arguments&&... arguments)
+    {
+        ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
     }
 
   private:

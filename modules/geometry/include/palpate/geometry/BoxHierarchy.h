@@ -70,7 +70,7 @@ class BoxHierarchy
     /// @param items    reordered: on return they are in the order of the leaves
     /// @param origin   what the boxes are relative to, in the frame of the queries [mm]
     /// @param threads  1 or 2 threads build
-    [[nodiscard]] static BoxHierarchy build(std::vector<BoxedItem>& items, const Vec3& origin, unsigned threads);
+    [[nodiscard]] static BoxHierarchy build(std::span<BoxedItem> items, const Vec3& origin, unsigned threads);
 
     /// Calls `leaf(first, count)` for each leaf whose box touches `box`, in a fixed order, until it returns false.
     /// @par Real-time Wait-free; bounded by the number of nodes.
@@ -85,6 +85,13 @@ class BoxHierarchy
     template<class Leaf>
     void visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf,
                       double around_mm = 0.0) const noexcept PALPATE_NONBLOCKING;
+
+    /// Calls `pair(thread, first, count, otherFirst, otherCount)` once for each two leaves whose boxes come within
+    /// `around_mm` of each other, a leaf and itself among them: in no fixed order, and from thread 0 and 1 at once.
+    /// Defined in internal/BoxHierarchyPairs.h.
+    /// @param threads  1 or 2
+    template<class Pair>
+    void visitPairs(double around_mm, unsigned threads, Pair&& pair) const;
 
     [[nodiscard]] const Vec3& origin() const noexcept { return m_origin; }
     [[nodiscard]] std::size_t byteSize() const noexcept { return m_nodes.capacity() * sizeof(Node); }

@@ -35,15 +35,54 @@ class SurfaceIndex
     [[nodiscard]] Triangle triangle(std::uint32_t i) const noexcept
     {
         const Triangle& t = m_triangles[i];
-        return {t[0] & kIndexMask, t[1], t[2]};
+        return {t[0] & kIndexMask, t[1] & kIndexMask, t[2]};
     }
     /// True when the triangle belongs to a surface without an inside.
-    [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kTwoSidedBit) != 0; }
+    [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kFlagBit) != 0; }
     /// @return the triangle's number in the repaired mesh that the index was built from.
     [[nodiscard]] std::uint32_t sourceTriangle(std::uint32_t i) const noexcept { return m_sources[i]; }
 
-    /// Asks for what will be read soon, without waiting for it: a triangle, or the corners of one.
+    /// What lies beyond an edge of a triangle.
+    struct Neighbour
+    {
+        std::uint32_t triangle; ///< position in the index's own order; kNoNeighbour: none
+        std::uint32_t edge;     ///< the same edge's number there, 0 … 2
+    };
+    static constexpr std::uint32_t kNoNeighbour = 0x1fffffffu;
+    /// @param edge  0 … 2: from the first, second, third corner to the next
+    /// @return the one other triangle at that edge, if it is turned the same way; none at an open edge and where more
+    /// than two meet.
+    [[nodiscard]] Neighbour neighbour(std::uint32_t i, std::uint32_t edge) const noexcept
+    {
+        const std::uint32_t packed = m_neighbours[i][edge] & kIndexMask;
+        return {packed >> 2, packed & 3u};
+    }
+
+    /// True when nothing but the triangles beyond its edges can be in the way of what moves over it, on a side that it
+    /// is touched from, up to kClearHeight skins above it and at least kClearOfCorners skins away from its corners: no
+    /// other triangle of this surface comes as near, and those three turn by at most 53 degrees. It is false where that
+    /// was not shown.
+    [[nodiscard]] bool isClear(std::uint32_t i) const noexcept { return (m_triangles[i][1] & kFlagBit) != 0; }
+    /// @return true when all three neighbours are there and clear.
+    [[nodiscard]] bool isClearAround(std::uint32_t i) const noexcept
+    {
+        const Triangle& n = m_neighbours[i];
+        return (n[0] & n[1] & n[2] & kFlagBit) != 0;
+    }
+    static constexpr double kClearHeight = 2.0;
+    static constexpr double kClearOfCorners = 65536.0;
+
+    /// Asks for what will be read soon, without waiting for it: a triangle, the neighbours of one that is clear, or
+    /// the corners of one.
     void prefetchTriangles(std::uint32_t i) const noexcept { core::prefetch(&m_triangles[i]); }
+    void prefetchNeighbours(std::uint32_t i) const noexcept
+    {
+        for (std::uint32_t edge = 0; edge < 3; ++edge) {
+            const std::uint32_t n = neighbour(i, edge).triangle;
+            core::prefetch(&m_triangles[n]);
+            core::prefetch(&m_neighbours[n]);
+        }
+    }
     void prefetchCorners(std::uint32_t i) const noexcept
     {
         for (const std::uint32_t corner : triangle(i)) {
@@ -63,13 +102,14 @@ class SurfaceIndex
     [[nodiscard]] std::size_t byteSize() const noexcept;
 
   private:
-    static constexpr std::uint32_t kTwoSidedBit = 0x80000000u;
-    static constexpr std::uint32_t kIndexMask = 0x7fffffffu;
+    static constexpr std::uint32_t kFlagBit = 0x80000000u;
+    static constexpr std::uint32_t kIndexMask = ~kFlagBit;
 
     core::LargeArray<Vec3> m_vertices; ///< and one more, so that four numbers can be read from the last
     std::uint32_t m_vertexCount = 0;
-    core::LargeArray<Triangle> m_triangles; ///< bit 31 of the first index: two-sided
+    core::LargeArray<Triangle> m_triangles; ///< flags the first index: two-sided; the second: clear
     core::LargeArray<std::uint32_t> m_sources;
+    core::LargeArray<Triangle> m_neighbours; ///< by edge: triangle << 2 | its edge; flagged: clear
     BoxHierarchy m_hierarchy;
     Box m_bounds;
     double m_skin_mm = 0.0;

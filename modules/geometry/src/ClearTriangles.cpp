@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClearTriangles.h"
+
+#include "palpate/geometry/internal/BoxHierarchyPairs.h"
+
+#include <palpate/core/Float4.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <future>
+
+namespace palpate::geometry {
+
+namespace {
+
+/// Skins: how high a god-object goes above a triangle it moves over and how far outside its edges, and as much again.
+constexpr double kApart = 8.0;
+
+constexpr float kLeastSine = 1.0f / 32.0f; // of an angle of a triangle
+constexpr float kMostTurned = 0.6f;        // cosine
+constexpr std::size_t kMostAround = 32;    // triangles at a vertex
+
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(const SurfaceIndex& surface, const Triangle& t)
+{
+    return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
+}
+
+/// Calls work(i) for all i below `count`, on two threads if there are.
+template<class Work>
+void inHalves(unsigned threads, std::uint32_t count, Work&& work)
+{
+    const std::uint32_t half = threads > 1 ? count / 2 : count;
+    const auto run = [&work](std::uint32_t i, std::uint32_t end) {
+        for (; i < end; ++i) {
+            work(i);
+        }
+    };
+    std::future<void> other =
+        std::async(threads > 1 ? std::launch::async : std::launch::deferred, [&] { run(half, count); });
+    run(0, half);
+    other.get();
+}
+
+using core::Float4;
+
+Float4 floats(const Vec3& v)
+{
+    return Float4{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0.0f};
+}
+
+Float4 cross(Float4 a, Float4 b)
+{
+    const Float4 c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - b * __builtin_shufflevector(a, a, 1, 2, 0, 3);
+    return __builtin_shufflevector(c, c, 1, 2, 0, 3);
+}
+
+float dot(Float4 a, Float4 b)
+{
+    const Float4 p = a * b;
+    return p[0] + p[1] + p[2];
+}
+
+/// @return the unit normal of the front; zero when one of its angles is too small.
+Float4 normalOf(const Corners& corners)
+{
+    const Float4 ab = floats(corners[1] - corners[0]), ac = floats(corners[2] - corners[0]), bc = ac - ab;
+    const Float4 n = cross(ab, ac);
+    const float area2 = dot(n, n), ab2 = dot(ab, ab), ac2 = dot(ac, ac), bc2 = dot(bc, bc);
+    const float longest = std::max({ab2 * ac2, ab2 * bc2, ac2 * bc2}); // of two sides: its angle has the least sine
+    return area2 >= kLeastSine * kLeastSine * longest && area2 > 0.0f ? n / std::sqrt(area2) : Float4{};
+}
+
+typedef std::int16_t Short8 __attribute__((vector_size(16)));
+
+/// What a triangle spans along eight directions, in whole steps, rounded outwards: most that do not touch are told
+/// apart by it.
+struct Spans
+{
+    Short8 low, high;
+
+    /// @return 1 when all the spans overlap.
+    [[nodiscard]] std::uint16_t overlaps(const Spans& other) const
+    {
+        const Short8 apart = (low > other.high) | (high < other.low);
+        std::int64_t lanes[2];
+        std::memcpy(lanes, &apart, sizeof lanes);
+        return (lanes[0] | lanes[1]) == 0 ? 1 : 0;
+    }
+};
+
+/// @param steps  per mm; no place is more than 32,000 steps from the origin along an axis
+Spans spansOf(const Corners& corners, const Vec3& origin, double steps)
+{
+    const auto rows = [](Float4 v) {
+        return std::array{v, 0.5f * (v + __builtin_shufflevector(v, v, 1, 2, 0, 3)),
+                          0.5f * (v - __builtin_shufflevector(v, v, 1, 2, 0, 3))};
+    };
+    const auto a = rows(floats((corners[0] - origin) * steps)), b = rows(floats((corners[1] - origin) * steps)),
+               c = rows(floats((corners[2] - origin) * steps));
+    typedef std::int32_t Int8 __attribute__((vector_size(32)));
+    // x, y, z, x + y, y + z, z + x, x - y, y - z
+    const auto steps8 = [](const std::array<Float4, 3>& v) {
+        const Float4 some = __builtin_shufflevector(v[0], v[1], 0, 1, 2, 4),
+                     rest = __builtin_shufflevector(v[1], v[2], 1, 2, 4, 5);
+        const core::Mask4 halves[2] = {__builtin_convertvector(some, core::Mask4),
+                                       __builtin_convertvector(rest, core::Mask4)};
+        Int8 all;
+        std::memcpy(&all, halves, sizeof all);
+        return __builtin_convertvector(all, Short8);
+    };
+    std::array<Float4, 3> low, high;
+    for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = core::least(core::least(a[i], b[i]), c[i]);
+        high[i] = core::greatest(core::greatest(a[i], b[i]), c[i]);
+    }
+    // Truncation moves by less than a step, the rest by far less.
+    return {steps8(low) - 2, steps8(high) + 2};
+}
+
+/// What is known of each triangle and each vertex.
+struct Survey
+{
+    explicit Survey(const SurfaceIndex& index)
+        : surface(index)
+        , normal(index.triangleCount())
+        , spans(index.triangleCount())
+        , uses(index.vertexCount(), 0)
+        , some(index.vertexCount())
+        , isSmooth(index.vertexCount())
+    {
+    }
+
+    const SurfaceIndex& surface;
+    core::LargeArray<Float4> normal;
+    core::LargeArray<Spans> spans;
+    std::vector<std::uint16_t> uses;    ///< triangles at each vertex
+    std::vector<std::uint32_t> some;    ///< one of them << 2 | the corner there
+    std::vector<std::uint8_t> isSmooth; ///< of each vertex: see findClear
+
+    [[nodiscard]] bool areSmoothAround(std::uint32_t vertex) const;
+};
+
+/// @return true when the triangles at a vertex are one fan, seen from above side by side; see findClear.
+bool Survey::areSmoothAround(std::uint32_t vertex) const
+{
+    const std::size_t count = uses[vertex];
+    if (count < 3 || count > kMostAround) {
+        return false;
+    }
+    std::array<std::uint32_t, kMostAround> around;
+    std::array<Float4, kMostAround + 1> spoke; // spoke[i] to spoke[i + 1]: a triangle
+    Float4 mean{};
+    const std::uint32_t start = some[vertex] >> 2;
+    std::uint32_t at = start, k = some[vertex] & 3u;
+    const Vec3& centre = surface.vertex(vertex);
+    for (std::size_t i = 0; i < count; ++i) {
+        around[i] = at;
+        mean += normal[at];
+        spoke[i] = floats(surface.vertex(surface.triangle(at)[k == 2 ? 0 : k + 1]) - centre);
+        // Over the edge that ends in the vertex.
+        const SurfaceIndex::Neighbour next = surface.neighbour(at, k == 0 ? 2 : k - 1);
+        at = next.triangle;
+        k = next.edge;
+        if (at == SurfaceIndex::kNoNeighbour || (at == start) != (i + 1 == count)) {
+            return false; // an edge of the surface, or another fan
+        }
+    }
+    spoke[count] = spoke[0];
+    // Once around: the spokes go from one side of a plane through the mean normal to the other a single time.
+    const Float4 size = core::absolute(mean);
+    const Float4 least = {size[0] <= size[1] && size[0] <= size[2] ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f};
+    const Float4 other = {0.0f, size[1] <= size[2] ? 1.0f : 0.0f, size[1] <= size[2] ? 0.0f : 1.0f, 0.0f};
+    const Float4 aside = cross(mean, least[0] > 0.0f ? least : other);
+    const float limit = kMostTurned * std::sqrt(dot(mean, mean));
+    int turns = 0;
+    Float4 before = normal[around[count - 1]];
+    for (std::size_t i = 0; i < count; ++i) {
+        const Float4 n = normal[around[i]];
+        if (!(dot(n, mean) > limit && dot(n, before) > kMostTurned)) {
+            return false;
+        }
+        before = n;
+        turns += dot(spoke[i], aside) >= 0.0f && dot(spoke[i + 1], aside) < 0.0f ? 1 : 0;
+    }
+    return turns == 1;
+}
+
+bool shareCorner(const Triangle& a, const Triangle& b)
+{
+    return std::any_of(a.begin(), a.end(), [&b](std::uint32_t v) { return v == b[0] || v == b[1] || v == b[2]; });
+}
+
+/// @return true when some axis shows a gap of more than `gap_mm` between two triangles.
+bool areApart(const Corners& f, const Corners& g, double gap_mm)
+{
+    const auto separates = [&](const Vec3& axis) {
+        const double f1 = axis.dot(f[1] - f[0]), f2 = axis.dot(f[2] - f[0]);
+        const double g0 = axis.dot(g[0] - f[0]), g1 = axis.dot(g[1] - f[0]), g2 = axis.dot(g[2] - f[0]);
+        const double above = std::min({g0, g1, g2}) - std::max({0.0, f1, f2});
+        const double below = std::min({0.0, f1, f2}) - std::max({g0, g1, g2});
+        const double gap = std::max(above, below);
+        return gap > 0.0 && gap * gap > gap_mm * gap_mm * axis.squaredNorm();
+    };
+    if (separates(g[0] + g[1] + g[2] - (f[0] + f[1] + f[2]))) {
+        return true;
+    }
+    for (const Corners* t : {&f, &g}) {
+        const Vec3 ab = (*t)[1] - (*t)[0], bc = (*t)[2] - (*t)[1], ca = (*t)[0] - (*t)[2];
+        const Vec3 n = ab.cross(bc);
+        if (separates(n) || separates(ab.cross(n)) || separates(bc.cross(n)) || separates(ca.cross(n))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// @return true when all triangles that share no corner with triangle `i` are apart from it.
+bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
+{
+    const Triangle t = surface.triangle(i);
+    const Corners corners = cornersOf(surface, t);
+    const Box box(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() - gap_mm,
+                  corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() + gap_mm);
+    bool result = true;
+    surface.hierarchy().visitBox(box, [&](std::uint32_t first, std::uint32_t n) {
+        for (std::uint32_t j = first; j < first + n && result; ++j) {
+            const Triangle other = surface.triangle(j);
+            result = shareCorner(t, other) || areApart(corners, cornersOf(surface, other), gap_mm);
+        }
+        return result;
+    });
+    return result;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned threads)
+{
+    const std::uint32_t count = surface.triangleCount();
+    if (count < 20'000) {
+        threads = 1;
+    }
+    Survey survey(surface);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Triangle t = surface.triangle(i);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            ++survey.uses[t[k]];
+            survey.some[t[k]] = i << 2 | k;
+        }
+    }
+    const Vec3& origin = surface.hierarchy().origin();
+    const double most =
+        std::max((surface.bounds().max() - origin).maxCoeff(), (origin - surface.bounds().min()).maxCoeff());
+    inHalves(threads, count, [&](std::uint32_t i) {
+        const Corners corners = cornersOf(surface, surface.triangle(i));
+        survey.normal[i] = normalOf(corners);
+        survey.spans[i] = spansOf(corners, origin, 32'000.0 / most);
+    });
+    inHalves(threads, surface.vertexCount(),
+             [&](std::uint32_t v) { survey.isSmooth[v] = survey.areSmoothAround(v) ? 1 : 0; });
+    // Those that share a corner touch. Who touches no more than there are of these is alone.
+    std::array<core::LargeArray<std::uint16_t>, 2> touching; // by thread
+    for (unsigned thread = 0; thread < threads; ++thread) {
+        touching[thread].assign(count, 0);
+    }
+    const double gap_mm = kApart * surface.skin_mm();
+    surface.hierarchy().visitPairs(
+        gap_mm, threads,
+        [&](unsigned thread, std::uint32_t first, std::uint32_t n, std::uint32_t otherFirst, std::uint32_t m) {
+            std::uint16_t* touched = touching[thread].data();
+            for (std::uint32_t i = first; i < first + n; ++i) {
+                const Spans spans = survey.spans[i];
+                std::uint16_t found = 0;
+                for (std::uint32_t j = first == otherFirst ? i + 1 : otherFirst; j < otherFirst + m; ++j) {
+                    const std::uint16_t overlap = spans.overlaps(survey.spans[j]);
+                    found += overlap;
+                    touched[j] += overlap;
+                }
+                touched[i] += found;
+            }
+        });
+    std::vector<std::uint8_t> isClear(count);
+    inHalves(threads, count, [&](std::uint32_t i) {
+        const Triangle t = surface.triangle(i);
+        if ((survey.isSmooth[t[0]] & survey.isSmooth[t[1]] & survey.isSmooth[t[2]]) == 0) {
+            return;
+        }
+        // Three of them at two corners.
+        const int sharing = survey.uses[t[0]] + survey.uses[t[1]] + survey.uses[t[2]] - 6;
+        const int found = touching[0][i] + (threads > 1 ? touching[1][i] : 0);
+        isClear[i] = found == sharing || isAlone(surface, i, gap_mm) ? 1 : 0;
+    });
+    return isClear;
+}
+
+} // namespace palpate::geometry
