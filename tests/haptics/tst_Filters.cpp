@@ -161,24 +161,6 @@ class Filters : public QObject
         QVERIFY(kept < offered / 2); // it does tell off
     }
 
-    void trianglesAreFoundByTheirEdge()
-    {
-        alignas(32) std::uint32_t corner[3][16], structure[16];
-        for (std::uint32_t i = 0; i < 16; ++i) { // a strip
-            corner[0][i] = i;
-            corner[1][i] = i + 1;
-            corner[2][i] = i + 2;
-            structure[i] = i == 7 ? 1 : 0;
-        }
-        const std::array<const std::uint32_t*, 3> corners{corner[0], corner[1], corner[2]};
-        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 5), std::uint64_t{1u << 3 | 1u << 4});
-        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 5, 4), std::uint64_t{1u << 3 | 1u << 4});
-        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 6), std::uint64_t{1u << 4});
-        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 7, 8), std::uint64_t{1u << 6}); // 7 is another structure's
-        QCOMPARE(lanesAtEdge(corners, structure, 12, 0, 12, 13), std::uint64_t{1u << 11});
-        QCOMPARE(lanesAtEdge(corners, structure, 16, 0, 4, 9), std::uint64_t{0});
-    }
-
     void distancesAreThoseOfTheNearestPoint()
     {
         std::mt19937_64 random(4);

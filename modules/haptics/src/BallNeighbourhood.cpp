@@ -64,7 +64,8 @@ struct BallNeighbourhood::First
 
 void BallNeighbourhood::endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept
 {
-    m_cache.endTick(scene, layer, planFor(scene, layer), g);
+    m_cache.follow(g);
+    m_cache.prepare(scene, layer, planFor(scene, layer), false);
 }
 
 void BallNeighbourhood::offerHeld(const HapticScene& scene, First& first) const noexcept

@@ -45,25 +45,35 @@ Vec3 FacetCache<Group, kMost>::ahead(const Vec3& from) const noexcept
 }
 
 template<class Group, int kMost>
-void FacetCache<Group, kMost>::endTick(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
-                                       const Vec3& g) noexcept
+void FacetCache<Group, kMost>::follow(const Vec3& g) noexcept
 {
     if (m_hasLast) {
         m_motion += kNewest * (g - m_last - m_motion);
     }
     m_last = g;
     m_hasLast = true;
+}
+
+template<class Group, int kMost>
+void FacetCache<Group, kMost>::prepare(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
+                                       bool isNew) noexcept
+{
     Facets& next = m_sets[1 - m_used];
     if (next.isBegun() && !next.isReady()) {
         next.proceed(scene, kGroupsATick);
         return;
     }
+    const Vec3& g = m_last;
     const Vec3 soon = g + kTicksToPrepare * m_motion;
-    if (!held().covers(g) || held().covers(soon) || next.covers(soon) ||
+    const bool isHeld = held().covers(g);
+    if (m_margin_mm == 0.0) {
+        m_margin_mm = layer.facetSize_mm;
+    }
+    if ((!isHeld && !isNew) || held().covers(soon) || next.covers(soon) ||
         kTicksToPrepare * m_motion.norm() > kMarginsAhead * m_margin_mm) {
         return;
     }
-    const Vec3 from = g + 0.5 * kTicksToPrepare * m_motion;
+    const Vec3 from = isHeld ? Vec3(g + 0.5 * kTicksToPrepare * m_motion) : g;
     if (!next.begin(scene, layer, around(from, from, ahead(from), m_margin_mm), from, plan.around_mm)) {
         m_margin_mm *= 0.5;
         return;

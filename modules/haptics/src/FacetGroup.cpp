@@ -204,25 +204,6 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
     return all & bitsOf(count);
 }
 
-PALPATE_WIDE_LANES std::uint64_t lanesAtEdge(const std::array<const std::uint32_t*, 3>& corner,
-                                             const std::uint32_t* structure, int count, std::uint32_t of,
-                                             std::uint32_t p, std::uint32_t q) noexcept
-{
-    typedef std::uint32_t Index8 __attribute__((vector_size(32)));
-    std::uint64_t all = 0;
-    for (int first = 0; first < count; first += kLanes) {
-        Mask8 hasP{}, hasQ{};
-        for (const std::uint32_t* numbers : corner) {
-            const Index8 number = *reinterpret_cast<const Index8*>(numbers + first);
-            hasP |= number == p;
-            hasQ |= number == q;
-        }
-        const Mask8 isIn = *reinterpret_cast<const Index8*>(structure + first) == of;
-        all |= static_cast<std::uint64_t>(core::laneBits(hasP & hasQ & isIn)) << first;
-    }
-    return all & bitsOf(count);
-}
-
 PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,
                                            float coordinates_mm) noexcept
 {

@@ -60,7 +60,6 @@ void GatheredFacets<Group, kMost>::number(const HapticScene& scene) noexcept
         }
         const geometry::Triangle t = surface->triangle(m_triangle[i]);
         for (std::size_t c = 0; c < 3; ++c) {
-            m_corner[c][i] = t[c];
             m_at[c][i] = surface->vertex(t[c]).data();
             core::prefetch(m_at[c][i]); // one round of waiting for memory rather than one for each facet
         }
@@ -68,10 +67,8 @@ void GatheredFacets<Group, kMost>::number(const HapticScene& scene) noexcept
     }
     for (int i = m_count; i % kLanes != 0; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            m_corner[c][i] = m_corner[c][m_count - 1];
             m_at[c][i] = m_at[c][m_count - 1];
         }
-        m_structure[i] = m_structure[m_count - 1];
         m_isTwoSided[i] = 0;
     }
 }

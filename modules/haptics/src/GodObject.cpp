@@ -108,7 +108,7 @@ class Tick
     {
         Contact& c = m_contacts[0];
         const internal::SurfaceWalk walk =
-            internal::walk(m_scene, m_layer, m_near, m_hip, most, c.side, m_god, c.facet);
+            internal::walk(m_scene, m_layer, m_near, m_hip, most, c.side, false, m_god, c.facet);
         m_walked += walk.moves;
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
@@ -380,8 +380,8 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
         if (m_state.constraints == 1) {
-            walk = internal::walk(scene, layer, m_neighbourhood, p_WH, limits.iterations, m_state.side[0], m_state.p_WG,
-                                  m_facets[0]);
+            walk = internal::walk(scene, layer, m_neighbourhood, p_WH, limits.iterations, m_state.side[0], m_hasWalked,
+                                  m_state.p_WG, m_facets[0]);
         }
         if (walk.hasArrived) {
             result.p_WG = m_state.p_WG;
@@ -394,7 +394,14 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         } else {
             run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG, walk.moves), limits, result);
         }
-        m_neighbourhood.endTick(scene, layer, m_state.p_WG);
+        m_hasWalked = walk.hasArrived;
+        if (walk.hasArrived && walk.isClear) {
+            const geometry::SurfaceIndex& surface = *scene.structures()[m_facets[0].structure].surface;
+            m_neighbourhood.endClearTick(scene, layer, m_state.p_WG, surface.isClearAround(m_facets[0].triangle));
+            surface.prefetchNeighbours(m_facets[0].triangle);
+        } else {
+            m_neighbourhood.endTick(scene, layer, m_state.p_WG);
+        }
     }
     return result;
 }
@@ -426,6 +433,7 @@ void GodObject::run(AnyTick tick, const GodObjectLimits& limits, GodObjectStep& 
 void GodObject::clearCaches() noexcept
 {
     m_hasFacets = false;
+    m_hasWalked = false;
     m_neighbourhood.clear();
     m_ballNeighbourhood.clear();
 }

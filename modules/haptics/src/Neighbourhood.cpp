@@ -42,30 +42,6 @@ bool isBefore(const Crossing& a, const Crossing& b) noexcept
                                                   : a.facet.triangle < b.facet.triangle;
 }
 
-/// Asks the hierarchy for the two triangles at an edge.
-/// @param place    on the edge, to within a few skins [mm]
-/// @param triangle  one of them, replaced by the other
-bool onlyOtherAtEdge(const geometry::SurfaceIndex& surface, const Vec3& place, std::uint32_t p, std::uint32_t q,
-                     std::uint32_t& triangle) noexcept
-{
-    const std::uint32_t one = triangle;
-    int others = 0;
-    const double around = 4.0 * surface.skin_mm();
-    surface.hierarchy().visitBox(core::Box(place.array() - around, place.array() + around),
-                                 [&](std::uint32_t i, std::uint32_t n) {
-                                     for (const std::uint32_t end = i + n; i < end; ++i) {
-                                         const geometry::Triangle c = surface.triangle(i);
-                                         if (i != one && std::find(c.begin(), c.end(), p) != c.end() &&
-                                             std::find(c.begin(), c.end(), q) != c.end()) {
-                                             triangle = i;
-                                             ++others;
-                                         }
-                                     }
-                                     return true;
-                                 });
-    return others == 1;
-}
-
 } // namespace
 
 /// Keeps the first crossing of those offered. The order of the offers does not matter.
@@ -101,7 +77,44 @@ struct Neighbourhood::First
 
 void Neighbourhood::endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept
 {
-    m_cache.endTick(scene, layer, planFor(layer), g);
+    m_cache.follow(g);
+    m_cache.prepare(scene, layer, planFor(layer), false);
+}
+
+void Neighbourhood::endClearTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
+                                 bool isClearAround) noexcept
+{
+    m_cache.follow(g);
+    if (!isClearAround) {
+        m_cache.prepare(scene, layer, planFor(layer), true);
+    }
+}
+
+void Neighbourhood::lookAround(const HapticScene& scene, const HapticLayer& layer, std::uint32_t structure,
+                               const Vec3& p) noexcept
+{
+    // As large as the others leave room for: it is left sooner or later.
+    constexpr double kFirst = 8.0, kLeast = 2.0, kMost = 32.0; // facets
+    Around& around = m_around;
+    const double facet = layer.facetSize_mm;
+    around.half_mm = around.half_mm == 0.0 ? kFirst * facet
+                     : around.isAlone      ? std::min(1.5 * around.half_mm, kMost * facet)
+                                           : std::max(0.5 * around.half_mm, kLeast * facet);
+    around.box = core::Box(p.array() - around.half_mm, p.array() + around.half_mm);
+    around.structure = structure;
+    around.isAlone = true;
+    const double reach = around.half_mm + kNearby * layer.skin_mm;
+    const core::Box query(p.array() - reach, p.array() + reach);
+    layer.hierarchy.visitBox(query, [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t s = first; s < first + count && around.isAlone; ++s) {
+            if (layer.structures[s] != structure) {
+                scene.structures()[layer.structures[s]].surface->hierarchy().visitBox(
+                    query,
+                    [&around](std::uint32_t /*first*/, std::uint32_t /*count*/) { return around.isAlone = false; });
+            }
+        }
+        return around.isAlone;
+    });
 }
 
 void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noexcept
@@ -116,41 +129,12 @@ void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noex
     }
 }
 
-bool Neighbourhood::beyondEdge(const HapticScene& scene, const HapticLayer& layer, const Vec3& from, const Vec3& place,
-                               const Vec3& ahead, const Facet& facet, int edge, Facet& found, int& entered) noexcept
+void Neighbourhood::reach(const HapticScene& scene, const HapticLayer& layer, const Vec3& from, const Vec3& place,
+                          const Vec3& ahead) noexcept
 {
-    const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
-    const geometry::Triangle t = surface.triangle(facet.triangle);
-    const std::uint32_t p = t[static_cast<std::size_t>(edge)], q = t[static_cast<std::size_t>((edge + 1) % 3)];
     if (!holds(place) && !m_cache.takePrepared(scene, place)) {
         (void)m_cache.gather(scene, layer, planFor(layer), from, ahead);
     }
-    std::uint32_t other = facet.triangle;
-    if (holds(place)) {
-        const Cache::Facets& held = m_cache.held();
-        const std::uint64_t lanes = held.atEdge(facet.structure, p, q);
-        const std::uint64_t last = lanes & (lanes - 1);
-        if (last == 0 || (last & (last - 1)) != 0) {
-            return false;
-        }
-        m_lastLanes = {std::countr_zero(last), std::countr_zero(lanes)};
-        if (held.triangle(m_lastLanes[1]) == facet.triangle) {
-            std::swap(m_lastLanes[0], m_lastLanes[1]);
-        }
-        other = held.triangle(m_lastLanes[1]);
-    } else if (!onlyOtherAtEdge(surface, place, p, q, other)) {
-        return false;
-    }
-    const geometry::Triangle c = surface.triangle(other);
-    for (std::size_t i = 0; i < 3; ++i) {
-        // The other way round: the two are turned the same way.
-        if (c[i] == q && c[i == 2 ? 0 : i + 1] == p) {
-            entered = static_cast<int>(i);
-            found = Facet::of(surface, facet.structure, other);
-            return found.isTwoSided == facet.isTwoSided;
-        }
-    }
-    return false;
 }
 
 std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
@@ -211,7 +195,7 @@ std::uint64_t Neighbourhood::laneOf(const FacetNumber& facet) noexcept
     }
     for (int i = 0; i < held.count(); ++i) {
         if (isAt(i)) {
-            m_lastLanes[1] = i;
+            m_lastLanes = {m_lastLanes[1], i};
             return std::uint64_t{1} << i;
         }
     }

@@ -58,13 +58,30 @@ Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margi
     return exit;
 }
 
+/// @return true when a god-object stands on a facet as one does that has walked there.
+bool isOn(const Facet& facet, int side, const Vec3& g) noexcept
+{
+    return side * facet.n.dot(g - facet.a) > 0.5 * facet.skin_mm &&
+           footOn(facet, side, g, geometry::SurfaceIndex::kClearHeight * facet.skin_mm, facet.skin_mm, 0.0) !=
+               Foot::Away;
+}
+
+/// @return true when `p` is at least `least_mm` away from each corner.
+bool isOffCorners(const Facet& facet, const Vec3& p, double least_mm) noexcept
+{
+    const double least2 = least_mm * least_mm;
+    return (p - facet.a).squaredNorm() > least2 && (p - facet.b).squaredNorm() > least2 &&
+           (p - facet.c).squaredNorm() > least2;
+}
+
 } // namespace
 
 SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip,
-                 std::uint32_t most, int side, Vec3& g, Facet& facet) noexcept
+                 std::uint32_t most, int side, bool isWellInside, Vec3& g, Facet& facet) noexcept
 {
     SurfaceWalk result;
-    std::array<Vec3, Neighbourhood::kMostPoints> path;
+    const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
+    std::array<Vec3, Neighbourhood::kMostPoints> path;          // moves that are still to be asked for
     std::array<FacetNumber, Neighbourhood::kMostPoints> stands; // [0 … crossed]: those that the path goes over
     path[0] = g;
     stands[0] = {facet.structure, facet.triangle};
@@ -73,6 +90,17 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
     const Facet* here = &facet;
     int entered = -1;
     const double margin_mm = kTouched * facet.skin_mm;
+    const double offCorners_mm = geometry::SurfaceIndex::kClearOfCorners * facet.skin_mm;
+    const auto isClearAt = [&](const Facet& f, const Vec3& p) {
+        return surface.isClear(f.triangle) && isOffCorners(f, p, offCorners_mm) &&
+               near.isAlone(scene, layer, f.structure, p);
+    };
+    result.isClear = (isWellInside || isOn(facet, side, g)) && isClearAt(facet, g);
+    const auto stand = [&] {
+        if (here != &facet) {
+            facet = *here;
+        }
+    };
     const auto isPathFree = [&] {
         // On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above
         // the one it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or
@@ -84,9 +112,9 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         g = path[moves];
         result.moves += static_cast<std::uint32_t>(moves);
         if (!isFree) {
-            facet = Facet::of(*scene.structures()[facet.structure].surface, facet.structure, stands[moves].triangle);
-        } else if (here != &facet) {
-            facet = *here;
+            facet = Facet::of(surface, facet.structure, stands[moves].triangle);
+        } else {
+            stand();
         }
         here = &facet;
         path[0] = g;
@@ -112,18 +140,35 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
             break; // held by an edge, or too near one to tell
         }
         Vec3 to = isLast ? target : Vec3(from + exit.share * (target - from));
+        result.isClear = result.isClear && isClearAt(*here, to);
         // What is gathered next may no longer hold the way up to here.
-        if (!near.holds(to) && !isPathFree()) {
+        if (!result.isClear && !near.holds(to) && !isPathFree()) {
             return result;
         }
         if (isLast) {
+            if (result.isClear) {
+                g = target;
+                ++result.moves;
+                stand();
+                result.hasArrived = true;
+                return result;
+            }
             path[points++] = target;
             result.hasArrived = isPathFree();
             return result;
         }
+        const geometry::SurfaceIndex::Neighbour neighbour =
+            surface.neighbour(here->triangle, static_cast<std::uint32_t>(exit.edge));
+        if (!result.isClear) {
+            near.reach(scene, layer, path[points - 1], to, target);
+        }
+        if (neighbour.triangle == geometry::SurfaceIndex::kNoNeighbour) {
+            break;
+        }
         Facet& next = met[i % 2];
-        if (!near.beyondEdge(scene, layer, path[points - 1], to, target, *here, exit.edge, next, entered) ||
-            here->n.dot(next.n) < kSharpest) {
+        next = Facet::of(surface, facet.structure, neighbour.triangle);
+        entered = static_cast<int>(neighbour.edge);
+        if (here->n.dot(next.n) < kSharpest) {
             break;
         }
         // Where the surface rises, the next facet is met before the edge.
@@ -136,6 +181,12 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
             }
         }
         here = &next;
+        if (result.isClear) {
+            path[0] = g = to;
+            stands[0] = {next.structure, next.triangle};
+            ++result.moves;
+            continue;
+        }
         path[points] = to;
         stands[points++] = {next.structure, next.triangle};
         ++crossed;
@@ -143,7 +194,11 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
             return result;
         }
     }
-    (void)isPathFree();
+    if (result.isClear) {
+        stand();
+    } else {
+        (void)isPathFree();
+    }
     return result;
 }
 

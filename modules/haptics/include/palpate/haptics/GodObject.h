@@ -87,6 +87,7 @@ class GodObject
     internal::BallNeighbourhood m_ballNeighbourhood;
     std::array<internal::Facet, 3> m_facets; ///< of the state's constraints
     bool m_hasFacets = false;
+    bool m_hasWalked = false; ///< the last tick ended by walking: on the first of them, well inside
 };
 
 } // namespace palpate::haptics

@@ -27,9 +27,13 @@ class FacetCache
     /// Forgets everything: the scene changed.
     void clear() noexcept PALPATE_NONBLOCKING;
 
-    /// Tells where the god-object stands after a tick, and does a part of what the next ticks will need.
-    void endTick(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
-                 const core::Vec3& g) noexcept PALPATE_NONBLOCKING;
+    /// Tells where the god-object stands after a tick.
+    void follow(const core::Vec3& g) noexcept PALPATE_NONBLOCKING;
+
+    /// Does a part of what the next ticks will need.
+    /// @param isNew  nothing was needed here up to now
+    void prepare(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
+                 bool isNew) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] const Facets& held() const noexcept { return m_sets[m_used]; }
     [[nodiscard]] bool holds(const core::Vec3& p) const noexcept { return held().holds(p); }

@@ -3,7 +3,6 @@
 
 #include <palpate/core/Realtime.h>
 
-#include <array>
 #include <cstdint>
 
 namespace palpate::haptics::internal {
@@ -25,13 +24,6 @@ struct alignas(32) Corners
 /// @param origin  four numbers, too [mm]
 void setCorners(const double* const* a, const double* const* b, const double* const* c, const double* origin,
                 Corners& corners) noexcept PALPATE_NONBLOCKING;
-
-/// @param corner     the numbers of the three corners of up to 64 triangles, by eights
-/// @param structure  whose they are, by eights
-/// @return bit i set where triangle i is of structure `of` and has both corners `p` and `q`
-[[nodiscard]] std::uint64_t lanesAtEdge(const std::array<const std::uint32_t*, 3>& corner,
-                                        const std::uint32_t* structure, int count, std::uint32_t of, std::uint32_t p,
-                                        std::uint32_t q) noexcept PALPATE_NONBLOCKING;
 
 /// Eight facets as floats relative to an origin near them, side by side, so that eight are told off a move at once.
 /// What floats cannot tell is kept: nothing here decides a result.

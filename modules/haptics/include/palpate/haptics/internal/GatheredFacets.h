@@ -4,7 +4,6 @@
 #include "palpate/haptics/HapticScene.h"
 #include "palpate/haptics/internal/FacetGroup.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -56,19 +55,13 @@ class GatheredFacets
     [[nodiscard]] std::uint32_t structure(int i) const noexcept { return m_structure[i]; }
     /// @return position in the structure's SurfaceIndex.
     [[nodiscard]] std::uint32_t triangle(int i) const noexcept { return m_triangle[i]; }
-    /// @return the facets of `structure` that have both corners, a bit each; the first 64 are asked.
-    [[nodiscard]] std::uint64_t atEdge(std::uint32_t structure, std::uint32_t p, std::uint32_t q) const noexcept
-    {
-        return lanesAtEdge({m_corner[0], m_corner[1], m_corner[2]}, m_structure, std::min(m_count, 64), structure, p,
-                           q);
-    }
 
   private:
     enum class Stage : std::uint8_t
     {
         Empty,
         Found,    ///< numbers of the triangles are known
-        Numbered, ///< and those of their corners
+        Numbered, ///< and where their corners are
         Ready,
     };
 
@@ -83,9 +76,8 @@ class GatheredFacets
     Stage m_stage = Stage::Empty;
     std::array<Group, kMost / kLanes> m_groups;
     // Of each facet, by eights; what is left over of eight repeats the last.
-    const double* m_at[3][kMost];                 ///< where its corners lie
-    alignas(32) std::uint32_t m_corner[3][kMost]; ///< and their numbers
-    alignas(32) std::uint32_t m_structure[kMost];
+    const double* m_at[3][kMost]; ///< where its corners lie
+    std::uint32_t m_structure[kMost];
     alignas(32) std::int32_t m_isTwoSided[kMost]; ///< all ones or zero
     std::uint32_t m_triangle[kMost];
 };

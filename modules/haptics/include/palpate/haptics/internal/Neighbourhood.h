@@ -26,11 +26,20 @@ class Neighbourhood
     static constexpr double kNearby = 2.0 * kTouched; ///< skins: as far as forEachNear can ask
 
     /// Forgets everything: the scene changed.
-    void clear() noexcept PALPATE_NONBLOCKING { m_cache.clear(); }
+    void clear() noexcept PALPATE_NONBLOCKING
+    {
+        m_cache.clear();
+        m_around = {};
+    }
 
     /// Tells where the god-object stands after a tick.
     /// @par Real-time Wait-free.
     void endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
+
+    /// The same after a tick that asked for nothing.
+    /// @param isClearAround  nor will the next facet
+    void endClearTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
+                      bool isClearAround) noexcept PALPATE_NONBLOCKING;
 
     /// Finds the first facet of the layer that blocks the move x → y.
     /// @return false when nothing blocks it.
@@ -41,16 +50,24 @@ class Neighbourhood
     /// @return true when the facets around `g` are held: what is asked there costs no gathering.
     [[nodiscard]] bool holds(const Vec3& g) const noexcept { return m_cache.holds(g); }
 
-    /// Finds the facet on the other side of an edge of `facet`.
-    /// @param place  on that edge, to within a few skins [mm]
-    /// @param from,ahead  the way that leads there and on: facets are gathered along it, if they must be [mm]
-    /// @param edge  0 … 2: from corner a, b, c to the next
-    /// @param entered  set to the same edge's number in the facet that is found
-    /// @return false when there is none, more than one, or one that is turned over.
+    /// Gathers along the way from `from` over `place` on to `ahead`, unless the facets around `place` are held. [mm]
     /// @par Real-time Wait-free.
-    [[nodiscard]] bool beyondEdge(const HapticScene& scene, const HapticLayer& layer, const Vec3& from,
-                                  const Vec3& place, const Vec3& ahead, const Facet& facet, int edge, Facet& found,
-                                  int& entered) noexcept PALPATE_NONBLOCKING;
+    void reach(const HapticScene& scene, const HapticLayer& layer, const Vec3& from, const Vec3& place,
+               const Vec3& ahead) noexcept PALPATE_NONBLOCKING;
+
+    /// @return true when no other structure of the layer comes near `p`; false when one may.
+    /// @par Real-time Wait-free.
+    [[nodiscard]] bool isAlone(const HapticScene& scene, const HapticLayer& layer, std::uint32_t structure,
+                               const Vec3& p) noexcept PALPATE_NONBLOCKING
+    {
+        if (layer.structures.size() == 1) {
+            return true;
+        }
+        if (m_around.structure != structure || !m_around.box.contains(p)) {
+            lookAround(scene, layer, structure, p);
+        }
+        return m_around.isAlone;
+    }
 
     /// Follows a chain of straight moves up to the first that is blocked.
     /// @param path  at most kMostPoints points [mm]
@@ -91,7 +108,19 @@ class Neighbourhood
     /// @return the bit of the facet's lane among those that are held; 0 when it is not.
     [[nodiscard]] std::uint64_t laneOf(const FacetNumber& facet) noexcept;
 
+    /// Where it is known whether others are near.
+    struct Around
+    {
+        core::Box box; ///< [mm]
+        double half_mm = 0.0;
+        std::uint32_t structure = 0;
+        bool isAlone = false;
+    };
+    void lookAround(const HapticScene& scene, const HapticLayer& layer, std::uint32_t structure,
+                    const Vec3& p) noexcept;
+
     Cache m_cache;
+    Around m_around;
     std::array<int, 2> m_lastLanes{}; ///< where laneOf looks first
 };
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walking over clear facets asks for nothing: it must find what asking would have found, and stop where another
+// structure is.
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <cmath>
+
+using namespace palpate;
+using namespace palpate::test;
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::Palpator;
+using haptics::TickResult;
+using haptics::TickStatus;
+
+class SurfaceWalk : public QObject
+{
+    Q_OBJECT
+
+    static HapticScene sceneOf(const std::vector<TriangleMesh>& meshes)
+    {
+        std::vector<HapticStructure> structures;
+        for (const TriangleMesh& mesh : meshes) {
+            structures.push_back({"it", indexed(mesh), {0.5, 0.0}, 0});
+        }
+        return HapticScene(std::move(structures));
+    }
+
+    static TriangleMesh scaled(const TriangleMesh& mesh, double by)
+    {
+        return transformed(mesh, [by](const Vec3& v) { return Vec3(by * v); });
+    }
+
+    /// A winding way around the origin, from outside to `depth_mm` below a sphere of 50 mm and on.
+    static Vec3 hipAt(int tick, double depth_mm, double mmATick)
+    {
+        const double arc = mmATick * tick / 50.0;
+        const Vec3 direction(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc),
+                             std::sin(0.37 * arc));
+        return direction * (55.0 - (5.0 + depth_mm) * std::min(1.0, tick / 500.0));
+    }
+
+  private slots:
+    void findsWhatAskingFinds_data()
+    {
+        QTest::addColumn<TriangleMesh>("mesh");
+        QTest::addColumn<double>("mmATick");
+        QTest::newRow("large facets") << sphere(8, 50.0) << 0.1;
+        QTest::newRow("small facets") << sphere(96, 50.0) << 0.1;
+        QTest::newRow("several facets a tick") << sphere(96, 50.0) << 1.0;
+        QTest::newRow("hills") << bumpySphere(48, 50.0, 0.02) << 0.1;
+        TriangleMesh bowl = bumpySphere(48, 50.0, 0.02);
+        std::erase_if(bowl.triangles, [&bowl](const geometry::Triangle& t) { return bowl.vertices[t[0]].z() < -20.0; });
+        QTest::newRow("without an inside") << bowl << 0.1;
+        QTest::newRow("box") << box(Vec3(-40, -40, -40), Vec3(40, 40, 40), 40) << 0.2;
+    }
+    void findsWhatAskingFinds()
+    {
+        QFETCH(TriangleMesh, mesh);
+        QFETCH(double, mmATick);
+        // With the same surface a little farther in as another structure, which is never reached, everything is asked.
+        const HapticScene alone = sceneOf({mesh}), beside = sceneOf({mesh, scaled(mesh, 0.999)});
+        Palpator one, other;
+        one.setScene(&alone);
+        other.setScene(&beside);
+        int contacts = 0;
+        for (int tick = 0; tick < 20'000; ++tick) {
+            const Vec3 hip = hipAt(tick, 4.0, mmATick);
+            const TickResult a = one.step(hip, 1e-3), b = other.step(hip, 1e-3);
+            QVERIFY2(a.p_WG == b.p_WG, qPrintable(QString("tick %1").arg(tick)));
+            QCOMPARE(a.iterations, b.iterations);
+            QCOMPARE(a.constraints, b.constraints);
+            QCOMPARE(a.triangle, b.triangle);
+            contacts += a.constraints > 0 ? 1 : 0;
+        }
+        QVERIFY2(contacts > 4'000, qPrintable(QString::number(contacts)));
+    }
+
+    void stopsAtAnotherStructure()
+    {
+        const Vec3 centre = hipAt(2000, 0.0, 0.1).normalized() * 51.0;
+        const double radius = 4.0;
+        const auto obstacle = transformed(sphere(12, radius), [&centre](const Vec3& v) { return Vec3(v + centre); });
+        const HapticScene scene = sceneOf({sphere(96, 50.0), obstacle});
+        Palpator palpator;
+        palpator.setScene(&scene);
+        double nearest = 1e9;
+        int ofObstacle = 0;
+        for (int tick = 0; tick < 2100; ++tick) {
+            const TickResult result = palpator.step(hipAt(tick, 2.0, 0.1), 1e-3);
+            QCOMPARE(result.status, TickStatus::Converged);
+            nearest = std::min(nearest, (result.p_WG - centre).norm());
+            ofObstacle += result.structure == 1 ? 1 : 0;
+        }
+        // Facets of the obstacle lie at most a few hundredths of a millimetre below its sphere.
+        QVERIFY2(nearest > radius - 0.05, qPrintable(QString::number(nearest)));
+        QVERIFY(ofObstacle > 50);
+    }
+};
+
+static const bool registered = palpate::test::registerTest(
+    "SurfaceWalk", []() -> std::unique_ptr<QObject> { return std::make_unique<SurfaceWalk>(); });
+#include "tst_SurfaceWalk.moc"
