@@ -17,6 +17,7 @@ using core::Float4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
+constexpr int kFewBins = 8;             // for few items
 constexpr std::uint32_t kFew = 2048;    // items that are all looked at to split them
 constexpr std::uint32_t kMany = 20'000; // items from which a second thread is worth it
 
@@ -250,28 +251,17 @@ class HierarchyBuilder
         if (depth < 32 && count > 8) {
             const Float4 extent = centres.high - centres.low;
             const std::size_t longest = longestOf(extent);
-            Float4 scale{};
-            for (int axis = 0; axis < 3; ++axis) {
-                scale[axis] = extent[axis] > 0.0f ? static_cast<float>(kBins) * 0.9999f / extent[axis] : 0.0f;
-            }
-            const auto binOf = [&](const BoxedItem& item) {
-                return __builtin_convertvector((doubledCentre(item) - centres.low) * scale, core::Mask4);
+            const int bins = count > kBins * kBins ? kBins : kFewBins;
+            const auto binsAlong = [&](std::size_t axis) {
+                return [axis, low = centres.low[axis],
+                        scale = static_cast<float>(bins) * 0.9999f / extent[axis]](const BoxedItem& item) {
+                    return static_cast<int>((item.low[axis] + item.high[axis] - low) * scale);
+                };
             };
-            std::array<std::array<Box4, kBins>, 3> boxes;
-            std::array<std::array<std::uint32_t, kBins>, 3> counts{};
             // A large set is well described by a part of it; which part is fixed, so the tree is too. For a small one
             // the longest axis is nearly always the best.
             const std::uint32_t stride = count > kFew ? count / (kFew / 2) : 1;
             const std::size_t firstAxis = count > kFew ? 0 : longest, lastAxis = count > kFew ? 2 : longest;
-            for (std::uint32_t i = first; i < last; i += stride) {
-                const Box4 box = boxOf(m_items[i]);
-                const core::Mask4 at = binOf(m_items[i]);
-                for (std::size_t axis = firstAxis; axis <= lastAxis; ++axis) {
-                    const auto bin = static_cast<std::size_t>(at[axis]);
-                    boxes[axis][bin].extend(box);
-                    ++counts[axis][bin];
-                }
-            }
             float bestCost = kInfinity;
             std::size_t bestAxis = 0;
             int bestBin = 0;
@@ -279,20 +269,28 @@ class HierarchyBuilder
                 if (!(extent[axis] > 0.0f)) {
                     continue;
                 }
+                std::array<Box4, kBins> boxes;
+                std::array<std::uint32_t, kBins> counts{};
+                const auto binOf = binsAlong(axis);
+                for (std::uint32_t i = first; i < last; i += stride) {
+                    const auto bin = static_cast<std::size_t>(binOf(m_items[i]));
+                    boxes[bin].extend(boxOf(m_items[i]));
+                    ++counts[bin];
+                }
                 std::array<float, kBins> leftCost;
                 Box4 sweep;
                 std::uint32_t n = 0;
-                for (int b = 0; b + 1 < kBins; ++b) {
-                    sweep.extend(boxes[axis][static_cast<std::size_t>(b)]);
-                    n += counts[axis][static_cast<std::size_t>(b)];
+                for (int b = 0; b + 1 < bins; ++b) {
+                    sweep.extend(boxes[static_cast<std::size_t>(b)]);
+                    n += counts[static_cast<std::size_t>(b)];
                     leftCost[static_cast<std::size_t>(b)] =
                         n == 0 ? kInfinity : sweep.halfArea() * static_cast<float>(n);
                 }
                 sweep = Box4();
                 n = 0;
-                for (int b = kBins - 1; b > 0; --b) {
-                    sweep.extend(boxes[axis][static_cast<std::size_t>(b)]);
-                    n += counts[axis][static_cast<std::size_t>(b)];
+                for (int b = bins - 1; b > 0; --b) {
+                    sweep.extend(boxes[static_cast<std::size_t>(b)]);
+                    n += counts[static_cast<std::size_t>(b)];
                     const float cost =
                         n == 0 ? kInfinity
                                : leftCost[static_cast<std::size_t>(b - 1)] + sweep.halfArea() * static_cast<float>(n);
@@ -304,11 +302,10 @@ class HierarchyBuilder
                 }
             }
             if (bestCost < kInfinity) {
-                const std::uint32_t best = 1u << bestAxis;
                 const auto begin = m_items.begin() + first;
-                const auto middle = std::partition(begin, m_items.begin() + last, [&](const BoxedItem& item) {
-                    return (core::laneBits(binOf(item) < core::Mask4{bestBin, bestBin, bestBin, bestBin}) & best) != 0;
-                });
+                const auto middle = std::partition(
+                    begin, m_items.begin() + last,
+                    [binOf = binsAlong(bestAxis), bestBin](const BoxedItem& item) { return binOf(item) < bestBin; });
                 const auto left = static_cast<std::uint32_t>(middle - begin);
                 if (left > 0 && left < count) {
                     return first + left;

@@ -10,6 +10,8 @@ namespace palpate::haptics::internal {
 
 namespace {
 
+constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move is not worth it
+
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
     return {.few = 16,
@@ -251,6 +253,9 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             ++attempt;
         }
         if (attempt == 1) {
+            if ((y - x).cwiseAbs().maxCoeff() > kFarMove * layer.facetSize_mm) {
+                break;
+            }
             (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
