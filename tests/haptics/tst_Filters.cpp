@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -159,6 +160,30 @@ class Filters : public QObject
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 2000);
         QVERIFY(kept < offered / 2); // it does tell off
+    }
+    void noBoxIsNearerThanItsDistance()
+    {
+        std::mt19937_64 random(6);
+        std::normal_distribution<double> normal;
+        for (int round = 0; round < 20000; ++round) {
+            const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
+            const std::vector<Facet> facets = someFacets(random, origin);
+            FacetGroup group;
+            const float reach = derive(cornersOf(facets, origin), group);
+            const Vec3 p = origin + 8.0 * Vec3(normal(random), normal(random), normal(random));
+            float at[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = static_cast<float>(p[axis] - origin[axis]);
+            }
+            double exact = std::numeric_limits<double>::infinity();
+            for (const Facet& f : facets) {
+                const Vec3 low = f.a.cwiseMin(f.b).cwiseMin(f.c), high = f.a.cwiseMax(f.b).cwiseMax(f.c);
+                exact = std::min(exact, std::max((low - p).maxCoeff(), (p - high).maxCoeff()));
+            }
+            const double found = boxDistance(&group, kCount, at);
+            QVERIFY2(std::abs(found - exact) <= 2e-6 * (reach + 8.0), qPrintable(QString("round %1").arg(round)));
+        }
+        QVERIFY(std::isinf(boxDistance(nullptr, 0, nullptr)));
     }
 
     void distancesAreThoseOfTheNearestPoint()

@@ -34,6 +34,11 @@ class SurfaceWalk : public QObject
         return transformed(mesh, [by](const Vec3& v) { return Vec3(by * v); });
     }
 
+    static TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by)
+    {
+        return transformed(mesh, [&by](const Vec3& v) { return Vec3(v + by); });
+    }
+
     /// A winding way around the origin, from outside to `depth_mm` below a sphere of 50 mm and on.
     static Vec3 hipAt(int tick, double depth_mm, double mmATick)
     {
@@ -79,11 +84,31 @@ class SurfaceWalk : public QObject
         QVERIFY2(contacts > 4'000, qPrintable(QString::number(contacts)));
     }
 
+    void fliesAsFarAsAskingFlies()
+    {
+        // What is known of the space around is forgotten before each tick of the second.
+        const HapticScene scene = sceneOf({bumpySphere(24, 50.0, 0.05), moved(sphere(6, 5.0), Vec3(54, 6, 0))});
+        Palpator one, other;
+        one.setScene(&scene);
+        other.setScene(&scene);
+        int contacts = 0, free = 0;
+        for (int tick = 0; tick < 20'000; ++tick) {
+            const Vec3 hip = hipAt(tick, 1.0 - 3.0 * std::sin(0.01 * tick), 0.1);
+            other.restore(other.state());
+            const TickResult a = one.step(hip, 1e-3), b = other.step(hip, 1e-3);
+            QVERIFY2(a.p_WG == b.p_WG, qPrintable(QString("tick %1").arg(tick)));
+            QCOMPARE(a.constraints, b.constraints);
+            QCOMPARE(a.iterations, b.iterations);
+            ++(a.constraints > 0 ? contacts : free);
+        }
+        QVERIFY2(contacts > 4'000 && free > 4'000, qPrintable(QString("%1 %2").arg(contacts).arg(free)));
+    }
+
     void stopsAtAnotherStructure()
     {
         const Vec3 centre = hipAt(2000, 0.0, 0.1).normalized() * 51.0;
         const double radius = 4.0;
-        const auto obstacle = transformed(sphere(12, radius), [&centre](const Vec3& v) { return Vec3(v + centre); });
+        const TriangleMesh obstacle = moved(sphere(12, radius), centre);
         const HapticScene scene = sceneOf({sphere(96, 50.0), obstacle});
         Palpator palpator;
         palpator.setScene(&scene);

@@ -55,6 +55,12 @@ void FacetCache<Group, kMost>::follow(const Vec3& g) noexcept
 }
 
 template<class Group, int kMost>
+Vec3 FacetCache<Group, kMost>::soon() const noexcept
+{
+    return m_last + kTicksToPrepare * m_motion;
+}
+
+template<class Group, int kMost>
 void FacetCache<Group, kMost>::prepare(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
                                        bool isNew) noexcept
 {
@@ -64,12 +70,12 @@ void FacetCache<Group, kMost>::prepare(const HapticScene& scene, const HapticLay
         return;
     }
     const Vec3& g = m_last;
-    const Vec3 soon = g + kTicksToPrepare * m_motion;
+    const Vec3 then = soon();
     const bool isHeld = held().covers(g);
     if (m_margin_mm == 0.0) {
         m_margin_mm = layer.facetSize_mm;
     }
-    if ((!isHeld && !isNew) || held().covers(soon) || next.covers(soon) ||
+    if ((!isHeld && !isNew) || held().covers(then) || next.covers(then) ||
         kTicksToPrepare * m_motion.norm() > kMarginsAhead * m_margin_mm) {
         return;
     }

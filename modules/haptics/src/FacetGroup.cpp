@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate::haptics::internal {
 
@@ -221,6 +222,26 @@ PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, 
         all |= static_cast<std::uint64_t>(core::laneBits(isNear)) << first;
     }
     return all & bitsOf(count);
+}
+
+PALPATE_WIDE_LANES float boxDistance(const FacetGroup* groups, int count, const float* g) noexcept
+{
+    // What is left over of eight repeats the last: no lane is without a facet.
+    Float8 nearest = Float8{} + std::numeric_limits<float>::infinity();
+    for (int first = 0; first < count; first += kLanes) {
+        const FacetGroup& group = groups[first / kLanes];
+        Float8 distance = Float8{} - std::numeric_limits<float>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            distance =
+                greatest(distance, greatest(load8(group.low[axis]) - g[axis], g[axis] - load8(group.high[axis])));
+        }
+        nearest = least(nearest, distance);
+    }
+    float result = nearest[0];
+    for (int i = 1; i < kLanes; ++i) {
+        result = std::min(result, nearest[i]);
+    }
+    return result;
 }
 
 } // namespace palpate::haptics::internal

@@ -376,6 +376,10 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
     if (scene.fingertip_mm() > 0.0) {
         run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, m_state.p_WG), limits, result);
         m_ballNeighbourhood.endTick(scene, layer, m_state.p_WG);
+    } else if (m_state.constraints == 0 && m_neighbourhood.isFree(m_state.p_WG, p_WH)) {
+        m_state.p_WG = result.p_WG = p_WH;
+        result.iterations = 1;
+        m_neighbourhood.endFreeTick(scene, layer, p_WH);
     } else {
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
@@ -399,6 +403,8 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
             const geometry::SurfaceIndex& surface = *scene.structures()[m_facets[0].structure].surface;
             m_neighbourhood.endClearTick(scene, layer, m_state.p_WG, surface.isClearAround(m_facets[0].triangle));
             surface.prefetchNeighbours(m_facets[0].triangle);
+        } else if (m_state.constraints == 0) {
+            m_neighbourhood.endFreeTick(scene, layer, m_state.p_WG);
         } else {
             m_neighbourhood.endTick(scene, layer, m_state.p_WG);
         }

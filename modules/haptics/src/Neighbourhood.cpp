@@ -92,6 +92,27 @@ void Neighbourhood::endClearTick(const HapticScene& scene, const HapticLayer& la
     }
 }
 
+void Neighbourhood::endFreeTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept
+{
+    m_cache.follow(g);
+    if (!m_empty.contains(m_cache.soon())) {
+        m_cache.prepare(scene, layer, planFor(layer), false);
+    }
+    if (m_empty.contains(g) || !holds(g)) {
+        return;
+    }
+    const Cache::Facets& held = m_cache.held();
+    float at[3];
+    const float rounding = 2e-7f * (asFloats(g, held.origin(), at) + held.reach_mm());
+    const core::Box& region = held.region();
+    const double half = std::min({static_cast<double>(boxDistance(held.groups(), held.count(), at) - rounding),
+                                  (region.max() - g).minCoeff(), (g - region.min()).minCoeff()});
+    m_empty.setEmpty();
+    if (half > 0.0) {
+        m_empty = core::Box(g.array() - half, g.array() + half);
+    }
+}
+
 void Neighbourhood::lookAround(const HapticScene& scene, const HapticLayer& layer, std::uint32_t structure,
                                const Vec3& p) noexcept
 {

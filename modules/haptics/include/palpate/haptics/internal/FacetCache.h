@@ -35,6 +35,9 @@ class FacetCache
     void prepare(const HapticScene& scene, const HapticLayer& layer, const GatheringPlan& plan,
                  bool isNew) noexcept PALPATE_NONBLOCKING;
 
+    /// @return where the god-object will be by the time that something begun now is ready.
+    [[nodiscard]] core::Vec3 soon() const noexcept;
+
     [[nodiscard]] const Facets& held() const noexcept { return m_sets[m_used]; }
     [[nodiscard]] bool holds(const core::Vec3& p) const noexcept { return held().holds(p); }
 

@@ -58,4 +58,8 @@ float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOC
 [[nodiscard]] std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,
                                       float coordinates_mm) noexcept PALPATE_NONBLOCKING;
 
+/// @return how far g is from the boxes of all facets, along the axis where it is farthest from each: infinite without
+/// any, negative in one [mm]
+[[nodiscard]] float boxDistance(const FacetGroup* groups, int count, const float* g) noexcept PALPATE_NONBLOCKING;
+
 } // namespace palpate::haptics::internal

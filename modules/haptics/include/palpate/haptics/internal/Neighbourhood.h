@@ -30,6 +30,7 @@ class Neighbourhood
     {
         m_cache.clear();
         m_around = {};
+        m_empty.setEmpty();
     }
 
     /// Tells where the god-object stands after a tick.
@@ -40,6 +41,15 @@ class Neighbourhood
     /// @param isClearAround  nor will the next facet
     void endClearTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g,
                       bool isClearAround) noexcept PALPATE_NONBLOCKING;
+
+    /// The same after a tick in free space.
+    void endFreeTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
+
+    /// @return true when it is known that nothing is anywhere near the move x → y.
+    [[nodiscard]] bool isFree(const Vec3& x, const Vec3& y) const noexcept
+    {
+        return m_empty.contains(x) && m_empty.contains(y);
+    }
 
     /// Finds the first facet of the layer that blocks the move x → y.
     /// @return false when nothing blocks it.
@@ -121,6 +131,7 @@ class Neighbourhood
 
     Cache m_cache;
     Around m_around;
+    core::Box m_empty;                ///< no facet of the layer reaches into it [mm]
     std::array<int, 2> m_lastLanes{}; ///< where laneOf looks first
 };
 
