@@ -143,6 +143,7 @@ class BoxHierarchyTest : public QObject
                         met[thread].push_back({std::min(i, j), std::max(i, j)});
                     }
                 }
+                return true;
             });
         std::set<std::array<std::uint32_t, 2>> pairs;
         for (const auto& part : met) {
@@ -162,6 +163,11 @@ class BoxHierarchyTest : public QObject
             }
         }
         QVERIFY(items < 100 || (near > 100 && pairs.size() < 100 * near));
+        std::array<int, 2> calls{};
+        scene.hierarchy.visitPairs(around, threads,
+                                   [&calls](unsigned thread, std::uint32_t, std::uint32_t, std::uint32_t,
+                                            std::uint32_t) { return ++calls[thread] < 5; });
+        QVERIFY(calls[0] <= 5 && calls[1] <= 5);
     }
 
     void leavesOutWhatLiesBeyondTheShareOfInterest()

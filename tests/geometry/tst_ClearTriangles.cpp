@@ -337,6 +337,26 @@ class ClearTriangles : public QObject
         QCOMPARE(clearCount(*indexed(together(sphere(4, 10.0), sphere(4, 10.0 - 1e-11)))), std::size_t{0});
     }
 
+    void whatLiesAllOverEachOtherEndsSoon()
+    {
+        // 30,000 triangles as large as the scene: 450 million pairs of boxes that touch.
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> unit(-100.0, 100.0);
+        TriangleMesh mesh;
+        for (std::uint32_t i = 0; i < 90'000; ++i) {
+            mesh.vertices.emplace_back(unit(random), unit(random), unit(random));
+        }
+        for (std::uint32_t i = 0; i < 30'000; ++i) {
+            mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        append(mesh, moved(sphere(8, 10.0), Vec3(1000, 0, 0)));
+        const RepairedMesh repaired = geometry::repair(mesh);
+        for (const unsigned threads : {1u, 2u}) {
+            // Even of a sphere far away nothing is said then.
+            QCOMPARE(clearCount(SurfaceIndex::build(repaired, threads)), std::size_t{0});
+        }
+    }
+
     void threadsMakeNoDifference()
     {
         const RepairedMesh mesh =

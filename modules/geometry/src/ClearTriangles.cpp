@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <future>
+#include <utility>
 
 namespace palpate::geometry {
 
@@ -20,6 +22,10 @@ constexpr double kApart = 8.0;
 constexpr float kLeastSine = 1.0f / 32.0f; // of an angle of a triangle
 constexpr float kMostTurned = 0.6f;        // cosine
 constexpr std::size_t kMostAround = 32;    // triangles at a vertex
+
+// Where everything lies across everything, to look at all pairs would take for ever, and nothing would be clear.
+constexpr std::uint64_t kMostPairs = 64;   // for each triangle; a sphere's have 16
+constexpr std::uint32_t kMostNearby = 256; // of one triangle
 
 using Corners = std::array<Vec3, 3>;
 
@@ -171,9 +177,9 @@ bool Survey::areSmoothAround(std::uint32_t vertex) const
     spoke[count] = spoke[0];
     // Once around: the spokes go from one side of a plane through the mean normal to the other a single time.
     const Float4 size = core::absolute(mean);
-    const Float4 least = {size[0] <= size[1] && size[0] <= size[2] ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f};
-    const Float4 other = {0.0f, size[1] <= size[2] ? 1.0f : 0.0f, size[1] <= size[2] ? 0.0f : 1.0f, 0.0f};
-    const Float4 aside = cross(mean, least[0] > 0.0f ? least : other);
+    Float4 axis{};
+    axis[size[0] <= size[1] && size[0] <= size[2] ? 0 : size[1] <= size[2] ? 1 : 2] = 1.0f;
+    const Float4 aside = cross(mean, axis);
     const float limit = kMostTurned * std::sqrt(dot(mean, mean));
     int turns = 0;
     Float4 before = normal[around[count - 1]];
@@ -217,7 +223,7 @@ bool areApart(const Corners& f, const Corners& g, double gap_mm)
     return false;
 }
 
-/// @return true when all triangles that share no corner with triangle `i` are apart from it.
+/// @return true when all triangles that share no corner with triangle `i` are apart from it, and are not too many.
 bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
 {
     const Triangle t = surface.triangle(i);
@@ -225,7 +231,10 @@ bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
     const Box box(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() - gap_mm,
                   corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() + gap_mm);
     bool result = true;
+    std::uint32_t nearby = 0;
     surface.hierarchy().visitBox(box, [&](std::uint32_t first, std::uint32_t n) {
+        nearby += n;
+        result = nearby <= kMostNearby;
         for (std::uint32_t j = first; j < first + n && result; ++j) {
             const Triangle other = surface.triangle(j);
             result = shareCorner(t, other) || areApart(corners, cornersOf(surface, other), gap_mm);
@@ -262,27 +271,44 @@ std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned thread
     inHalves(threads, surface.vertexCount(),
              [&](std::uint32_t v) { survey.isSmooth[v] = survey.areSmoothAround(v) ? 1 : 0; });
     // Those that share a corner touch. Who touches no more than there are of these is alone.
-    std::array<core::LargeArray<std::uint16_t>, 2> touching; // by thread
+    struct alignas(64) Part
+    {
+        core::LargeArray<std::uint16_t> touching; ///< of each triangle
+        std::uint64_t pairs = 0;                  ///< not counted in `pairs` yet
+    };
+    std::array<Part, 2> parts; // by thread
     for (unsigned thread = 0; thread < threads; ++thread) {
-        touching[thread].assign(count, 0);
+        parts[thread].touching.assign(count, 0);
     }
+    std::atomic<std::uint64_t> pairs = 0;
+    const std::uint64_t mostPairs = std::max<std::uint64_t>(kMostPairs * count, 1'000'000);
     const double gap_mm = kApart * surface.skin_mm();
     surface.hierarchy().visitPairs(
         gap_mm, threads,
         [&](unsigned thread, std::uint32_t first, std::uint32_t n, std::uint32_t otherFirst, std::uint32_t m) {
-            std::uint16_t* touched = touching[thread].data();
+            Part& part = parts[thread];
+            std::uint16_t* touching = part.touching.data();
             for (std::uint32_t i = first; i < first + n; ++i) {
                 const Spans spans = survey.spans[i];
                 std::uint16_t found = 0;
                 for (std::uint32_t j = first == otherFirst ? i + 1 : otherFirst; j < otherFirst + m; ++j) {
                     const std::uint16_t overlap = spans.overlaps(survey.spans[j]);
                     found += overlap;
-                    touched[j] += overlap;
+                    touching[j] += overlap;
                 }
-                touched[i] += found;
+                touching[i] += found;
             }
+            part.pairs += n * m;
+            if (part.pairs < 1'000'000) {
+                return true;
+            }
+            pairs += std::exchange(part.pairs, 0);
+            return pairs <= mostPairs;
         });
     std::vector<std::uint8_t> isClear(count);
+    if (pairs + parts[0].pairs + parts[1].pairs > mostPairs) {
+        return isClear;
+    }
     inHalves(threads, count, [&](std::uint32_t i) {
         const Triangle t = surface.triangle(i);
         if ((survey.isSmooth[t[0]] & survey.isSmooth[t[1]] & survey.isSmooth[t[2]]) == 0) {
@@ -290,7 +316,7 @@ std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned thread
         }
         // Three of them at two corners.
         const int sharing = survey.uses[t[0]] + survey.uses[t[1]] + survey.uses[t[2]] - 6;
-        const int found = touching[0][i] + (threads > 1 ? touching[1][i] : 0);
+        const int found = parts[0].touching[i] + (threads > 1 ? parts[1].touching[i] : 0);
         isClear[i] = found == sharing || isAlone(surface, i, gap_mm) ? 1 : 0;
     });
     return isClear;

@@ -87,7 +87,8 @@ class BoxHierarchy
                       double around_mm = 0.0) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `pair(thread, first, count, otherFirst, otherCount)` once for each two leaves whose boxes come within
-    /// `around_mm` of each other, a leaf and itself among them: in no fixed order, and from thread 0 and 1 at once.
+    /// `around_mm` of each other, a leaf and itself among them: in no fixed order, and from thread 0 and 1 at once. A
+    /// thread ends when `pair` returns false to it.
     /// Defined in internal/BoxHierarchyPairs.h.
     /// @param threads  1 or 2
     template<class Pair>

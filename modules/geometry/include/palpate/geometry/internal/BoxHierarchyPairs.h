@@ -30,9 +30,9 @@ class PairVisit
     {
     }
 
-    /// Opens node `a` and node `b`, or one node with itself. @param open  called for pairs of nodes to be opened next
-    template<class Open>
-    void open(std::uint32_t a, std::uint32_t b, Open&& open) const
+    /// Opens node `a` and node `b`, or one node with itself. @param next  called for pairs of nodes to be opened next
+    template<class Next>
+    void open(std::uint32_t a, std::uint32_t b, Next&& next)
     {
         const Node& p = m_nodes[a];
         const Node& q = m_nodes[b];
@@ -53,16 +53,21 @@ class PairVisit
                 } else if (isOtherLeaf) {
                     openLeaf(q, j, p.child[i]);
                 } else {
-                    open(p.child[i], q.child[j]);
+                    next(p.child[i], q.child[j]);
+                }
+                if (m_isOver) {
+                    return;
                 }
             }
         }
     }
 
-    void openAll(std::uint32_t a, std::uint32_t b) const
+    void openAll(std::uint32_t a, std::uint32_t b)
     {
         open(a, b, [this](std::uint32_t c, std::uint32_t d) { openAll(c, d); });
     }
+
+    [[nodiscard]] bool isOver() const { return m_isOver; }
 
   private:
     [[nodiscard]] std::uint32_t touching(const Node& p, std::uint32_t i, const Node& q) const
@@ -74,10 +79,10 @@ class PairVisit
         }
         return core::laneBits(touches);
     }
-    void openLeaf(const Node& p, std::uint32_t i, std::uint32_t node) const
+    void openLeaf(const Node& p, std::uint32_t i, std::uint32_t node)
     {
         const Node& q = m_nodes[node];
-        for (std::uint32_t lanes = touching(p, i, q); lanes != 0; lanes &= lanes - 1) {
+        for (std::uint32_t lanes = touching(p, i, q); lanes != 0 && !m_isOver; lanes &= lanes - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(lanes));
             if ((q.leafMask >> j & 1u) != 0) {
                 call(p.child[i], q.child[j]);
@@ -86,14 +91,15 @@ class PairVisit
             }
         }
     }
-    void call(std::uint32_t leaf, std::uint32_t other) const
+    void call(std::uint32_t leaf, std::uint32_t other)
     {
-        m_pair(m_thread, leaf >> 3, leaf & 7u, other >> 3, other & 7u);
+        m_isOver = !m_pair(m_thread, leaf >> 3, leaf & 7u, other >> 3, other & 7u);
     }
 
     const Node* m_nodes;
     core::Float4 m_around;
     unsigned m_thread;
+    bool m_isOver = false;
     Pair& m_pair;
 };
 
@@ -104,7 +110,7 @@ void BoxHierarchy::visitPairs(double around_mm, unsigned threads, Pair&& pair) c
         return;
     }
     const auto around = static_cast<float>(1.000001 * around_mm);
-    const PairVisit visit(m_nodes.data(), around, 0, pair);
+    PairVisit visit(m_nodes.data(), around, 0, pair);
     if (threads < 2) {
         visit.openAll(0, 0);
         return;
@@ -113,14 +119,17 @@ void BoxHierarchy::visitPairs(double around_mm, unsigned threads, Pair&& pair) c
     constexpr std::size_t kPieces = 256;
     std::vector<std::array<std::uint32_t, 2>> pieces{{0, 0}};
     std::size_t opened = 0;
-    for (; opened < pieces.size() && pieces.size() - opened < kPieces; ++opened) {
+    for (; opened < pieces.size() && pieces.size() - opened < kPieces && !visit.isOver(); ++opened) {
         const auto [a, b] = pieces[opened];
         visit.open(a, b, [&pieces](std::uint32_t c, std::uint32_t d) { pieces.push_back({c, d}); });
     }
+    if (visit.isOver()) {
+        return;
+    }
     std::atomic<std::size_t> next = opened;
     const auto work = [&](unsigned thread) {
-        const PairVisit mine(m_nodes.data(), around, thread, pair);
-        for (std::size_t i = next++; i < pieces.size(); i = next++) {
+        PairVisit mine(m_nodes.data(), around, thread, pair);
+        for (std::size_t i = next++; i < pieces.size() && !mine.isOver(); i = next++) {
             mine.openAll(pieces[i][0], pieces[i][1]);
         }
     };
