@@ -4,8 +4,8 @@
 //   bench_index [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 //
 // repair/T   welding, duplicates, orientation of T triangles
-// index/T    the spatial index on two threads; bytes: held for each triangle by its containers; resident: the same by
-//            the growth of the process
+// index/T    the spatial index with neighbours and clear triangles on two threads; bytes: held for each triangle by its
+//            containers; resident: the same by the growth of the process
 // obbtree/T  vtkOBBTree on the same triangles, where VTK is built in: compare the medians of one run
 #include "ResidentMemory.h"
 #include "Shapes.h"
