@@ -201,6 +201,39 @@ class BoxHierarchyTest : public QObject
         QVERIFY(visited(one, 60.0).size() > 2 * 50000 / 4);
     }
 
+    void oneFarAwayFromManyIsFound()
+    {
+        for (const unsigned threads : {1u, 2u}) {
+            Scene scene;
+            std::vector<BoxedItem> items;
+            for (std::uint32_t i = 0; i < 30'000; ++i) {
+                const Vec3 low(i % 30, i / 30 % 30, i / 900 % 30);
+                scene.boxes.emplace_back(low, low + Vec3::Ones());
+            }
+            scene.boxes.emplace_back(Vec3::Constant(1e6), Vec3::Constant(1e6 + 1.0));
+            for (std::uint32_t i = 0; i < scene.boxes.size(); ++i) {
+                items.emplace_back(FloatBox::around(scene.boxes[i], Vec3::Zero()), i);
+            }
+            scene.hierarchy = BoxHierarchy::build(items, Vec3::Zero(), threads);
+            const auto countIn = [&](const Box& box) {
+                std::size_t seen = 0;
+                scene.hierarchy.visitBox(box, [&](std::uint32_t, std::uint32_t n) { return seen += n, true; });
+                return seen;
+            };
+            QCOMPARE(countIn(Box(Vec3::Constant(-1e7), Vec3::Constant(1e7))), items.size());
+            QVERIFY(countIn(scene.boxes.back()) >= 1);
+            std::set<std::uint32_t> met;
+            scene.hierarchy.visitSegment(Vec3::Constant(1e6 - 10.0), Vec3::Constant(1e6 + 10.0),
+                                         [&](std::uint32_t first, std::uint32_t n) {
+                                             for (std::uint32_t i = first; i < first + n; ++i) {
+                                                 met.insert(items[i].number);
+                                             }
+                                             return 1.0;
+                                         });
+            QVERIFY(met.count(30'000) == 1 && met.size() <= BoxHierarchy::kLeafSize);
+        }
+    }
+
     void keepsEveryItemOnceEvenWhenAllAreEqual()
     {
         std::vector<BoxedItem> items;

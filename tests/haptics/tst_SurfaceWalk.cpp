@@ -5,6 +5,7 @@
 #include "TestRunner.h"
 
 #include <palpate/haptics/Palpator.h>
+#include <palpate/haptics/internal/SurfaceWalk.h>
 
 #include <cmath>
 
@@ -102,6 +103,36 @@ class SurfaceWalk : public QObject
             ++(a.constraints > 0 ? contacts : free);
         }
         QVERIFY2(contacts > 4'000 && free > 4'000, qPrintable(QString("%1 %2").arg(contacts).arg(free)));
+    }
+
+    void asksWhereNothingIsPromised_data()
+    {
+        QTest::addColumn<double>("alongA"); // weights of the corners
+        QTest::addColumn<double>("alongB");
+        QTest::addColumn<double>("skins"); // above the facet
+        QTest::addColumn<bool>("isClear");
+        QTest::newRow("in the middle") << 0.3 << 0.3 << 1.0 << true;
+        QTest::newRow("too high") << 0.3 << 0.3 << 2.5 << false;
+        QTest::newRow("too low") << 0.3 << 0.3 << 0.5 << false;
+        QTest::newRow("beside it") << -0.1 << 0.6 << 1.0 << false;
+        QTest::newRow("at a corner") << 1e-6 << 1e-6 << 1.0 << false;
+        QTest::newRow("off a corner") << 1e-4 << 1e-4 << 1.0 << true;
+    }
+    void asksWhereNothingIsPromised()
+    {
+        QFETCH(double, alongA);
+        QFETCH(double, alongB);
+        QFETCH(double, skins);
+        QFETCH(bool, isClear);
+        using namespace haptics::internal;
+        const HapticScene scene = sceneOf({sphere(24, 50.0)});
+        Facet facet = Facet::of(*scene.structures()[0].surface, 0, 100);
+        const double along = 1.0 - alongA - alongB;
+        Vec3 god = along * facet.c + alongA * facet.a + alongB * facet.b + skins * facet.skin_mm * facet.n;
+        const Vec3 hip = (facet.a + facet.b + facet.c) / 3.0 - facet.n;
+        Neighbourhood near;
+        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, god, facet);
+        QCOMPARE(walked.isClear, isClear);
     }
 
     void stopsAtAnotherStructure()

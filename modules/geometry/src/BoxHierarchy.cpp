@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/BoxHierarchy.h"
 
+#include "Together.h"
+
 #include <palpate/core/Float4.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <future>
 #include <limits>
 
 namespace palpate::geometry {
@@ -17,9 +18,8 @@ using core::Float4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
-constexpr int kFewBins = 8;             // for few items
-constexpr std::uint32_t kFew = 2048;    // items that are all looked at to split them
-constexpr std::uint32_t kMany = 20'000; // items from which a second thread is worth it
+constexpr int kFewBins = 8;          // for few items
+constexpr std::uint32_t kFew = 2048; // items that are all looked at to split them
 
 /// A box in two registers; the fourth lanes mean nothing.
 struct Box4
@@ -147,7 +147,7 @@ class HierarchyBuilder
     {
         Node node{};
         for (std::size_t i = 0; i < 4; ++i) {
-            const bool isUsed = i < parts.count;
+            const bool isUsed = i < parts.count && parts.part[i].count() > 0;
             const Range& part = parts.part[isUsed ? i : 0];
             for (int axis = 0; axis < 3; ++axis) {
                 node.low[axis][i] = isUsed ? part.box.low[axis] : std::numeric_limits<float>::max();
@@ -176,7 +176,7 @@ class HierarchyBuilder
         return index;
     }
 
-    /// Halves a range, where its box's surface wants it.
+    /// Splits a range in two; of a few items one part may be empty.
     [[nodiscard]] std::array<Range, 2> split(const Range& whole)
     {
         const std::uint32_t middle = partition(whole.centres, whole.first, whole.last, whole.depth);
@@ -187,14 +187,9 @@ class HierarchyBuilder
     /// then moved behind the first ones.
     void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
     {
-        const auto together = [policy = threads > 1 ? std::launch::async : std::launch::deferred](auto&& one,
-                                                                                                  auto&& other) {
-            std::future<void> later = std::async(policy, other);
-            one();
-            later.get();
-        };
         Range whole, front, back;
-        together([&] { front = range(0, count / 2, 0); }, [&] { back = range(count / 2, count, 0); });
+        together(
+            threads, [&] { front = range(0, count / 2, 0); }, [&] { back = range(count / 2, count, 0); });
         whole = {0, count, 0, front.box, front.centres};
         whole.box.extend(back.box);
         whole.centres.extend(back.centres);
@@ -202,6 +197,7 @@ class HierarchyBuilder
         Parts parts;
         parts.count = 4;
         together(
+            threads,
             [&] {
                 const auto [a, b] = split(range(0, middle, 1));
                 parts.part[0] = a;
@@ -227,7 +223,8 @@ class HierarchyBuilder
                 }
             }
         };
-        together([&] { addParts(0, shared, nodes); }, [&] { addParts(shared, parts.count, others); });
+        together(
+            threads, [&] { addParts(0, shared, nodes); }, [&] { addParts(shared, parts.count, others); });
         const auto moved = static_cast<std::uint32_t>(nodes.size());
         nodes.insert(nodes.end(), others.begin(), others.end());
         for (std::size_t n = moved; n < nodes.size(); ++n) {

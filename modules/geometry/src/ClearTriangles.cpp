@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClearTriangles.h"
 
+#include "Together.h"
 #include "palpate/geometry/internal/BoxHierarchyPairs.h"
 
 #include <palpate/core/Float4.h>
@@ -9,7 +10,6 @@
 #include <array>
 #include <atomic>
 #include <cstring>
-#include <future>
 #include <utility>
 
 namespace palpate::geometry {
@@ -44,10 +44,8 @@ void inHalves(unsigned threads, std::uint32_t count, Work&& work)
             work(i);
         }
     };
-    std::future<void> other =
-        std::async(threads > 1 ? std::launch::async : std::launch::deferred, [&] { run(half, count); });
-    run(0, half);
-    other.get();
+    together(
+        threads, [&] { run(0, half); }, [&] { run(half, count); });
 }
 
 using core::Float4;
@@ -142,7 +140,7 @@ struct Survey
     const SurfaceIndex& surface;
     core::LargeArray<Float4> normal;
     core::LargeArray<Spans> spans;
-    std::vector<std::uint16_t> uses;    ///< triangles at each vertex
+    std::vector<std::uint16_t> uses;    ///< triangles at each vertex; when it wraps round, no fan is so short
     std::vector<std::uint32_t> some;    ///< one of them << 2 | the corner there
     std::vector<std::uint8_t> isSmooth; ///< of each vertex: see findClear
 
@@ -249,7 +247,7 @@ bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
 std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned threads)
 {
     const std::uint32_t count = surface.triangleCount();
-    if (count < 20'000) {
+    if (count < kMany) {
         threads = 1;
     }
     Survey survey(surface);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Neighbours.h"
 
-#include "palpate/geometry/SurfaceIndex.h"
+#include "Together.h"
 
 #include <algorithm>
-#include <future>
 #include <vector>
 
 namespace palpate::geometry {
 
 namespace {
-
-constexpr std::uint32_t kIndexMask = 0x7fffffffu;
 
 constexpr std::uint32_t kNone = SurfaceIndex::kNoNeighbour << 2;
 
@@ -24,18 +21,15 @@ struct Edge
 };
 
 /// Joins the triangles at those edges whose smaller vertex is first … last.
-void join(const core::LargeArray<Triangle>& triangles, std::uint32_t first, std::uint32_t last,
-          core::LargeArray<Triangle>& found)
+void join(const SurfaceIndex& surface, std::uint32_t first, std::uint32_t last, core::LargeArray<Triangle>& found)
 {
     std::vector<std::uint32_t> newest(last - first, kNone);
     core::LargeArray<Edge> edges;
-    edges.reserve(2 * triangles.size());
-    const auto count = static_cast<std::uint32_t>(triangles.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Triangle& t = triangles[i];
-        const std::uint32_t corner[4] = {t[0] & kIndexMask, t[1], t[2], t[0] & kIndexMask};
+    edges.reserve(2 * std::size_t{surface.triangleCount()});
+    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+        const Triangle t = surface.triangle(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = corner[k], b = corner[k + 1];
+            const std::uint32_t a = t[k], b = t[k == 2 ? 0 : k + 1];
             const std::uint32_t smaller = std::min(a, b);
             if (smaller < first || smaller >= last) {
                 continue;
@@ -74,16 +68,14 @@ void join(const core::LargeArray<Triangle>& triangles, std::uint32_t first, std:
 
 } // namespace
 
-void findNeighbours(const core::LargeArray<Triangle>& triangles, std::uint32_t vertexCount, unsigned threads,
-                    core::LargeArray<Triangle>& found)
+core::LargeArray<Triangle> findNeighbours(const SurfaceIndex& surface, unsigned threads)
 {
-    found.resize(triangles.size());
-    const std::uint32_t half = vertexCount / 2;
-    std::future<void> other =
-        std::async(threads > 1 && triangles.size() > 20'000 ? std::launch::async : std::launch::deferred,
-                   [&] { join(triangles, half, vertexCount, found); });
-    join(triangles, 0, half, found);
-    other.get();
+    core::LargeArray<Triangle> found(surface.triangleCount());
+    const std::uint32_t half = surface.vertexCount() / 2;
+    together(
+        found.size() < kMany ? 1 : threads, [&] { join(surface, 0, half, found); },
+        [&] { join(surface, half, surface.vertexCount(), found); });
+    return found;
 }
 
 } // namespace palpate::geometry

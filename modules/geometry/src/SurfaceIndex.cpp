@@ -3,10 +3,10 @@
 
 #include "ClearTriangles.h"
 #include "Neighbours.h"
+#include "Together.h"
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 
 namespace palpate::geometry {
@@ -63,10 +63,10 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     // In two halves whatever the number of threads: the sum has the same bits.
     core::LargeArray<BoxedItem> items(mesh.triangles.size());
     const std::size_t half = items.size() / 2;
-    std::future<Extremes> other =
-        std::async(threads > 1 && items.size() > 20'000 ? std::launch::async : std::launch::deferred,
-                   [&] { return box(mesh, origin, half, items.size(), items.data()); });
-    const Extremes front = box(mesh, origin, 0, half, items.data()), back = other.get();
+    Extremes front, back;
+    together(
+        items.size() < kMany ? 1 : threads, [&] { front = box(mesh, origin, 0, half, items.data()); },
+        [&] { back = box(mesh, origin, half, items.size(), items.data()); });
     const double worst = planeDistanceError(std::max(front.slenderest_mm2, back.slenderest_mm2), coordinate);
     const double doubledArea = front.doubledArea_mm2 + back.doubledArea_mm2;
     // Eight times the worst rounding error, at least 2^-40 of the extent (2e-10 mm on an organ of 200 mm) so that the
@@ -103,7 +103,7 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     }
     index.m_vertexCount = static_cast<std::uint32_t>(index.m_vertices.size());
     index.m_vertices.push_back(Vec3::Zero());
-    findNeighbours(index.m_triangles, index.m_vertexCount, threads, index.m_neighbours);
+    index.m_neighbours = findNeighbours(index, threads);
     // With a skin below the rounding of distances nothing could be promised.
     if (8.0 * worst <= index.m_skin_mm) {
         const std::vector<std::uint8_t> isClear = findClear(index, threads);

@@ -61,7 +61,7 @@ Exit exitFrom(const Facet& facet, const Vec3& from, const Vec3& to, double margi
 /// @return true when a god-object stands on a facet as one does that has walked there.
 bool isOn(const Facet& facet, int side, const Vec3& g) noexcept
 {
-    return side * facet.n.dot(g - facet.a) > 0.5 * facet.skin_mm &&
+    return side * facet.n.dot(g - facet.a) > 0.6 * facet.skin_mm &&
            footOn(facet, side, g, geometry::SurfaceIndex::kClearHeight * facet.skin_mm, facet.skin_mm, 0.0) !=
                Foot::Away;
 }
