@@ -3,7 +3,7 @@
 
 add_library(palpate_flags INTERFACE)
 # No contraction: a replay gives back the same bits on one build (resources/docs/god-object.md).
-target_compile_options(palpate_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+target_compile_options(palpate_flags INTERFACE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   -Woverloaded-virtual $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi> $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(NOT PALPATE_SANITIZER STREQUAL "none")
   target_compile_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -200,15 +200,55 @@ class Filters : public QObject
             for (int axis = 0; axis < 3; ++axis) {
                 at[axis] = static_cast<float>(p[axis] - origin[axis]);
             }
-            distances(&group, kCount, at, distance);
+            const float still[3] = {0.0f, 0.0f, 0.0f};
+            distances(&group, kCount, at, still, distance);
             for (int i = 0; i < kCount; ++i) {
                 const double exact = (p - nearestOn(facets[static_cast<std::size_t>(i)], p).q).norm();
                 // Never more than the truth beyond its rounding; and the truth, but for what is too flat.
-                QVERIFY2(distance[i] <= exact + 1e-5 * reach,
+                QVERIFY2(distance[i] <= exact + kDistanceRounding * reach,
                          qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(exact)));
                 QVERIFY(distance[i] == 0.0f || distance[i] >= exact - 1e-3 * reach);
             }
         }
+    }
+
+    void noMoveComesNearerThanItsLeastDistance()
+    {
+        std::mt19937_64 random(7);
+        std::normal_distribution<double> normal;
+        int close = 0;
+        for (int round = 0; round < 20000; ++round) {
+            const Vec3 origin = Vec3(normal(random), normal(random), normal(random)) * 300.0;
+            const std::vector<Facet> facets = someFacets(random, origin);
+            TriangleGroup group;
+            const float reach = derive(cornersOf(facets, origin), group);
+            Vec3 p = origin + 2.0 * Vec3(normal(random), normal(random), normal(random));
+            if (round % 2 == 0) { // above the face of one
+                const Facet& f = facets[static_cast<std::size_t>(round / 2 % kCount)];
+                p = f.a + 0.4 * (f.b - f.a) + 0.3 * (f.c - f.a) + std::abs(normal(random)) * f.n;
+            }
+            const Vec3 half =
+                std::pow(10.0, -std::abs(normal(random))) * Vec3(normal(random), normal(random), normal(random));
+            float at[3], along[3], distance[kCount];
+            for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = static_cast<float>(p[axis] - origin[axis]);
+                along[axis] = static_cast<float>(half[axis]);
+            }
+            distances(&group, kCount, at, along, distance);
+            for (int i = 0; i < kCount; ++i) {
+                double least = std::numeric_limits<double>::infinity();
+                for (int k = -16; k <= 16; ++k) {
+                    const Vec3 on = p + k / 16.0 * half;
+                    least = std::min(least, (on - nearestOn(facets[static_cast<std::size_t>(i)], on).q).norm());
+                }
+                // Near a facet floats turn the way to it.
+                const double rounding = kDistanceRounding * reach * (1.0 + half.norm() / (least + 1e-3));
+                QVERIFY2(distance[i] <= least + rounding,
+                         qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(least)));
+                close += distance[i] > 0.9 * least ? 1 : 0;
+            }
+        }
+        QVERIFY(close > 20000); // it does tell off
     }
 
     void aPitHoldsWhatASaddleLetsGo()

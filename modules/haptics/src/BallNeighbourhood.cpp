@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/BallNeighbourhood.h"
 
+#include "palpate/haptics/internal/AsFloats.h"
 #include "palpate/haptics/internal/InsideShare.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 namespace palpate::haptics::internal {
 
 namespace {
 
 constexpr int kMostPieces = 8; // of a long move, before the whole hierarchy is searched
+constexpr double kShort = 0.5; // radii: a move that is told off as a whole, from its middle
 
 GatheringPlan planFor(const HapticScene& scene, const HapticLayer& layer) noexcept
 {
     const double radius = scene.fingertip_mm();
-    return {.few = 55,
-            .many = 110,
+    return {.few = 100,
+            .many = 220,
             .narrowest_mm = 0.25 * layer.facetSize_mm,
             .widest_mm = std::max(16.0 * layer.facetSize_mm, 2.0 * radius),
             .around_mm = radius + 4.0 * layer.skin_mm};
@@ -68,44 +68,32 @@ void BallNeighbourhood::endTick(const HapticScene& scene, const HapticLayer& lay
     m_cache.prepare(scene, layer, planFor(scene, layer), false);
 }
 
-void BallNeighbourhood::offerHeld(const HapticScene& scene, First& first) const noexcept
+/// A short move is told off from its middle, a long one from its start: it is expected to end early.
+template<class Facets>
+void BallNeighbourhood::offerFrom(const HapticScene& scene, const Facets& facets, First& first) noexcept
 {
-    const Cache::Facets& held = m_cache.held();
-    if (held.count() == 0) {
-        return;
-    }
-    // A short move is told off from its middle, a long one from its start: it is expected to end early.
-    const double length = (first.y - first.x).norm();
-    const bool isShort = length < 0.5 * first.radius_mm;
-    const Vec3 from = isShort ? Vec3(0.5 * (first.x + first.y)) : first.x;
-    float at[3], coordinate = held.reach_mm();
-    for (int axis = 0; axis < 3; ++axis) {
-        at[axis] = static_cast<float>(from[axis] - held.origin()[axis]);
-        coordinate = std::max(coordinate, std::abs(at[axis]));
-    }
-    alignas(32) float distance_mm[kCapacity];
-    distances(held.groups(), held.count(), at, distance_mm);
-    // Rounding of a distance: a few ulp of the coordinates, times the flattest triangle that is told off.
-    const double touching = first.radius_mm + 1e-5 * coordinate;
-    const auto offerBetween = [&](double beyond, double upTo) {
-        for (int begin = 0; begin < held.count(); begin += 64) {
-            for (std::uint64_t lanes = lanesBetween(distance_mm + begin, std::min(held.count() - begin, 64),
-                                                    static_cast<float>(beyond), static_cast<float>(upTo));
-                 lanes != 0; lanes &= lanes - 1) {
-                const int i = begin + std::countr_zero(lanes);
-                first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
-            }
-        }
+    const Vec3 move = first.y - first.x;
+    const double length = move.norm();
+    const bool isShort = length < kShort * first.radius_mm;
+    const Vec3 half = isShort ? Vec3(0.5 * move) : Vec3(Vec3::Zero());
+    float at[3], along[3];
+    const float coordinate = std::max(facets.reach_mm(), asFloats(first.x + half, facets.origin(), at));
+    (void)asFloats(half, Vec3::Zero(), along);
+    alignas(32) float distance_mm[kMostTriangles];
+    distances(facets.groups(), facets.count(), at, along, distance_mm);
+    const double touching = first.radius_mm + kDistanceRounding * coordinate;
+    const auto offer = [&](int i) {
+        first.offer(*scene.structures()[facets.structure(i)].surface, facets.structure(i), facets.triangle(i));
     };
     if (isShort) {
-        offerBetween(-1.0, touching + 0.5 * length);
+        forEachBetween(distance_mm, facets.count(), kAnyDistance, touching, offer);
         return;
     }
     // The nearer first: what is met early spares the rest.
-    double offered = -1.0;
+    double offered = kAnyDistance;
     for (const double share : {0.01, 0.05, 0.25, 1.0}) {
         const double upTo = touching + length * std::min(share, first.limit);
-        offerBetween(offered, upTo);
+        forEachBetween(distance_mm, facets.count(), offered, upTo, offer);
         offered = upTo;
         if (first.limit <= share) {
             return;
@@ -117,12 +105,22 @@ bool BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer
                               BallCrossing& first) noexcept
 {
     const double radius = scene.fingertip_mm();
+    if ((y - x).norm() < kShort * radius) {
+        const auto take = [&] {
+            return m_close.take(m_cache.held(), x, y, m_cache.motion(), radius, layer.facetSize_mm);
+        };
+        if ((m_close.covers(x) && m_close.covers(y)) || take() || (m_cache.takePrepared(scene, x, y) && take())) {
+            First nearest{x, y, radius, first, 1.0};
+            offerFrom(scene, m_close, nearest);
+            return nearest.found;
+        }
+    }
     const GatheringPlan plan = planFor(scene, layer);
     double done = 0.0; // share of the move that is known to be free
     // Piece by piece: what is gathered for the last of them serves the moves that follow.
     for (int piece = 0; piece <= kMostPieces; ++piece) {
         const Vec3 p = x + done * (y - x);
-        if ((piece > 0 || !m_cache.holds(p)) && !m_cache.takePrepared(scene, p) &&
+        if ((piece > 0 || !m_cache.holds(p)) && !m_cache.takePrepared(scene, p, p) &&
             !m_cache.gather(scene, layer, plan, p, y)) {
             // Half the margin each time.
             for (int again = 0; again < 4 && !m_cache.gather(scene, layer, plan, p, p); ++again) {
@@ -133,7 +131,7 @@ bool BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer
         }
         const double upTo = done + (1.0 - done) * insideShare(m_cache.held().region(), p, y);
         First nearest{x, y, radius, first, upTo};
-        offerHeld(scene, nearest);
+        offerFrom(scene, m_cache.held(), nearest);
         if (nearest.found || upTo >= 1.0) {
             return nearest.found;
         }

@@ -25,8 +25,10 @@ constexpr double kLonger = 1.01;
 constexpr int kTrial = 6;
 constexpr double kShorter = 0.25;
 
-constexpr double kParted = 3.0; // skins of gap, beyond the first, from which on a contact is none
-constexpr double kAside = 1e-4; // radii that a ball is moved to see whether it rolls
+constexpr double kParted = 3.0;      // skins of gap, beyond the first, from which on a contact is none
+constexpr int kMostRolled = 8;       // facets in one move
+constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
+constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
 
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
@@ -49,22 +51,28 @@ struct Crease
         t = across / std::sqrt(sine2);
         const double cosine = p.n.dot(q.n), onP = p.n.dot(push), onQ = q.n.dot(push);
         const auto bend = [this](const BallContact& c, double multiplier) {
-            const double edge = c.along.dot(t);
-            return c.isCurved ? multiplier / c.distance_mm * (1.0 - edge * edge) : 0.0;
+            const double edge = c.nearest.along.dot(t);
+            return c.nearest.isCurved ? multiplier / c.distance_mm * (1.0 - edge * edge) : 0.0;
         };
         curvature = 1.0 - bend(p, (onP - cosine * onQ) / sine2) - bend(q, (onQ - cosine * onP) / sine2);
     }
 };
 
+/// @return how far beyond an edge of the facet, in its plane, a place is [mm]
+double beyond(const Facet& facet, int edge, const Vec3& p) noexcept
+{
+    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
+    const Vec3& from = *corner[static_cast<std::size_t>(edge)];
+    const Vec3& to = *corner[static_cast<std::size_t>(edge) + 1];
+    return (to - from).normalized().cross(facet.n).dot(p - from);
+}
+
 } // namespace
 
 void BallContact::lookFrom(const Vec3& g) noexcept
 {
-    const Nearest nearest = nearestOn(facet, g);
-    isCurved = nearest.isCurved;
-    along = nearest.along;
-    contact = nearest.q;
-    if (isCurved) {
+    nearest = nearestOn(facet, g);
+    if (nearest.isCurved) {
         const Vec3 away = g - nearest.q;
         distance_mm = away.norm();
         n = distance_mm > 0.0 ? Vec3(away / distance_mm) : Vec3(side * facet.n);
@@ -83,14 +91,49 @@ void BallTick::touch(const Facet& facet, int side) noexcept
     m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
 }
 
-void BallTick::dropParted() noexcept
+/// Looks at the contacts from where the ball is now, and drops those that it has parted from.
+/// @return true when they are the same as before
+bool BallTick::lookAgain() noexcept
 {
     const double radius = m_scene.fingertip_mm();
+    bool isSame = true;
     const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](BallContact& c) {
         c.lookFrom(m_god);
-        return c.distance_mm > radius + kParted * c.facet.skin_mm;
+        if (c.distance_mm <= radius + kParted * c.facet.skin_mm) {
+            return false;
+        }
+        isSame = false;
+        return !rollOn(c);
     });
     m_count = static_cast<int>(end - m_contacts.begin());
+    return isSame;
+}
+
+/// Where the ball has left a facet over an edge or a corner, what it is above now is what the next move leads down to.
+/// @return false when that is not near
+bool BallTick::rollOn(BallContact& contact) const noexcept
+{
+    using Index = geometry::SurfaceIndex;
+    const Index& surface = *m_scene.structures()[contact.facet.structure].surface;
+    int turn = -1; // around a corner, over the edge that begins there: 0; over the one that ends there: 2
+    for (int i = 0; i < kMostRolled && contact.nearest.isCurved; ++i) {
+        const int corner = contact.nearest.corner;
+        if (corner >= 0 && turn < 0) {
+            turn = beyond(contact.facet, corner, m_god) > beyond(contact.facet, (corner + 2) % 3, m_god) ? 0 : 2;
+        }
+        const int edge = corner >= 0 ? (corner + turn) % 3 : contact.nearest.edge;
+        const Index::Neighbour next = surface.neighbour(contact.facet.triangle, static_cast<std::uint32_t>(edge));
+        if (next.triangle == Index::kNoNeighbour) {
+            return false;
+        }
+        contact.facet = Facet::of(surface, contact.facet.structure, next.triangle);
+        contact.lookFrom(m_god);
+        if (contact.nearest.edge == static_cast<int>(next.edge)) {
+            break; // above the edge itself
+        }
+    }
+    const double radius = m_scene.fingertip_mm();
+    return contact.distance_mm > radius && contact.distance_mm < (1.0 + kFall) * radius;
 }
 
 Vec3 BallTick::nextMove() noexcept
@@ -174,10 +217,10 @@ bool BallTick::isKept(bool isOver) noexcept
 Vec3 BallTick::slope() const noexcept
 {
     const BallContact &p = m_contacts[0], &q = m_contacts[1];
-    if (m_count == 1 && p.isCurved && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
-        return p.along.isZero(0.0) ? p.n.unitOrthogonal() : Vec3(p.along.cross(p.n));
+    if (m_count == 1 && p.nearest.isCurved && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
+        return p.nearest.along.isZero(0.0) ? p.n.unitOrthogonal() : Vec3(p.nearest.along.cross(p.n));
     }
-    if (m_count == 2 && (p.isCurved || q.isCurved)) {
+    if (m_count == 2 && (p.nearest.isCurved || q.nearest.isCurved)) {
         const Crease crease(p, q, m_god - m_hip);
         return crease.curvature > 0.0 ? Vec3::Zero() : crease.t; // a valley holds it
     }
@@ -199,7 +242,7 @@ bool BallTick::topples() noexcept
         m_contacts = m_stood.contacts;
         m_count = m_stood.count;
     }
-    const int sides = m_contacts[0].along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
+    const int sides = m_contacts[0].nearest.along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
     while (m_nudges < sides && !m_aside.isZero(0.0)) {
         if (m_nudges == 2) {
             m_aside = m_contacts[0].n.cross(m_aside);
@@ -209,7 +252,7 @@ bool BallTick::topples() noexcept
         BallCrossing crossing;
         if (!m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
             m_god = target;
-            dropParted();
+            (void)lookAgain();
             return true;
         }
     }
@@ -220,7 +263,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 {
     double spring = std::numeric_limits<double>::infinity();
     std::uint32_t since = 0;
-    dropParted();
+    (void)lookAgain();
     for (std::uint32_t i = 0; i < limit; ++i) {
         (void)isKept(false);
         if (const double now = (m_hip - m_god).norm(); now < spring - m_skin_mm) {
@@ -243,14 +286,12 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         const bool isLong = m_trialMoves == kTrial;
         BallCrossing crossing;
         if (!m_near.sweep(m_scene, m_layer, m_god, m_god + u, crossing)) {
-            const int before = m_count;
             const bool wasFlat = isFlat();
             if (m_count > 0) {
                 m_last = m_step;
             }
             m_god += u;
-            dropParted();
-            if (m_count == before && wasFlat && isFlat() && !isLong && isKept(true) && !topples()) {
+            if (lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples()) {
                 return i + 1;
             }
             continue;
@@ -259,7 +300,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         const bool hasMoved = crossing.stop * step > 1e-3 * m_skin_mm;
         if (hasMoved) {
             m_god += crossing.stop * u;
-            dropParted();
+            (void)lookAgain();
         } else if (isLong) {
             m_trialMoves = 0;
         }
@@ -285,7 +326,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 bool BallTick::isFlat() const noexcept
 {
     return std::none_of(m_contacts.begin(), m_contacts.begin() + m_count,
-                        [](const BallContact& c) { return c.isCurved; });
+                        [](const BallContact& c) { return c.nearest.isCurved; });
 }
 
 /// Faces alone are touched, here and at the end of the step: their planes are the surface.

@@ -98,10 +98,10 @@ void FacetCache<Group, kMost>::adapt(const GatheringPlan& plan, int count) noexc
 }
 
 template<class Group, int kMost>
-bool FacetCache<Group, kMost>::takePrepared(const HapticScene& scene, const Vec3& p) noexcept
+bool FacetCache<Group, kMost>::takePrepared(const HapticScene& scene, const Vec3& p, const Vec3& q) noexcept
 {
     Facets& next = m_sets[1 - m_used];
-    if (!next.covers(p)) {
+    if (!next.covers(p) || !next.covers(q)) {
         return false;
     }
     next.finish(scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/Neighbourhood.h"
 
+#include "palpate/haptics/internal/AsFloats.h"
 #include "palpate/haptics/internal/InsideShare.h"
 
 #include <algorithm>
@@ -19,17 +20,6 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .narrowest_mm = 0.2 * layer.facetSize_mm,
             .widest_mm = 16.0 * layer.facetSize_mm,
             .around_mm = Neighbourhood::kNearby * layer.skin_mm};
-}
-
-/// A place relative to an origin, as floats. @return its largest coordinate [mm].
-float asFloats(const Vec3& p, const Vec3& origin, float* at) noexcept
-{
-    float most = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-        at[axis] = static_cast<float>(p[axis] - origin[axis]);
-        most = std::max(most, std::abs(at[axis]));
-    }
-    return most;
 }
 
 bool isBefore(const Crossing& a, const Crossing& b) noexcept
@@ -155,7 +145,7 @@ void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noex
 void Neighbourhood::reach(const HapticScene& scene, const HapticLayer& layer, const Vec3& from, const Vec3& place,
                           const Vec3& ahead) noexcept
 {
-    if (!holds(place) && !m_cache.takePrepared(scene, place)) {
+    if (!holds(place) && !m_cache.takePrepared(scene, place, place)) {
         (void)m_cache.gather(scene, layer, planFor(layer), from, ahead);
     }
 }
@@ -233,7 +223,7 @@ int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, cons
     // A region that holds too many is halved with each attempt. The last is for what is asked alone: whether that can
     // be held does not depend on what was tried before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
-        if (!m_cache.takePrepared(scene, g)) {
+        if (!m_cache.takePrepared(scene, g, g)) {
             (void)m_cache.gather(scene, layer, planFor(layer), g, g);
         }
     }
@@ -270,7 +260,7 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
                 return nearest.found;
             }
         }
-        if (attempt == 0 && !m_cache.takePrepared(scene, x)) {
+        if (attempt == 0 && !m_cache.takePrepared(scene, x, x)) {
             ++attempt;
         }
         if (attempt == 1) {

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
 
 namespace palpate::haptics::internal {
 
@@ -20,8 +23,8 @@ using core::store8;
 
 constexpr float kSmallest = 1e-30f;
 
-// Longest edge squared over twice the area, squared: flatter triangles than 1e4 are not told apart from their normal.
-constexpr float kFlattest2 = 1e8f;
+// Longest edge squared over twice the area, squared: flatter triangles than 1e3 are not told apart from their normal.
+constexpr float kFlattest2 = 1e6f;
 
 } // namespace
 
@@ -64,8 +67,10 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, TriangleGroup& group) no
     return most;
 }
 
-PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const float* p, float* distance_mm) noexcept
+PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
+                                  float* distance_mm) noexcept
 {
+    alignas(32) float along[kMostTriangles]; // how much the half moves lead away, times the distance
     for (int first = 0; first < count; first += kLanes) {
         const TriangleGroup& group = groups[first / kLanes];
         const Float8 zero{};
@@ -94,7 +99,7 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
         const Float8 tab = least(greatest(apab * load8(group.perEdge2[0]), zero), one);
         const Float8 tac = least(greatest(apac * load8(group.perEdge2[1]), zero), one);
         const Float8 tbc = least(greatest(bpbc * load8(group.perEdge2[2]), zero), one);
-        Float8 ab2{}, ac2{}, bc2{};
+        Float8 ab2{}, ac2{}, bc2{}, onN{}, onAb{}, onAc{}, onBc{};
         for (int axis = 0; axis < 3; ++axis) {
             const Float8 toAb = ap[axis] - tab * ab[axis];
             const Float8 toAc = ap[axis] - tac * ac[axis];
@@ -102,17 +107,36 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
             ab2 += toAb * toAb;
             ac2 += toAc * toAc;
             bc2 += toBc * toBc;
+            onN += n[axis] * half[axis];
+            onAb += toAb * half[axis];
+            onAc += toAc * half[axis];
+            onBc += toBc * half[axis];
         }
         const Float8 perNormal2 = load8(group.perNormal2);
-        Float8 d2 = isInside ? height * height * perNormal2 : least(least(ab2, ac2), bc2);
-        d2 = perNormal2 > 0.0f ? d2 : zero;
-        for (int i = 0; i < kLanes; ++i) {
-            distance_mm[first + i] = d2[i]; // squared until the end: the square roots are taken side by side
-        }
+        const Float8 outside2 = least(least(ab2, ac2), bc2);
+        const Float8 onOutside = ab2 == outside2 ? onAb : ac2 == outside2 ? onAc : onBc;
+        const Float8 d2 = isInside ? height * height * perNormal2 : outside2;
+        const Float8 on = isInside ? height * perNormal2 * onN : onOutside;
+        // Squared until the end: the square roots are taken side by side.
+        store8(distance_mm + first, perNormal2 > 0.0f ? d2 : zero);
+        store8(along + first, absolute(on));
     }
     const int lanes = (count + kLanes - 1) / kLanes * kLanes;
     for (int i = 0; i < lanes; ++i) {
-        distance_mm[i] = std::sqrt(distance_mm[i]);
+        const float distance = std::sqrt(distance_mm[i]);
+        // A distance from a convex set along a line is convex: it lies above its tangent.
+        distance_mm[i] = distance - along[i] / std::max(distance, kSmallest);
+    }
+}
+
+void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept
+{
+    static_assert(std::is_trivially_copyable_v<TriangleGroup> && sizeof(float) == sizeof(std::int32_t));
+    constexpr std::size_t kRow = sizeof(float) * kLanes;
+    const auto* source = reinterpret_cast<const std::byte*>(from + i / kLanes) + sizeof(float) * (i % kLanes);
+    auto* target = reinterpret_cast<std::byte*>(to + j / kLanes) + sizeof(float) * (j % kLanes);
+    for (std::size_t row = 0; row < sizeof(TriangleGroup); row += kRow) {
+        std::memcpy(target + row, source + row, sizeof(float));
     }
 }
 

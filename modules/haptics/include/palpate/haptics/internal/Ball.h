@@ -11,6 +11,8 @@ struct Nearest
     Vec3 q;                    ///< [mm]
     Vec3 along = Vec3::Zero(); ///< unit direction of the edge that q lies on; zero on the face and at a corner
     bool isCurved = false;     ///< on an edge or a corner: a ball rolls around it
+    int edge = -1;             ///< that q lies on: 0 … 2, from corner a, b, c to the next; else -1
+    int corner = -1;           ///< that q is: 0 … 2; else -1
 };
 
 /// @par Source Ericson, Real-Time Collision Detection (2005), 5.1.5: closest point on triangle to point.

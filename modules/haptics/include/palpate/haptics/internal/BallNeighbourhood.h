@@ -2,8 +2,8 @@
 #pragma once
 
 #include "palpate/haptics/internal/Ball.h"
+#include "palpate/haptics/internal/CloseTriangles.h"
 #include "palpate/haptics/internal/FacetCache.h"
-#include "palpate/haptics/internal/TriangleDistances.h"
 
 namespace palpate::haptics::internal {
 
@@ -12,7 +12,11 @@ class BallNeighbourhood
 {
   public:
     /// Forgets everything: the scene changed.
-    void clear() noexcept PALPATE_NONBLOCKING { m_cache.clear(); }
+    void clear() noexcept PALPATE_NONBLOCKING
+    {
+        m_cache.clear();
+        m_close.clear();
+    }
 
     /// Tells where the ball's centre stands after a tick.
     /// @par Real-time Wait-free.
@@ -25,13 +29,14 @@ class BallNeighbourhood
                              BallCrossing& first) noexcept PALPATE_NONBLOCKING;
 
   private:
-    static constexpr int kCapacity = 256;
-    using Cache = FacetCache<TriangleGroup, kCapacity>;
+    using Cache = FacetCache<TriangleGroup, kMostTriangles>;
 
     struct First;
-    void offerHeld(const HapticScene& scene, First& first) const noexcept;
+    template<class Facets>
+    static void offerFrom(const HapticScene& scene, const Facets& facets, First& first) noexcept;
 
     Cache m_cache;
+    CloseTriangles m_close;
 };
 
 } // namespace palpate::haptics::internal

@@ -14,11 +14,9 @@ struct BallContact
 {
     Facet facet;
     int side = 1;
-    Vec3 n = Vec3::Zero();       ///< unit, from the contact point to the centre
-    Vec3 along = Vec3::Zero();   ///< direction of the touched edge; zero on a face or a corner
-    Vec3 contact = Vec3::Zero(); ///< contact point [mm]
-    double distance_mm = 0.0;    ///< of the centre from the facet
-    bool isCurved = false;       ///< an edge or a corner: the ball rolls around it
+    Vec3 n = Vec3::Zero();    ///< unit, from the contact point to the centre
+    double distance_mm = 0.0; ///< of the centre from the facet
+    Nearest nearest;          ///< the contact point: on an edge or a corner the ball rolls around it
 
     [[nodiscard]] const Vec3& normal() const noexcept { return n; }
     void lookFrom(const Vec3& g) noexcept;
@@ -60,7 +58,8 @@ class BallTick
   private:
     static constexpr std::size_t kMost = 4; // three constraints and the facet just met
 
-    void dropParted() noexcept;
+    [[nodiscard]] bool lookAgain() noexcept;
+    [[nodiscard]] bool rollOn(BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;

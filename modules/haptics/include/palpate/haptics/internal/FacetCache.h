@@ -38,11 +38,14 @@ class FacetCache
     /// @return where the god-object will be by the time that something begun now is ready.
     [[nodiscard]] core::Vec3 soon() const noexcept;
 
+    /// @return mean motion of the last ticks [mm a tick]
+    [[nodiscard]] const core::Vec3& motion() const noexcept { return m_motion; }
+
     [[nodiscard]] const Facets& held() const noexcept { return m_sets[m_used]; }
     [[nodiscard]] bool holds(const core::Vec3& p) const noexcept { return held().holds(p); }
 
-    /// Goes over to the set that is prepared, if `p` is in its region. @return false when it is not.
-    bool takePrepared(const HapticScene& scene, const core::Vec3& p) noexcept PALPATE_NONBLOCKING;
+    /// Goes over to the set that is prepared, if `p` and `q` are in its region. @return false when they are not.
+    bool takePrepared(const HapticScene& scene, const core::Vec3& p, const core::Vec3& q) noexcept PALPATE_NONBLOCKING;
 
     /// Gathers around the first part of the way x → y, as much as a few margins.
     /// @return false when there are too many; the next attempt is for half the margin.

@@ -3,6 +3,9 @@
 
 #include "palpate/haptics/internal/FacetGroup.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace palpate::haptics::internal {
 
 /// Eight triangles as floats relative to an origin near them: for distances from a point to all of them at once.
@@ -17,12 +20,38 @@ struct alignas(32) TriangleGroup
 /// @return the largest coordinate [mm]
 float derive(const Corners& corners, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
 
-/// Distances from p to the triangles, to a few ulp of the largest coordinate.
-/// @param distance_mm  one for each of the groups' lanes; 0 for a triangle too flat to tell
-void distances(const TriangleGroup* groups, int count, const float* p, float* distance_mm) noexcept PALPATE_NONBLOCKING;
+inline constexpr int kMostTriangles = 256; ///< that distances are asked to at once
+
+/// Least distances from the move p - half ... p + half to the triangles, or less, to a few ulp of the largest
+/// coordinate.
+/// @param half         half the move; zero for the distances from p themselves [mm]
+/// @param distance_mm  one for each of the groups' lanes; 0 or less for a triangle too flat to tell
+void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
+               float* distance_mm) noexcept PALPATE_NONBLOCKING;
+
+/// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is told off.
+inline constexpr double kDistanceRounding = 1e-5;
+
+/// Copies triangle i of one set of groups to place j of another.
+void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept PALPATE_NONBLOCKING;
 
 /// @return bit i set where distance i, of up to 64 by eights, is greater than `beyond` and at most `upTo`
 [[nodiscard]] std::uint64_t lanesBetween(const float* distance_mm, int count, float beyond,
                                          float upTo) noexcept PALPATE_NONBLOCKING;
+
+inline constexpr double kAnyDistance = -1e30; ///< less than any, as what to begin beyond
+
+/// Calls `f(i)` for each distance i of `count` that is greater than `beyond` and at most `upTo`.
+template<class F>
+void forEachBetween(const float* distance_mm, int count, double beyond, double upTo, F&& f) noexcept
+{
+    for (int first = 0; first < count; first += 64) {
+        for (std::uint64_t lanes = lanesBetween(distance_mm + first, std::min(count - first, 64),
+                                                static_cast<float>(beyond), static_cast<float>(upTo));
+             lanes != 0; lanes &= lanes - 1) {
+            f(first + std::countr_zero(lanes));
+        }
+    }
+}
 
 } // namespace palpate::haptics::internal

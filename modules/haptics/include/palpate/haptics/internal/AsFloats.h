@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Types.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::haptics::internal {
+
+/// A place relative to an origin, as floats. @return its largest coordinate [mm].
+inline float asFloats(const core::Vec3& p, const core::Vec3& origin, float* at) noexcept
+{
+    float most = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        at[axis] = static_cast<float>(p[axis] - origin[axis]);
+        most = std::max(most, std::abs(at[axis]));
+    }
+    return most;
+}
+
+} // namespace palpate::haptics::internal
