@@ -54,25 +54,29 @@ class SurfaceWalk : public QObject
     {
         QTest::addColumn<TriangleMesh>("mesh");
         QTest::addColumn<double>("mmATick");
-        QTest::newRow("large facets") << sphere(8, 50.0) << 0.1;
-        QTest::newRow("small facets") << sphere(96, 50.0) << 0.1;
-        QTest::newRow("several facets a tick") << sphere(96, 50.0) << 1.0;
-        QTest::newRow("hills") << bumpySphere(48, 50.0, 0.02) << 0.1;
+        QTest::addColumn<bool>("hasHollows");
+        QTest::newRow("large facets") << sphere(8, 50.0) << 0.1 << false;
+        QTest::newRow("small facets") << sphere(96, 50.0) << 0.1 << false;
+        QTest::newRow("several facets a tick") << sphere(96, 50.0) << 1.0 << false;
+        QTest::newRow("hills") << bumpySphere(48, 50.0, 0.02) << 0.1 << false;
+        QTest::newRow("hills and hollows") << bumpySphere(48, 50.0, 0.05) << 0.1 << true;
+        QTest::newRow("hollows, fast") << bumpySphere(96, 50.0, 0.05) << 0.4 << true;
         TriangleMesh bowl = bumpySphere(48, 50.0, 0.02);
         std::erase_if(bowl.triangles, [&bowl](const geometry::Triangle& t) { return bowl.vertices[t[0]].z() < -20.0; });
-        QTest::newRow("without an inside") << bowl << 0.1;
-        QTest::newRow("box") << box(Vec3(-40, -40, -40), Vec3(40, 40, 40), 40) << 0.2;
+        QTest::newRow("without an inside") << bowl << 0.1 << false;
+        QTest::newRow("box") << box(Vec3(-40, -40, -40), Vec3(40, 40, 40), 40) << 0.2 << false;
     }
     void findsWhatAskingFinds()
     {
         QFETCH(TriangleMesh, mesh);
         QFETCH(double, mmATick);
+        QFETCH(bool, hasHollows);
         // With the same surface a little farther in as another structure, which is never reached, everything is asked.
         const HapticScene alone = sceneOf({mesh}), beside = sceneOf({mesh, scaled(mesh, 0.999)});
         Palpator one, other;
         one.setScene(&alone);
         other.setScene(&beside);
-        int contacts = 0;
+        int contacts = 0, creases = 0;
         for (int tick = 0; tick < 20'000; ++tick) {
             const Vec3 hip = hipAt(tick, 4.0, mmATick);
             const TickResult a = one.step(hip, 1e-3), b = other.step(hip, 1e-3);
@@ -81,8 +85,10 @@ class SurfaceWalk : public QObject
             QCOMPARE(a.constraints, b.constraints);
             QCOMPARE(a.triangle, b.triangle);
             contacts += a.constraints > 0 ? 1 : 0;
+            creases += a.constraints == 2 ? 1 : 0;
         }
         QVERIFY2(contacts > 4'000, qPrintable(QString::number(contacts)));
+        QVERIFY2(creases > 2'000 || !hasHollows, qPrintable(QString::number(creases)));
     }
 
     void fliesAsFarAsAskingFlies()
@@ -131,8 +137,68 @@ class SurfaceWalk : public QObject
         Vec3 god = along * facet.c + alongA * facet.a + alongB * facet.b + skins * facet.skin_mm * facet.n;
         const Vec3 hip = (facet.a + facet.b + facet.c) / 3.0 - facet.n;
         Neighbourhood near;
-        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, god, facet);
+        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, nullptr, god, facet);
         QCOMPARE(walked.isClear, isClear);
+    }
+
+    void onlyACreaseHoldsBetweenTwoFacets_data()
+    {
+        QTest::addColumn<double>("radius"); // negative: seen from inside
+        QTest::addColumn<double>("aside");  // from the edge's middle, in facets
+        QTest::addColumn<bool>("isHeld");
+        QTest::addColumn<bool>("isClear");
+        QTest::newRow("a crease") << -50.0 << 0.0 << true << true;
+        QTest::newRow("a ridge") << 50.0 << 0.0 << false << true;
+        QTest::newRow("one not touched") << -50.0 << 0.1 << true << false;
+    }
+    void onlyACreaseHoldsBetweenTwoFacets()
+    {
+        QFETCH(double, radius);
+        QFETCH(double, aside);
+        QFETCH(bool, isHeld);
+        QFETCH(bool, isClear);
+        using namespace haptics::internal;
+        TriangleMesh mesh = sphere(24, std::abs(radius));
+        if (radius < 0.0) {
+            for (geometry::Triangle& t : mesh.triangles) {
+                std::swap(t[0], t[1]);
+            }
+        }
+        const HapticScene scene = sceneOf({mesh});
+        const geometry::SurfaceIndex& surface = *scene.structures()[0].surface;
+        Facet facet = Facet::of(surface, 0, 100);
+        const Facet second = Facet::of(surface, 0, surface.neighbour(100, 0).triangle);
+        const Vec3 outwards = (facet.n + second.n).normalized(), middle = 0.5 * (facet.a + facet.b);
+        Vec3 god = middle + aside * (facet.c - middle) + facet.skin_mm / outwards.dot(facet.n) * outwards;
+        const Vec3 hip = middle - outwards;
+        Neighbourhood near;
+        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, &second, god, facet);
+        QCOMPARE(walked.hasArrived, isHeld);
+        QCOMPARE(walked.isClear, isClear);
+    }
+
+    void leavesACreaseOverTheFacetThatHolds()
+    {
+        using namespace haptics::internal;
+        TriangleMesh mesh = sphere(24, 50.0);
+        for (geometry::Triangle& t : mesh.triangles) {
+            std::swap(t[0], t[1]);
+        }
+        const HapticScene scene = sceneOf({mesh});
+        const geometry::SurfaceIndex& surface = *scene.structures()[0].surface;
+        const std::array pair{Facet::of(surface, 0, 100), Facet::of(surface, 0, surface.neighbour(100, 0).triangle)};
+        for (const std::size_t holds : {0u, 1u}) {
+            Facet facet = pair[0];
+            const Vec3 outwards = (pair[0].n + pair[1].n).normalized(), middle = 0.5 * (facet.a + facet.b);
+            Vec3 god = middle + facet.skin_mm / outwards.dot(facet.n) * outwards;
+            const Facet& to = pair[holds];
+            const Vec3 hip = (to.a + to.b + to.c) / 3.0 - 0.01 * to.n;
+            Neighbourhood near;
+            const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, &pair[1], god, facet);
+            QVERIFY(walked.hasArrived && walked.isClear && !walked.isInCrease);
+            QCOMPARE(facet.triangle, to.triangle);
+            QVERIFY((god - hip - (0.01 + to.skin_mm) * to.n).norm() < 1e-9);
+        }
     }
 
     void stopsAtAnotherStructure()

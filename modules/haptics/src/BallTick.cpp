@@ -149,9 +149,8 @@ Vec3 BallTick::nextMove() noexcept
         const double missing = radius + c.facet.skin_mm - c.distance_mm;
         planes[i] = {c.n, missing <= kPressed * c.facet.skin_mm ? missing : 0.0};
     }
-    const double allowance = std::max(1e-3 * m_skin_mm, 8.0 * std::numeric_limits<double>::epsilon() * wanted.norm());
-    const ConstrainedPoint point =
-        constrainedPoint(wanted, std::span(planes).first(static_cast<std::size_t>(m_count)), allowance);
+    const ConstrainedPoint point = constrainedPoint(wanted, std::span(planes).first(static_cast<std::size_t>(m_count)),
+                                                    allowance(m_skin_mm, wanted));
     for (int i = 0; i < point.count; ++i) {
         const std::size_t kept = point.active[static_cast<std::size_t>(i)];
         if (kept != static_cast<std::size_t>(i)) {

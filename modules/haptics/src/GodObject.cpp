@@ -108,8 +108,11 @@ class Tick
     {
         Contact& c = m_contacts[0];
         const internal::SurfaceWalk walk =
-            internal::walk(m_scene, m_layer, m_near, m_hip, most, c.side, false, m_god, c.facet);
+            internal::walk(m_scene, m_layer, m_near, m_hip, most, c.side, false, nullptr, m_god, c.facet);
         m_walked += walk.moves;
+        if (walk.isInCrease) {
+            touch(walk.beyond, c.side);
+        }
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
     }
@@ -126,7 +129,7 @@ class Tick
             planes[i] = {m_contacts[i].normal(), m_contacts[i].facet.skin_mm - m_contacts[i].gap(m_god)};
         }
         const ConstrainedPoint point = internal::constrainedPoint(
-            wanted, std::span(planes).first(static_cast<std::size_t>(m_count)), allowance(wanted));
+            wanted, std::span(planes).first(static_cast<std::size_t>(m_count)), internal::allowance(m_skin_mm, wanted));
         for (int i = 0; i < point.count; ++i) {
             // `active` ascends, so nothing is overwritten before it is used.
             const std::size_t kept = point.active[static_cast<std::size_t>(i)];
@@ -136,12 +139,6 @@ class Tick
         }
         m_count = point.count;
         return m_god + point.u;
-    }
-
-    /// Violation of a plane that is rounding: a thousandth of the skin, or what a spring of this length leaves.
-    [[nodiscard]] double allowance(const Vec3& wanted) const noexcept
-    {
-        return std::max(1e-3 * m_skin_mm, 8.0 * std::numeric_limits<double>::epsilon() * wanted.norm());
     }
 
     /// Moves up to the facet in the way and takes its plane as a constraint.
@@ -310,7 +307,8 @@ class Tick
             from += up;
         }
         const Vec3 wanted = m_hip - from;
-        const ConstrainedPoint point = internal::constrainedPoint(wanted, setPlanes(), allowance(wanted));
+        const ConstrainedPoint point =
+            internal::constrainedPoint(wanted, setPlanes(), internal::allowance(m_skin_mm, wanted));
         if ((wanted - point.u).norm() > enough) {
             return false;
         }
@@ -383,22 +381,32 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
     } else {
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
-        if (m_state.constraints == 1) {
+        const bool isInCrease = m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] &&
+                                m_state.side[0] == m_state.side[1];
+        if (m_state.constraints == 1 || isInCrease) {
             walk = internal::walk(scene, layer, m_neighbourhood, p_WH, limits.iterations, m_state.side[0], m_hasWalked,
-                                  m_state.p_WG, m_facets[0]);
+                                  isInCrease ? &m_facets[1] : nullptr, m_state.p_WG, m_facets[0]);
+            if (walk.isInCrease) {
+                m_facets[1] = walk.beyond;
+                m_state.side[1] = m_state.side[0];
+            }
+            m_state.constraints = walk.isInCrease ? 2 : 1;
         }
         if (walk.hasArrived) {
             result.p_WG = m_state.p_WG;
-            result.constraints = 1;
+            result.constraints = m_state.constraints;
             result.iterations = walk.moves;
-            result.active[0] = {m_facets[0].structure, m_facets[0].triangle, m_state.side[0] * m_facets[0].n};
-            m_state.structure[0] = m_facets[0].structure;
-            m_state.triangle[0] = m_facets[0].triangle;
+            for (std::size_t i = 0; i < m_state.constraints; ++i) {
+                const Facet& facet = m_facets[i];
+                result.active[i] = {facet.structure, facet.triangle, m_state.side[i] * facet.n};
+                m_state.structure[i] = facet.structure;
+                m_state.triangle[i] = facet.triangle;
+            }
             m_hasFacets = true;
         } else {
             run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG, walk.moves), limits, result);
         }
-        m_hasWalked = walk.hasArrived;
+        m_hasWalked = walk.hasArrived && !walk.isInCrease;
         if (walk.hasArrived && walk.isClear) {
             const geometry::SurfaceIndex& surface = *scene.structures()[m_facets[0].structure].surface;
             m_neighbourhood.endClearTick(scene, layer, m_state.p_WG, surface.isClearAround(m_facets[0].triangle));

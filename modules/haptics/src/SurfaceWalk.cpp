@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/SurfaceWalk.h"
 
+#include "palpate/haptics/internal/ConstrainedPoint.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,7 +11,7 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr double kFar = 4.0;      // facet sizes
+constexpr double kFar = 16.0;     // facet sizes
 constexpr double kSharpest = 0.5; // cosine of the angle between two facets' normals
 
 /// Where the way to a place in a facet's plane leaves the facet.
@@ -74,10 +76,40 @@ bool isOffCorners(const Facet& facet, const Vec3& p, double least_mm) noexcept
            (p - facet.c).squaredNorm() > least2;
 }
 
+/// Where two facets with a common edge hold a god-object.
+struct Crease
+{
+    Vec3 target;          ///< constrained point of the planes that hold [mm]
+    int held = 0;         ///< how many of the two hold
+    int first = 0;        ///< number of the first that does
+    bool isWithin = true; ///< the target is between the ends of the edge, by at least the margin
+};
+
+/// @param edge  the common one's number in `facet`
+Crease creaseAt(const Facet& facet, int edge, const Facet& beyond, int side, const Vec3& g, const Vec3& hip,
+                double margin_mm) noexcept
+{
+    const Vec3 n = side * facet.n, m = side * beyond.n;
+    const std::array planes{HalfSpace{n, facet.skin_mm - n.dot(g - facet.a)},
+                            HalfSpace{m, beyond.skin_mm - m.dot(g - beyond.a)}};
+    const Vec3 wanted = hip - g;
+    const ConstrainedPoint point = constrainedPoint(wanted, planes, allowance(facet.skin_mm, wanted));
+    const std::array<const Vec3*, 5> corner{&facet.a, &facet.b, &facet.c, &facet.a, &facet.b};
+    const auto e = static_cast<std::size_t>(edge);
+    const Vec3 &begin = *corner[e], &end = *corner[e + 1], &opposite = *corner[e + 2];
+    Crease crease;
+    crease.target = g + point.u;
+    crease.held = m.dot(opposite - beyond.a) > 0.0 ? point.count : 0; // only where they rise towards each other
+    crease.first = point.active[0];
+    const Vec3 along = (end - begin).normalized();
+    crease.isWithin = along.dot(crease.target - begin) > margin_mm && along.dot(end - crease.target) > margin_mm;
+    return crease;
+}
+
 } // namespace
 
 SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourhood& near, const Vec3& hip,
-                 std::uint32_t most, int side, bool isWellInside, Vec3& g, Facet& facet) noexcept
+                 std::uint32_t most, int side, bool isWellInside, const Facet* second, Vec3& g, Facet& facet) noexcept
 {
     SurfaceWalk result;
     const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
@@ -96,6 +128,11 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
                near.isAlone(scene, layer, f.structure, p);
     };
     result.isClear = (isWellInside || isOn(facet, side, g)) && isClearAt(facet, g);
+    if (second != nullptr) {
+        result.isClear = result.isClear && isOn(*second, side, g) && isClearAt(*second, g);
+        result.isInCrease = true;
+        result.beyond = *second;
+    }
     const auto stand = [&] {
         if (here != &facet) {
             facet = *here;
@@ -123,6 +160,41 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         crossed = 0;
         return isFree;
     };
+    // The last move: @return true when it was made.
+    const auto hasArrivedAt = [&](const Vec3& target) {
+        if (result.isClear) {
+            g = target;
+            ++result.moves;
+            stand();
+            return true;
+        }
+        path[points++] = target;
+        return isPathFree();
+    };
+    if (second != nullptr) {
+        int edge = 0;
+        while (edge < 3 &&
+               surface.neighbour(facet.triangle, static_cast<std::uint32_t>(edge)).triangle != second->triangle) {
+            ++edge;
+        }
+        if (edge == 3) {
+            return result;
+        }
+        const Crease crease = creaseAt(facet, edge, *second, side, g, hip, margin_mm);
+        if (crease.held == 0 || (crease.held == 2 && !crease.isWithin)) {
+            return result;
+        }
+        if (crease.held == 2) {
+            result.isClear = result.isClear && isClearAt(facet, crease.target) && isClearAt(*second, crease.target);
+            result.hasArrived = hasArrivedAt(crease.target);
+            return result;
+        }
+        if (crease.first == 1) {
+            facet = *second;
+            stands[0].triangle = facet.triangle;
+        }
+        result.isInCrease = false;
+    }
     for (std::uint32_t i = 0; i < std::min(most, kMostFacets); ++i) {
         const Vec3 outwards = side * here->n;
         const double rise = here->skin_mm - outwards.dot(hip - here->a);
@@ -136,8 +208,30 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         }
         const Exit exit = exitFrom(*here, from, target, margin_mm);
         const bool isLast = exit.edge < 0;
-        if (isLast ? !exit.isWellInside : exit.edge == entered) {
-            break; // held by an edge, or too near one to tell
+        if (isLast && !exit.isWellInside) {
+            break; // too near an edge to tell
+        }
+        if (!isLast && exit.edge == entered) {
+            // Neither of two facets lets it go over to the other.
+            const std::uint32_t other = surface.neighbour(here->triangle, static_cast<std::uint32_t>(entered)).triangle;
+            const Facet beyond = Facet::of(surface, facet.structure, other);
+            const Crease crease = creaseAt(*here, entered, beyond, side, from, hip, margin_mm);
+            if (crease.held != 2) {
+                break;
+            }
+            result.beyond = beyond;
+            if (!crease.isWithin) {
+                if (result.isClear) {
+                    stand();
+                }
+                result.isInCrease = result.isClear || isPathFree();
+                return result;
+            }
+            result.isClear = result.isClear && isClearAt(*here, crease.target) && isClearAt(beyond, crease.target);
+            if (result.isClear || near.holds(crease.target) || isPathFree()) {
+                result.isInCrease = result.hasArrived = hasArrivedAt(crease.target);
+            }
+            return result;
         }
         Vec3 to = isLast ? target : Vec3(from + exit.share * (target - from));
         result.isClear = result.isClear && isClearAt(*here, to);
@@ -146,15 +240,7 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
             return result;
         }
         if (isLast) {
-            if (result.isClear) {
-                g = target;
-                ++result.moves;
-                stand();
-                result.hasArrived = true;
-                return result;
-            }
-            path[points++] = target;
-            result.hasArrived = isPathFree();
+            result.hasArrived = hasArrivedAt(target);
             return result;
         }
         const geometry::SurfaceIndex::Neighbour neighbour =

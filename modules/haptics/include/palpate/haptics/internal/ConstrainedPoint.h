@@ -4,8 +4,10 @@
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace palpate::haptics::internal {
@@ -26,6 +28,12 @@ struct ConstrainedPoint
     std::array<std::uint8_t, 3> active{}; ///< numbers of the planes with a positive multiplier
     int count = 0;                        ///< how many of `active` are valid
 };
+
+/// Violation of a plane that is rounding: a thousandth of the skin, or what a spring of this length leaves. [mm]
+[[nodiscard]] inline double allowance(double skin_mm, const Vec3& wanted) noexcept
+{
+    return std::max(1e-3 * skin_mm, 8.0 * std::numeric_limits<double>::epsilon() * wanted.norm());
+}
 
 /// Minimises 0.5 |u - wanted|^2 subject to every half-space: the constrained point of Zilles & Salisbury.
 ///
