@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -299,17 +301,43 @@ class HierarchyBuilder
                 }
             }
             if (bestCost < kInfinity) {
-                const auto begin = m_items.begin() + first;
-                const auto middle = std::partition(
-                    begin, m_items.begin() + last,
-                    [binOf = binsAlong(bestAxis), bestBin](const BoxedItem& item) { return binOf(item) < bestBin; });
-                const auto left = static_cast<std::uint32_t>(middle - begin);
+                const std::span<BoxedItem> items = m_items.subspan(first, count);
+                const auto isLeft = [binOf = binsAlong(bestAxis), bestBin](const BoxedItem& item) {
+                    return binOf(item) < bestBin;
+                };
+                const auto left = static_cast<std::uint32_t>(
+                    count > kFew ? std::partition(items.begin(), items.end(), isLeft) - items.begin()
+                                 : partitionFew(items, isLeft));
                 if (left > 0 && left < count) {
                     return first + left;
                 }
             }
         }
         return halve(centres, first, last);
+    }
+
+    /// As std::partition, without a branch that nobody can foresee. @return how many are left.
+    template<class IsLeft>
+    static std::size_t partitionFew(std::span<BoxedItem> items, IsLeft&& isLeft)
+    {
+        struct Bytes // of an item: nothing is set before it is used
+        {
+            std::byte all[sizeof(BoxedItem)];
+        };
+        alignas(64) std::array<Bytes, kFew> right;
+        std::size_t lefts = 0, rights = 0;
+        for (const BoxedItem& item : items) {
+            const std::size_t isOneLeft = isLeft(item) ? 1 : 0;
+            const Bytes bytes = std::bit_cast<Bytes>(item);
+            right[rights] = bytes;
+            items[lefts] = item;
+            lefts += isOneLeft;
+            rights += 1 - isOneLeft;
+        }
+        for (std::size_t i = 0; i < rights; ++i) {
+            items[lefts + i] = std::bit_cast<BoxedItem>(right[i]);
+        }
+        return lefts;
     }
 
     static std::size_t longestOf(Float4 extent)

@@ -83,8 +83,15 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     index.m_triangles.reserve(items.size());
     index.m_sources.reserve(items.size());
     constexpr std::size_t kAhead = 16;
+    const auto later = [&](std::size_t i) -> const Triangle& {
+        return mesh.triangles[items[std::min(i, items.size() - 1)].number];
+    };
     for (std::size_t i = 0; i < items.size(); ++i) {
-        core::prefetch(&mesh.triangles[items[std::min(i + kAhead, items.size() - 1)].number]);
+        core::prefetch(&later(i + 2 * kAhead));
+        for (const std::uint32_t corner : later(i + kAhead)) {
+            core::prefetch(&renumbered[corner]);
+            core::prefetch(&mesh.vertices[corner]);
+        }
         const std::uint32_t source = items[i].number;
         Triangle t = mesh.triangles[source];
         for (std::uint32_t& corner : t) {
@@ -107,13 +114,13 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     // With a skin below the rounding of distances nothing could be promised.
     if (8.0 * worst <= index.m_skin_mm) {
         const std::vector<std::uint8_t> isClear = findClear(index, threads);
-        for (std::uint32_t i = 0; i < index.triangleCount(); ++i) {
+        inHalves(index.triangleCount() < kMany ? 1 : threads, index.triangleCount(), [&](std::uint32_t i) {
             index.m_triangles[i][1] |= isClear[i] != 0 ? kFlagBit : 0;
             for (std::uint32_t& beyond : index.m_neighbours[i]) {
                 const std::uint32_t neighbour = beyond >> 2;
                 beyond |= neighbour != kNoNeighbour && isClear[neighbour] != 0 ? kFlagBit : 0;
             }
-        }
+        });
     }
     return index;
 }
