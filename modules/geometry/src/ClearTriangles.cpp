@@ -237,30 +237,21 @@ std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned thread
         threads = 1;
     }
     Survey survey(surface);
-    const Vec3& origin = surface.hierarchy().origin();
-    const double most =
-        std::max((surface.bounds().max() - origin).maxCoeff(), (origin - surface.bounds().min()).maxCoeff());
-    const auto countUses = [&](std::uint32_t i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
         const Triangle t = surface.triangle(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
             ++survey.uses[t[k]];
             survey.some[t[k]] = i << 2 | k;
         }
-    };
-    const auto measure = [&](std::uint32_t i) {
+    }
+    const Vec3& origin = surface.hierarchy().origin();
+    const double most =
+        std::max((surface.bounds().max() - origin).maxCoeff(), (origin - surface.bounds().min()).maxCoeff());
+    inHalves(threads, count, [&](std::uint32_t i) {
         const Corners corners = cornersOf(surface, surface.triangle(i));
         survey.normal[i] = normalOf(corners);
         survey.spans[i] = spansOf(corners, origin, 32'000.0 / most);
-    };
-    // Counting takes about as long as measuring a fifth.
-    const std::uint32_t share = count / 5 * 2;
-    together(
-        threads,
-        [&] {
-            forEach(0, count, countUses);
-            forEach(0, share, measure);
-        },
-        [&] { forEach(share, count, measure); });
+    });
     inHalves(threads, surface.vertexCount(),
              [&](std::uint32_t v) { survey.isSmooth[v] = survey.areSmoothAround(v) ? 1 : 0; });
     // Those that share a corner touch. Who touches no more than there are of these is alone.

@@ -4,6 +4,8 @@
 #include "Together.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace palpate::geometry {
@@ -12,56 +14,84 @@ namespace {
 
 constexpr std::uint32_t kNone = SurfaceIndex::kNoNeighbour << 2;
 
-/// An edge, kept with the smaller of its vertices.
-struct Edge
+/// A triangle's edge, as seen from the smaller of its vertices.
+struct Side
 {
-    std::uint32_t larger; ///< vertex << 1, and 1 where the triangle goes from the smaller to the larger
-    std::uint32_t where;  ///< triangle << 2 | edge, of the triangle that came first
-    std::uint32_t next;   ///< of the same smaller vertex; kNone at the end
+    std::uint32_t larger; ///< vertex
+    std::uint32_t where;  ///< triangle << 2 | edge
 };
 
-/// Joins the triangles at those edges whose smaller vertex is first … last.
-void join(const SurfaceIndex& surface, std::uint32_t first, std::uint32_t last, core::LargeArray<Triangle>& found)
+/// Those of one vertex that lead to the same other one.
+struct Found
 {
-    std::vector<std::uint32_t> newest(last - first, kNone);
-    core::LargeArray<Edge> edges;
-    edges.reserve(2 * std::size_t{surface.triangleCount()});
-    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
-        const Triangle t = surface.triangle(i);
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = t[k], b = t[k == 2 ? 0 : k + 1];
-            const std::uint32_t smaller = std::min(a, b);
-            if (smaller < first || smaller >= last) {
-                continue;
-            }
-            const std::uint32_t larger = std::max(a, b) << 1 | (a < b ? 1u : 0u), where = i << 2 | k;
-            std::uint32_t& head = newest[smaller - first];
-            std::uint32_t at = head;
-            while (at != kNone && edges[at].larger >> 1 != larger >> 1) {
-                at = edges[at].next;
-            }
-            std::uint32_t& mine = found[i][k];
-            if (at == kNone) {
-                mine = kNone;
-                edges.push_back({larger, where, head});
-                head = static_cast<std::uint32_t>(edges.size() - 1);
-                continue;
-            }
-            Edge& edge = edges[at];
-            if (edge.where == kNone) {
-                mine = kNone; // more than two
-                continue;
-            }
-            std::uint32_t& other = found[edge.where >> 2][edge.where & 3u];
-            if (edge.larger == larger || other != kNone) {
-                if (other != kNone) {
-                    found[other >> 2][other & 3u] = kNone;
+    std::uint32_t count = 0;
+    std::uint32_t where = kNone; ///< of the last
+};
+
+/// More sides of a vertex than this are sorted before they are searched.
+constexpr std::size_t kFew = 64;
+
+bool isSmaller(const Side& a, const Side& b)
+{
+    return a.larger < b.larger;
+}
+
+Found find(std::span<const Side> sides, std::uint32_t larger, bool isSorted)
+{
+    Found found;
+    if (isSorted) {
+        const auto [first, last] = std::equal_range(sides.begin(), sides.end(), Side{larger, 0}, isSmaller);
+        found.count = static_cast<std::uint32_t>(last - first);
+        found.where = first != last ? first->where : kNone;
+        return found;
+    }
+    for (const Side& side : sides) {
+        const bool isOne = side.larger == larger;
+        found.count += isOne ? 1 : 0;
+        found.where = isOne ? side.where : found.where;
+    }
+    return found;
+}
+
+/// Joins the triangles at those edges whose smaller vertex is first … last.
+void join(const SurfaceIndex& surface, std::uint32_t first, std::uint32_t last, core::LargeArray<Triangle>& joined)
+{
+    // Of each vertex the sides that lead away from it, then those that lead to it.
+    std::vector<std::uint32_t> ends(2 * std::size_t{last - first} + 2, 0);
+    const auto forEachSide = [&](auto&& f) {
+        for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+            const Triangle t = surface.triangle(i);
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[k == 2 ? 0 : k + 1];
+                const std::uint32_t smaller = std::min(a, b);
+                if (smaller >= first && smaller < last) {
+                    f(2 * std::size_t{smaller - first} + (a > b ? 1 : 0), Side{std::max(a, b), i << 2 | k});
                 }
-                mine = other = edge.where = kNone; // turned over, or the third
-                continue;
             }
-            mine = edge.where;
-            other = where;
+        }
+    };
+    forEachSide([&ends](std::size_t which, const Side& /*side*/) { ++ends[which + 2]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    core::LargeArray<Side> sides(ends.back());
+    forEachSide([&](std::size_t which, const Side& side) {
+        joined[side.where >> 2][side.where & 3u] = kNone;
+        sides[ends[which + 1]++] = side;
+    });
+    for (std::size_t v = 0; v < last - first; ++v) {
+        const std::span<Side> away(sides.data() + ends[2 * v], sides.data() + ends[2 * v + 1]);
+        const std::span<Side> back(away.data() + away.size(), sides.data() + ends[2 * v + 2]);
+        const bool isSorted = away.size() + back.size() > kFew;
+        if (isSorted) {
+            std::sort(away.begin(), away.end(), isSmaller);
+            std::sort(back.begin(), back.end(), isSmaller);
+        }
+        for (const Side& side : away) {
+            const Found other = find(back, side.larger, isSorted);
+            // More than one on either side: none knows which belong together.
+            if (other.count == 1 && find(away, side.larger, isSorted).count == 1) {
+                joined[side.where >> 2][side.where & 3u] = other.where;
+                joined[other.where >> 2][other.where & 3u] = side.where;
+            }
         }
     }
 }
