@@ -233,11 +233,16 @@ class Fingertip : public QObject
     void whatIsKeptBetweenTicksChangesNothing()
     {
         Feel kept(bumpySphere(30, 10.0, 0.08), 1.0), thrownAway(bumpySphere(30, 10.0, 0.08), 1.0);
-        for (int i = 0; i < 800; ++i) {
-            const Vec3 hip = Vec3(std::sin(0.02 * i), std::cos(0.023 * i), std::sin(0.011 * i)).normalized() * 8.5;
+        int contacts = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double height = std::max(8.5, 13.0 - 0.01 * i);
+            const Vec3 hip = Vec3(std::sin(0.02 * i), std::cos(0.023 * i), std::sin(0.011 * i)).normalized() * height;
             thrownAway.palpator.restore(thrownAway.palpator.state());
-            QCOMPARE(kept.at(hip).p_WG, thrownAway.at(hip).p_WG);
+            const TickResult a = kept.at(hip), b = thrownAway.at(hip);
+            QVERIFY2(a.p_WG == b.p_WG, qPrintable(QString("tick %1").arg(i)));
+            contacts += a.constraints > 0 ? 1 : 0;
         }
+        QVERIFY2(contacts > 1000, qPrintable(QString::number(contacts)));
     }
 
     void radiusZeroIsThePoint()

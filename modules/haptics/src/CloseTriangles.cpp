@@ -24,6 +24,9 @@ bool CloseTriangles::take(const Facets& held, const Vec3& x, const Vec3& y, cons
                           double facetSize_mm) noexcept
 {
     m_reach_mm = -1.0;
+    if (!held.holds(x) || !held.holds(y)) {
+        return false;
+    }
     if (m_wanted_mm == 0.0) {
         m_wanted_mm = 0.5 * facetSize_mm;
     }
