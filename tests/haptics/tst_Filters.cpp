@@ -241,8 +241,8 @@ class Filters : public QObject
                     const Vec3 on = p + k / 16.0 * half;
                     least = std::min(least, (on - nearestOn(facets[static_cast<std::size_t>(i)], on).q).norm());
                 }
-                // Near a facet floats turn the way to it.
-                const double rounding = kDistanceRounding * reach * (1.0 + half.norm() / (least + 1e-3));
+                const double middle = (p - nearestOn(facets[static_cast<std::size_t>(i)], p).q).norm();
+                const double rounding = leastDistanceRounding(reach, half.norm(), middle);
                 QVERIFY2(distance[i] <= least + rounding,
                          qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(least)));
                 close += distance[i] > 0.9 * least ? 1 : 0;

@@ -245,6 +245,26 @@ class Fingertip : public QObject
         QVERIFY2(contacts > 1000, qPrintable(QString::number(contacts)));
     }
 
+    void rollsOnFromFacetToFacet()
+    {
+        // Where it falls from each facet to the next instead, it needs 2.1 moves a tick.
+        Feel feel(sphere(32, 12.5), 1.0);
+        std::uint32_t moves = 0, contacts = 0;
+        for (int i = 0; i < 5000; ++i) {
+            const double arc = 0.008 * i;
+            const Vec3 direction(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc),
+                                 std::sin(0.37 * arc));
+            const TickResult r = feel.at(std::max(8.5, 14.0 - 0.05 * i) * direction);
+            if (i >= 200) {
+                moves += r.iterations;
+                contacts += r.constraints > 0 ? 1 : 0;
+            }
+        }
+        qInfo("%.3f moves a tick", moves / 4800.0);
+        QCOMPARE(contacts, 4800u);
+        QVERIFY(moves < 1.8 * 4800);
+    }
+
     void radiusZeroIsThePoint()
     {
         Feel ball(bumpySphere(10, 10.0, 0.08), 0.0);

@@ -316,9 +316,10 @@ class HierarchyBuilder
         return halve(centres, first, last);
     }
 
-    /// As std::partition, without a branch that nobody can foresee. @return how many are left.
+    /// As std::partition, without a branch that nobody can foresee. Its room on the stack must not be part of each
+    /// level of `add`. @return how many are left.
     template<class IsLeft>
-    static std::size_t partitionFew(std::span<BoxedItem> items, IsLeft&& isLeft)
+    [[gnu::noinline]] static std::size_t partitionFew(std::span<BoxedItem> items, IsLeft&& isLeft)
     {
         struct Bytes // of an item: nothing is set before it is used
         {

@@ -25,7 +25,7 @@ struct Side
 struct Found
 {
     std::uint32_t count = 0;
-    std::uint32_t where = kNone; ///< of the last
+    std::uint32_t where = kNone; ///< of one of them
 };
 
 /// More sides of a vertex than this are sorted before they are searched.

@@ -81,7 +81,7 @@ void BallNeighbourhood::offerFrom(const HapticScene& scene, const Facets& facets
     (void)asFloats(half, Vec3::Zero(), along);
     alignas(32) float distance_mm[kMostTriangles];
     distances(facets.groups(), facets.count(), at, along, distance_mm);
-    const double touching = first.radius_mm + kDistanceRounding * coordinate;
+    const double touching = first.radius_mm + leastDistanceRounding(coordinate, half.norm(), first.radius_mm);
     const auto offer = [&](int i) {
         first.offer(*scene.structures()[facets.structure(i)].surface, facets.structure(i), facets.triangle(i));
     };

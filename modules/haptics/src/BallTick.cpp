@@ -58,15 +58,6 @@ struct Crease
     }
 };
 
-/// @return how far beyond an edge of the facet, in its plane, a place is [mm]
-double beyond(const Facet& facet, int edge, const Vec3& p) noexcept
-{
-    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
-    const Vec3& from = *corner[static_cast<std::size_t>(edge)];
-    const Vec3& to = *corner[static_cast<std::size_t>(edge) + 1];
-    return (to - from).normalized().cross(facet.n).dot(p - from);
-}
-
 } // namespace
 
 void BallContact::lookFrom(const Vec3& g) noexcept
@@ -115,13 +106,9 @@ bool BallTick::rollOn(BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
     const Index& surface = *m_scene.structures()[contact.facet.structure].surface;
-    int turn = -1; // around a corner, over the edge that begins there: 0; over the one that ends there: 2
     for (int i = 0; i < kMostRolled && contact.nearest.isCurved; ++i) {
-        const int corner = contact.nearest.corner;
-        if (corner >= 0 && turn < 0) {
-            turn = beyond(contact.facet, corner, m_god) > beyond(contact.facet, (corner + 2) % 3, m_god) ? 0 : 2;
-        }
-        const int edge = corner >= 0 ? (corner + turn) % 3 : contact.nearest.edge;
+        // Around a corner always the same way.
+        const int edge = contact.nearest.corner >= 0 ? contact.nearest.corner : contact.nearest.edge;
         const Index::Neighbour next = surface.neighbour(contact.facet.triangle, static_cast<std::uint32_t>(edge));
         if (next.triangle == Index::kNoNeighbour) {
             return false;

@@ -4,6 +4,8 @@
 #include "palpate/haptics/internal/AsFloats.h"
 #include "palpate/haptics/internal/InsideShare.h"
 
+#include <cmath>
+
 namespace palpate::haptics::internal {
 
 namespace {
@@ -47,7 +49,7 @@ bool CloseTriangles::take(const Facets& held, const Vec3& x, const Vec3& y, cons
     alignas(32) float distance_mm[kMostTriangles];
     distances(held.groups(), held.count(), at, half, distance_mm);
     std::size_t count = 0;
-    const double touching = radius_mm + kDistanceRounding * coordinate;
+    const double touching = radius_mm + leastDistanceRounding(coordinate, 0.5 * std::sqrt(m_way2), radius_mm);
     std::array<int, kMost> found;
     forEachBetween(distance_mm, held.count(), kAnyDistance, touching + reach, [&](int i) {
         if (count < kMost) {

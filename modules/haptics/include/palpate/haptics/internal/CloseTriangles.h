@@ -4,6 +4,7 @@
 #include "palpate/haptics/internal/GatheredFacets.h"
 #include "palpate/haptics/internal/TriangleDistances.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 

@@ -32,6 +32,13 @@ void distances(const TriangleGroup* groups, int count, const float* p, const flo
 /// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is told off.
 inline constexpr double kDistanceRounding = 1e-5;
 
+/// @return rounding of the least distance of a move to what its middle is `away_mm` from, or more: that of the distance
+/// there, and that of the direction to it, which the half of the move multiplies. [mm]
+inline double leastDistanceRounding(double coordinate_mm, double half_mm, double away_mm) noexcept
+{
+    return kDistanceRounding * coordinate_mm * (1.0 + half_mm / away_mm);
+}
+
 /// Copies triangle i of one set of groups to place j of another.
 void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept PALPATE_NONBLOCKING;
 
