@@ -371,8 +371,9 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         const geometry::SurfaceIndex& surface = *scene.structures()[m_state.structure[i]].surface;
         m_facets[i] = Facet::of(surface, m_state.structure[i], m_state.triangle[i]);
     }
+    internal::TickWork work(limits.work);
     if (scene.fingertip_mm() > 0.0) {
-        run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, m_state.p_WG), limits, result);
+        run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, work, m_state.p_WG), limits, result);
         m_ballNeighbourhood.endTick(scene, layer, m_state.p_WG);
     } else if (m_state.constraints == 0 && m_neighbourhood.isFree(m_state.p_WG, p_WH)) {
         m_state.p_WG = result.p_WG = p_WH;

@@ -4,6 +4,7 @@
 #include "palpate/haptics/HapticScene.h"
 #include "palpate/haptics/internal/BallTick.h"
 #include "palpate/haptics/internal/Neighbourhood.h"
+#include "palpate/haptics/internal/TickWork.h"
 
 #include <array>
 #include <cstdint>
@@ -42,6 +43,7 @@ struct GodObjectState
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick; reaching it is reported
+    std::uint32_t work = 20000;     ///< units of internal::TickWork; reaching it is reported, too
 };
 
 /// What one step of a god-object gives.

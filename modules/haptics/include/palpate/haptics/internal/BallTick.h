@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/haptics/internal/BallNeighbourhood.h"
+#include "palpate/haptics/internal/TickWork.h"
 
 #include <array>
 #include <cstdint>
@@ -38,11 +39,12 @@ class BallTick
 {
   public:
     BallTick(const Vec3& hip, const HapticScene& scene, const HapticLayer& layer, BallNeighbourhood& near,
-             const Vec3& god) noexcept
+             TickWork& work, const Vec3& god) noexcept
         : m_hip(hip)
         , m_scene(scene)
         , m_layer(layer)
         , m_near(near)
+        , m_work(work)
         , m_god(god)
     {
     }
@@ -72,6 +74,7 @@ class BallTick
     const HapticScene& m_scene;
     const HapticLayer& m_layer;
     BallNeighbourhood& m_near;
+    TickWork& m_work;
     Vec3 m_god;
     std::array<BallContact, kMost> m_contacts;
     int m_count = 0;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace palpate::haptics::internal {
+
+/// What is left of the work that one tick may do, in units of one facet asked by the hierarchy's traversal, about
+/// 10 ns: a bound on time that counts, so that a replay is exact.
+///
+/// What is charged must not depend on what is held between ticks: two ways to the same answer are charged alike. A
+/// sweep is therefore charged a fixed price that covers everything the facets around can cost, and beyond it only what
+/// a traversal visits more than they could hold.
+class TickWork
+{
+  public:
+    explicit TickWork(std::uint32_t units) noexcept
+        : m_left(units)
+    {
+    }
+
+    void spend(std::uint32_t units) noexcept { m_left -= std::min(units, m_left); }
+    [[nodiscard]] std::uint32_t left() const noexcept { return m_left; }
+    [[nodiscard]] bool isSpent() const noexcept { return m_left == 0; }
+
+  private:
+    std::uint32_t m_left;
+};
+
+/// How a sweep of one straight move ended.
+enum class Sweep : std::uint8_t
+{
+    Free,    ///< nothing blocks it
+    Blocked, ///< by the first crossing
+    Unknown, ///< the tick's work was spent before that was known: the move must not be made
+};
+
+} // namespace palpate::haptics::internal
