@@ -168,25 +168,30 @@ class Tick
     /// @return false, unmoved, for less than rounding: a thousandth of the skin.
     bool moveTo(const Vec3& p) noexcept
     {
-        if ((p - m_god).cwiseAbs().maxCoeff() <= 1e-3 * m_skin_mm) {
+        const double most = (p - m_god).cwiseAbs().maxCoeff();
+        if (most <= 1e-3 * m_skin_mm) {
             return false;
         }
         m_god = p;
-        for (int i = 0; i < m_count; ++i) {
+        // Where coordinates are large their last digit is more than that, and no other place.
+        for (int i = 0; i < m_count && most > internal::kOnPlane * m_skin_mm; ++i) {
             m_contacts[static_cast<std::size_t>(i)].isInTheWay = false;
         }
         return true;
     }
 
-    /// Drops the contacts whose triangle is no longer below the god-object. One that stood in the way of a move from
-    /// here may lie beside it, met at a shallow angle: it holds as long as another contact holds too.
+    /// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from
+    /// here: with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and what blocks
+    /// is not let go of.
     void keepSupporting() noexcept
     {
         // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
         const double slack = m_count > 1 ? m_skin_mm : 0.0;
         const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](Contact& c) {
-            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, slack, kTouched * c.facet.skin_mm);
-            return c.foot == Foot::Away && !(c.isInTheWay && m_count > 1);
+            const double plate = c.facet.isTwoSided ? internal::kPlate * c.facet.skin_mm : 0.0;
+            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, std::max(slack, plate),
+                                      kTouched * c.facet.skin_mm);
+            return c.foot == Foot::Away && !c.isInTheWay;
         });
         m_count = static_cast<int>(end - m_contacts.begin());
     }

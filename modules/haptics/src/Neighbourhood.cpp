@@ -41,6 +41,7 @@ struct Neighbourhood::First
 {
     const Vec3& x;
     const Vec3& y;
+    double skin_mm; ///< of the layer
     Crossing& best;
     double limit;
     bool found = false;
@@ -135,7 +136,8 @@ void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noex
     const Cache::Facets& held = m_cache.held();
     float x[3], y[3];
     const float start = asFloats(first.x, held.origin(), x), end = asFloats(first.y, held.origin(), y);
-    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm());
+    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm(),
+                                            static_cast<float>(first.skin_mm));
          lanes != 0; lanes &= lanes - 1) {
         const int i = std::countr_zero(lanes);
         first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
@@ -170,7 +172,7 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
         coordinate = std::max(coordinate, asFloats(path[i], held.origin(), points[i]));
     }
     std::uint64_t lanes = crossedLanes(held.groups(), held.count(), points, static_cast<int>(path.size()),
-                                       2.0f * coordinate + held.reach_mm());
+                                       2.0f * coordinate + held.reach_mm(), static_cast<float>(layer.skin_mm));
     for (const FacetNumber& facet : walked) {
         lanes &= ~laneOf(facet);
     }
@@ -254,7 +256,7 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (holds(x)) {
             const double share = insideShare(m_cache.held().region(), x, y);
-            First nearest{x, y, first, share};
+            First nearest{x, y, layer.skin_mm, first, share};
             offerHeld(scene, nearest);
             if (nearest.found || share >= 1.0) {
                 return nearest.found;
@@ -270,17 +272,20 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
-    First nearest{x, y, first, 1.0};
+    First nearest{x, y, layer.skin_mm, first, 1.0};
     layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
         for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
-            surface.hierarchy().visitSegment(x, y, [&](std::uint32_t i, std::uint32_t n) {
-                for (const std::uint32_t end = i + n; i < end; ++i) {
-                    nearest.offer(surface, number, i);
-                }
-                return nearest.limit;
-            });
+            surface.hierarchy().visitSegment(
+                x, y,
+                [&](std::uint32_t i, std::uint32_t n) {
+                    for (const std::uint32_t end = i + n; i < end; ++i) {
+                        nearest.offer(surface, number, i);
+                    }
+                    return nearest.limit;
+                },
+                layer.skin_mm);
         }
         return nearest.limit;
     });

@@ -11,8 +11,10 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr double kFar = 16.0;     // facet sizes
-constexpr double kSharpest = 0.5; // cosine of the angle between two facets' normals
+constexpr double kFar = 16.0;       // facet sizes
+constexpr double kSharpest = 0.5;   // cosine of the angle between two facets' normals
+constexpr double kLifted = 0.5;     // skins above the next facet from which on it is walked on
+constexpr double kBesideEdge = 8.0; // skins beyond an edge that still are at it
 
 /// Where the way to a place in a facet's plane leaves the facet.
 struct Exit
@@ -66,6 +68,27 @@ bool isOn(const Facet& facet, int side, const Vec3& g) noexcept
     return side * facet.n.dot(g - facet.a) > 0.6 * facet.skin_mm &&
            footOn(facet, side, g, geometry::SurfaceIndex::kClearHeight * facet.skin_mm, facet.skin_mm, 0.0) !=
                Foot::Away;
+}
+
+/// Where the surface falls away beyond an edge, the foot on the facet before it can leave that facet too early by its
+/// height above it: goes on until the god-object is half a skin above the next facet's plane. From there the way along
+/// that one passes the plane of the one before half a skin or more beyond their edge, as far as they turn by 60
+/// degrees.
+/// @param share  of the way from → target at which it leaves the facet before
+/// @return false when that place is not at the edge
+bool liftOver(const Facet& next, int side, const Vec3& from, const Vec3& target, double share, Vec3& to) noexcept
+{
+    const double least = kLifted * next.skin_mm;
+    if (side * next.n.dot(to - next.a) >= least) {
+        return true;
+    }
+    const double begin = side * next.n.dot(from - next.a), end = side * next.n.dot(target - next.a);
+    const double lifted = (least - begin) / (end - begin);
+    if (!(end > begin) || lifted > 1.0 || (lifted - share) * (target - from).norm() > kBesideEdge * next.skin_mm) {
+        return false;
+    }
+    to = from + lifted * (target - from);
+    return side * next.n.dot(to - next.a) > 0.0;
 }
 
 /// @return true when `p` is at least `least_mm` away from each corner.
@@ -265,6 +288,9 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
             if (share < exit.share) {
                 to = path[points - 1] + share * (target - path[points - 1]);
             }
+        }
+        if (!liftOver(next, side, path[points - 1], target, exit.share, to)) {
+            break;
         }
         here = &next;
         if (result.isClear) {
