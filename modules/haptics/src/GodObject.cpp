@@ -83,7 +83,8 @@ class Tick
             const Vec3 target = nextTarget();
             Crossing crossing;
             if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
-                if (!stopAt(target, crossing) && !escape()) {
+                const bool isOnEdge = m_count == 0 && turnsRound();
+                if ((!stopAt(target, crossing) || isOnEdge) && !escape()) {
                     return i + 1 + m_walked;
                 }
                 continue;
@@ -115,6 +116,20 @@ class Tick
         }
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
+    }
+
+    /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and the
+    /// other is met by the straight way.
+    /// @return true when that has come round a few times without gaining a skin.
+    bool turnsRound() noexcept
+    {
+        const double spring = (m_hip - m_god).norm();
+        if (spring < m_letGo_mm - m_skin_mm) {
+            m_letGo_mm = spring;
+            m_rounds = 0;
+            return false;
+        }
+        return ++m_rounds >= kRounds;
     }
 
     /// The constrained point of the present contacts; those with no part in it are released.
@@ -173,8 +188,8 @@ class Tick
             return false;
         }
         m_god = p;
-        // Where coordinates are large their last digit is more than that, and no other place.
-        for (int i = 0; i < m_count && most > internal::kOnPlane * m_skin_mm; ++i) {
+        // Within a skin it is the same place: planes that are one to rounding are that far apart.
+        for (int i = 0; i < m_count && most > m_skin_mm; ++i) {
             m_contacts[static_cast<std::size_t>(i)].isInTheWay = false;
         }
         return true;
@@ -341,6 +356,7 @@ class Tick
     static constexpr std::size_t kMost = 4;         // three constraints and the plane just met
     static constexpr std::size_t kMostTouched = 16; // facets around a vertex that `escape` considers
     static constexpr std::uint32_t kPatience = 32;
+    static constexpr int kRounds = 3;
 
     const Vec3& m_hip;
     const HapticScene& m_scene;
@@ -352,6 +368,8 @@ class Tick
     bool m_mayWalk = false;
     std::uint32_t m_walked; ///< moves made by walking
     double m_skin_mm = 0.0;
+    double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
+    int m_rounds = 0;                                            ///< in which that fell by less than a skin
 };
 
 } // namespace
