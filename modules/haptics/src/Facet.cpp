@@ -19,6 +19,15 @@ bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q) noexce
     return volume <= 0.0 || volume * volume <= kVolumeRounding2 * d2 * p.squaredNorm() * q.squaredNorm();
 }
 
+/// @param start  distance in front of the facet at the move's start [mm]
+/// @param along  share of the move at which it is met
+/// @param d2     the move's length squared [mm²]
+bool touches(const Facet& facet, double start, double along, double d2) noexcept
+{
+    const double beside = kTouched * facet.skin_mm;
+    return start <= kTouching * facet.skin_mm && along * along * d2 <= beside * beside;
+}
+
 /// @return true when the boxes of the move and of the facet come within `around_mm` of each other along every axis:
 /// what lies beside the move does not block it, however its volumes round.
 bool isBoxTouched(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm) noexcept
@@ -86,14 +95,15 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
     if (inside.isEmpty() || (inside.begin <= 0.0 && end >= start)) {
         return false;
     }
-    const bool isTouched = start <= kTouching * facet.skin_mm;
+    const bool isTouched = touches(facet, start, inside.begin, (y - x).squaredNorm());
     const double key = isTouched ? 0.0 : inside.begin;
     if (key > limit) {
         return false;
     }
     crossing.key = key;
     crossing.depth = -end;
-    crossing.stop = isTouched ? 0.0 : (start - facet.skin_mm) / (start - end);
+    // Along the plate it is entered from beside.
+    crossing.stop = isTouched || start <= facet.skin_mm ? 0.0 : (start - facet.skin_mm) / (start - end);
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;
     return true;
@@ -126,19 +136,21 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     if (start < -kOnPlane * facet.skin_mm || end >= 0.0 || end >= start) {
         return false;
     }
-    const bool isTouched = start <= kTouching * facet.skin_mm;
-    const double key = isTouched ? 0.0 : start / (start - end);
+    const Vec3 d = y - x;
+    const double d2 = d.squaredNorm();
+    const double along = start > 0.0 ? start / (start - end) : 0.0;
+    const bool isTouched = touches(facet, start, along, d2);
+    const double key = isTouched ? 0.0 : along;
     if (key > limit || !isBoxTouched(facet, x, y, facet.skin_mm)) {
         return false;
     }
-    const Vec3 d = y - x, xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
-    const double d2 = d.squaredNorm();
+    const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
     if (!isInsideEdge(d, d2, xa, xb) || !isInsideEdge(d, d2, xb, xc) || !isInsideEdge(d, d2, xc, xa)) {
         return false;
     }
     crossing.key = key;
     crossing.depth = -end;
-    crossing.stop = isTouched ? 0.0 : (start - facet.skin_mm) / (start - end);
+    crossing.stop = isTouched ? 0.0 : std::max(0.0, (start - facet.skin_mm) / (start - end));
     crossing.facet = facet;
     crossing.side = 1;
     return true;

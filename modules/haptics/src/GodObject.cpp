@@ -118,8 +118,8 @@ class Tick
         return walk.hasArrived;
     }
 
-    /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and the
-    /// other is met by the straight way.
+    /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and
+    /// the other is met by the straight way.
     /// @return true when that has come round a few times without gaining a skin.
     bool turnsRound() noexcept
     {
@@ -378,7 +378,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
                               const GodObjectLimits& limits) noexcept
 {
     GodObjectStep result;
-    if (!p_WH.allFinite()) {
+    if (!scene.reaches(p_WH)) {
         result.p_WG = m_state.p_WG;
         result.status = TickStatus::InvalidInput;
         return result;

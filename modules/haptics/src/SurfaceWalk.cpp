@@ -136,10 +136,10 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
 {
     SurfaceWalk result;
     const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
-    std::array<Vec3, Neighbourhood::kMostPoints> path;          // moves that are still to be asked for
-    std::array<FacetNumber, Neighbourhood::kMostPoints> stands; // [0 … crossed]: those that the path goes over
+    std::array<Vec3, Neighbourhood::kMostPoints> path;            // moves that are still to be asked for
+    std::array<FacetNumber, Neighbourhood::kMostPoints + 1> over; // of each point and, first, of that before them
     path[0] = g;
-    stands[0] = {facet.structure, facet.triangle};
+    over[0] = over[1] = {facet.structure, facet.triangle};
     std::size_t points = 1, crossed = 0;
     std::array<Facet, 2> met; // by turns
     const Facet* here = &facet;
@@ -164,21 +164,21 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
     const auto isPathFree = [&] {
         // On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above
         // the one it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or
-        // more beyond their edge. For longer chains all are asked.
-        const std::size_t moves =
-            near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points),
-                           std::span<const FacetNumber>(stands).first(crossed <= 1 ? crossed + 1 : 0));
+        // more beyond their edge.
+        const std::size_t moves = near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points),
+                                                 std::span<const FacetNumber>(over).first(crossed + 2));
         const bool isFree = moves + 1 == points;
         g = path[moves];
         result.moves += static_cast<std::uint32_t>(moves);
         if (!isFree) {
-            facet = Facet::of(surface, facet.structure, stands[moves].triangle);
+            facet = Facet::of(surface, facet.structure, over[moves + 1].triangle);
         } else {
             stand();
         }
         here = &facet;
         path[0] = g;
-        stands[0] = {facet.structure, facet.triangle};
+        over[0] = over[std::min(moves, crossed)];
+        over[1] = {facet.structure, facet.triangle};
         points = 1;
         crossed = 0;
         return isFree;
@@ -214,7 +214,7 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         }
         if (crease.first == 1) {
             facet = *second;
-            stands[0].triangle = facet.triangle;
+            over[0] = over[1] = {facet.structure, facet.triangle};
         }
         result.isInCrease = false;
     }
@@ -295,12 +295,13 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         here = &next;
         if (result.isClear) {
             path[0] = g = to;
-            stands[0] = {next.structure, next.triangle};
+            over[0] = over[1];
+            over[1] = {next.structure, next.triangle};
             ++result.moves;
             continue;
         }
         path[points] = to;
-        stands[points++] = {next.structure, next.triangle};
+        over[++points] = {next.structure, next.triangle};
         ++crossed;
         if (points == path.size() && !isPathFree()) {
             return result;

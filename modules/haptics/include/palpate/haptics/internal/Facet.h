@@ -28,7 +28,8 @@ struct Facet
 /// rounding of positions that were computed to lie in front.
 inline constexpr double kOnPlane = 1.0 / 16.0;
 
-/// A move that starts as near to a facet, in skins, touches it: the facet stops it where it starts.
+/// A move touches a facet when it starts as near to its plane, in skins, and would meet it within kTouched of them: the
+/// facet stops it where it starts.
 inline constexpr double kTouching = 1.5;
 
 /// Half the thickness of the plate around a facet without an inside, and how much wider than the facet it is, in skins.
@@ -49,8 +50,8 @@ struct Crossing
 };
 
 /// Tests whether `facet` blocks the straight move x → y: it goes against the normal, starts on the front or on the
-/// plane, ends behind it and passes through the closed triangle. Around a facet without an inside it is the plate half a
-/// skin around the triangle that is not entered.
+/// plane, ends behind it and passes through the closed triangle. Around a facet without an inside it is the plate half
+/// a skin around the triangle that is not entered.
 ///
 /// No facet is passed by a move that ends at the stop of the first crossing. What is touched stops the move where it
 /// starts. Else the stop lies before the key, where the first facet's plane (its plate) is met, and no other is met
