@@ -79,6 +79,7 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
     Part inside;
     inside.clip(start, end, half);
     inside.clip(-start, -end, half);
+    const double level = inside.begin; // from here on the move is between the plate's faces
     const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
     for (std::size_t i = 0; i < 3 && !inside.isEmpty(); ++i) {
         const Vec3 edge = *corner[i + 1] - *corner[i];
@@ -95,15 +96,18 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
     if (inside.isEmpty() || (inside.begin <= 0.0 && end >= start)) {
         return false;
     }
-    const bool isTouched = touches(facet, start, inside.begin, (y - x).squaredNorm());
+    // Over its rim it is entered from beside, where its neighbour or nothing is: what is touched comes first.
+    const double d2 = (y - x).squaredNorm();
+    const bool isOverRim = inside.begin > level;
+    const bool isTouched = !isOverRim && touches(facet, start, inside.begin, d2);
     const double key = isTouched ? 0.0 : inside.begin;
     if (key > limit) {
         return false;
     }
     crossing.key = key;
     crossing.depth = -end;
-    // Along the plate it is entered from beside.
-    crossing.stop = isTouched || start <= facet.skin_mm ? 0.0 : (start - facet.skin_mm) / (start - end);
+    const double stop = isOverRim ? inside.begin - half / std::sqrt(d2) : (start - facet.skin_mm) / (start - end);
+    crossing.stop = isTouched ? 0.0 : std::max(0.0, stop);
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;
     return true;
