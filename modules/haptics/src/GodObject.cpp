@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace palpate::haptics {
@@ -20,6 +21,7 @@ using internal::Foot;
 using internal::HalfSpace;
 using internal::kTouched;
 using internal::Neighbourhood;
+using internal::Sweep;
 
 /// A facet that the god-object touches, and from which side.
 struct Contact
@@ -64,8 +66,25 @@ class Tick
     /// @return how many moves were tried, `limit` when it was not enough.
     std::uint32_t converge(std::uint32_t limit) noexcept
     {
+        const std::uint32_t moves = moveUntilDone(limit);
+        if (m_count == 0 && m_lastMet && (m_hip - m_god).cwiseAbs().maxCoeff() > m_lastMet->facet.skin_mm) {
+            // What stood in the way last: no god-object is held by nothing.
+            m_contacts[0] = *m_lastMet;
+            m_count = 1;
+        }
+        return moves;
+    }
+
+    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
+    [[nodiscard]] int count() const noexcept { return m_count; }
+    [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
+
+  private:
+    std::uint32_t moveUntilDone(std::uint32_t limit) noexcept
+    {
         double spring = std::numeric_limits<double>::infinity();
-        for (std::uint32_t i = 0; i + m_walked < limit; ++i) {
+        std::uint32_t i = 0;
+        for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
             if (i % kPatience == kPatience - 1) {
                 // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
                 // many moves has arrived.
@@ -77,12 +96,19 @@ class Tick
             if (m_count == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
                 return i + m_walked;
             }
-            if (i + m_walked >= limit) {
+            if (i + m_walked >= limit || m_near.work().isSpent()) {
                 break;
             }
             const Vec3 target = nextTarget();
             Crossing crossing;
-            if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
+            const Sweep swept = m_near.sweep(m_scene, m_layer, m_god, target, crossing);
+            if (swept != Sweep::Free) {
+                m_lastMet = {crossing.facet, crossing.side};
+            }
+            if (swept == Sweep::Unknown) {
+                break;
+            }
+            if (swept == Sweep::Blocked) {
                 const bool isOnEdge = m_count == 0 && turnsRound();
                 if ((!stopAt(target, crossing) || isOnEdge) && !escape()) {
                     return i + 1 + m_walked;
@@ -96,14 +122,9 @@ class Tick
                 return i + 1 + m_walked;
             }
         }
-        return limit;
+        return i + m_walked;
     }
 
-    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
-    [[nodiscard]] int count() const noexcept { return m_count; }
-    [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
-
-  private:
     /// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
     bool hasWalkedHome(std::uint32_t most) noexcept
     {
@@ -287,7 +308,11 @@ class Tick
             return false;
         }
         Crossing above;
-        if (m_near.sweep(m_scene, m_layer, m_god, from, above)) {
+        const Sweep swept = m_near.sweep(m_scene, m_layer, m_god, from, above);
+        if (swept == Sweep::Unknown) {
+            return false;
+        }
+        if (swept == Sweep::Blocked) {
             from = m_god + above.stop * (from - m_god);
         }
         if (follow(from, {}, enough)) {
@@ -319,11 +344,16 @@ class Tick
             }
             return std::span<const HalfSpace>(planes).first(along.size());
         };
+        const Vec3 pull = m_hip - from;
+        if ((pull - internal::constrainedPoint(pull, setPlanes(), internal::allowance(m_skin_mm, pull)).u).norm() >
+            enough) {
+            return false; // as most: nothing needs to be asked
+        }
         // First up to a skin above the planes themselves, where that is free: their edges are no longer in the way
         // then.
         Crossing crossing;
         const Vec3 up = internal::constrainedPoint(Vec3::Zero(), setPlanes(), 0.0).u;
-        if (!along.empty() && !m_near.sweep(m_scene, m_layer, from, from + up, crossing)) {
+        if (!along.empty() && m_near.sweep(m_scene, m_layer, from, from + up, crossing) == Sweep::Free) {
             from += up;
         }
         const Vec3 wanted = m_hip - from;
@@ -333,7 +363,11 @@ class Tick
             return false;
         }
         Vec3 u = point.u;
-        const bool isBlocked = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
+        const Sweep swept = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
+        const bool isBlocked = swept == Sweep::Blocked;
+        if (swept == Sweep::Unknown) {
+            return false;
+        }
         if (isBlocked) {
             u *= crossing.stop;
             if ((wanted - u).norm() > enough) {
@@ -370,6 +404,7 @@ class Tick
     double m_skin_mm = 0.0;
     double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
     int m_rounds = 0;                                            ///< in which that fell by less than a skin
+    std::optional<Contact> m_lastMet;                            ///< the last facet in the way
 };
 
 } // namespace
@@ -403,6 +438,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         result.iterations = 1;
         m_neighbourhood.endFreeTick(scene, layer, p_WH);
     } else {
+        m_neighbourhood.beginTick(work);
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
         const bool isInCrease = m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] &&
@@ -429,6 +465,9 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
             m_hasFacets = true;
         } else {
             run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG, walk.moves), limits, result);
+            if (m_neighbourhood.work().isSpent()) {
+                result.status = TickStatus::IterationLimit;
+            }
         }
         m_hasWalked = walk.hasArrived && !walk.isInCrease;
         if (walk.hasArrived && walk.isClear) {

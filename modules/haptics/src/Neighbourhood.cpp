@@ -13,6 +13,12 @@ namespace {
 
 constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move is not worth it
 
+// What a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets, rule them out and test
+// those that stay. A traversal that asks no more than twice as many is charged the same, so that the price does not
+// tell whether it was needed.
+constexpr std::uint32_t kSweepPrice = 48;
+constexpr std::uint32_t kSpared = 128;
+
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
     return {.few = 16,
@@ -184,7 +190,7 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
     Crossing crossing;
     if (!std::all_of(path.begin(), path.end(), [this](const Vec3& p) { return holds(p); })) {
         for (std::size_t i = 0; i < moves; ++i) {
-            if (sweep(scene, layer, path[i], path[i + 1], crossing, aroundMove(walked, i))) {
+            if (sweep(scene, layer, path[i], path[i + 1], crossing, aroundMove(walked, i)) != Sweep::Free) {
                 return i;
             }
         }
@@ -230,6 +236,10 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
 int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm,
                         std::array<int, kHeld>& found) noexcept
 {
+    if (m_work.isSpent()) {
+        return 0;
+    }
+    m_work.spend(2 * kSweepPrice);
     // A region that holds too many is halved with each attempt. The last is for what is asked alone: whether that can
     // be held does not depend on what was tried before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
@@ -256,9 +266,13 @@ int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, cons
     return count;
 }
 
-bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                          Crossing& first, std::span<const FacetNumber> walked) noexcept
+Sweep Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
+                           Crossing& first, std::span<const FacetNumber> walked) noexcept
 {
+    if (m_work.isSpent()) {
+        return Sweep::Unknown;
+    }
+    m_work.spend(kSweepPrice);
     // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -267,7 +281,7 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             First nearest{x, y, layer.skin_mm, first, walked, share};
             offerHeld(scene, nearest);
             if (nearest.found || share >= 1.0) {
-                return nearest.found;
+                return nearest.found ? Sweep::Blocked : Sweep::Free;
             }
         }
         if (attempt == 0 && !m_cache.takePrepared(scene, x, x)) {
@@ -280,24 +294,37 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
-    First nearest{x, y, layer.skin_mm, first, walked, 1.0};
-    layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
-        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
+    return sweepAll(scene, layer, First{x, y, layer.skin_mm, first, walked, 1.0});
+}
+
+Sweep Neighbourhood::sweepAll(const HapticScene& scene, const HapticLayer& layer, First nearest) noexcept
+{
+    constexpr double kEnd = -1.0;
+    const std::uint32_t most = kSpared + m_work.left();
+    std::uint32_t asked = 0;
+    layer.hierarchy.visitSegment(nearest.x, nearest.y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
+        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount && asked < most; ++s) {
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
             surface.hierarchy().visitSegment(
-                x, y,
+                nearest.x, nearest.y,
                 [&](std::uint32_t i, std::uint32_t n) {
+                    asked += n;
                     for (const std::uint32_t end = i + n; i < end; ++i) {
                         nearest.offer(surface, number, i);
                     }
-                    return nearest.limit;
+                    if (asked >= most && !nearest.found) {
+                        nearest.best.facet = Facet::of(surface, number, i - 1);
+                        nearest.best.side = 1;
+                    }
+                    return asked < most ? nearest.limit : kEnd;
                 },
                 layer.skin_mm);
         }
-        return nearest.limit;
+        return asked < most ? nearest.limit : kEnd;
     });
-    return nearest.found;
+    m_work.spend(asked > kSpared ? asked - kSpared : 0);
+    return asked >= most ? Sweep::Unknown : nearest.found ? Sweep::Blocked : Sweep::Free;
 }
 
 } // namespace palpate::haptics::internal

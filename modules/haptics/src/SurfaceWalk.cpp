@@ -11,10 +11,11 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr double kFar = 16.0;       // facet sizes
-constexpr double kSharpest = 0.5;   // cosine of the angle between two facets' normals
-constexpr double kLifted = 0.5;     // skins above the next facet from which on it is walked on
-constexpr double kBesideEdge = 8.0; // skins beyond an edge that still are at it
+constexpr std::uint32_t kStepPrice = 4; // of going over to the next facet, in units of TickWork
+constexpr double kFar = 16.0;           // facet sizes
+constexpr double kSharpest = 0.5;       // cosine of the angle between two facets' normals
+constexpr double kLifted = 0.5;         // skins above the next facet from which on it is walked on
+constexpr double kBesideEdge = 8.0;     // skins beyond an edge that still are at it
 
 /// Where the way to a place in a facet's plane leaves the facet.
 struct Exit
@@ -219,6 +220,7 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         result.isInCrease = false;
     }
     for (std::uint32_t i = 0; i < std::min(most, kMostFacets); ++i) {
+        near.spend(kStepPrice);
         const Vec3 outwards = side * here->n;
         const double rise = here->skin_mm - outwards.dot(hip - here->a);
         if (rise <= 0.0) {
