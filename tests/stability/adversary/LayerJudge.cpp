@@ -38,6 +38,10 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
         forget();
         return;
     }
+    if (tick.status == haptics::TickStatus::InvalidInput) {
+        faults.push_back({"refused a HIP that is not far away", (hip - god).norm(), "mm", m_god, god});
+        return;
+    }
     m_rounding_mm = 8.0 * kEps * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
     const std::size_t before = faults.size();
     judgeDistance(god, hip, faults);
@@ -76,7 +80,7 @@ void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, co
     const Vec3 spring = tick.p_WG - hip;
     const double length = spring.norm();
     if (tick.f_W.isZero(0.0)) {
-        if (length > 4.0 * m_layer.skin_mm + m_rounding_mm) {
+        if (length > m_rounding_mm) {
             faults.push_back({"no force away from the HIP", length, "mm", m_god, tick.p_WG});
         }
         return;

@@ -104,7 +104,7 @@ Vec3 RandomHand::moved()
     case Motion::Creep:
         return m_hip + m_step;
     case Motion::Far:
-        return m_middle + m_chance.magnitude(10.0, 1e4) * m_size_mm * m_chance.direction();
+        return m_middle + m_chance.magnitude(10.0, 500.0) * m_size_mm * m_chance.direction();
     case Motion::Rest:
         break;
     }
