@@ -2,6 +2,7 @@
 #include "palpate/haptics/internal/Facet.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace palpate::haptics::internal {
@@ -11,12 +12,101 @@ namespace {
 // Square of 16 ulp: bounds the rounding of a volume relative to the lengths of its three vectors.
 constexpr double kVolumeRounding2 = (16 * 2.220446049250313e-16) * (16 * 2.220446049250313e-16);
 
-/// @param d  the move; p, q corners seen from its start, in the triangle's order; `side` +1 for a move against the
-/// normal
-bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q, double side) noexcept
+/// @param d  the move, against the normal; p, q corners seen from its start, in the triangle's order
+bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q) noexcept
 {
-    const double volume = side * d.dot(p.cross(q));
+    const double volume = d.dot(p.cross(q));
     return volume <= 0.0 || volume * volume <= kVolumeRounding2 * d2 * p.squaredNorm() * q.squaredNorm();
+}
+
+/// @param start  distance in front of the facet at the move's start [mm]
+/// @param along  share of the move at which it is met
+/// @param d2     the move's length squared [mm²]
+bool touches(const Facet& facet, double start, double along, double d2) noexcept
+{
+    const double beside = kTouched * facet.skin_mm;
+    return start <= kTouching * facet.skin_mm && along * along * d2 <= beside * beside;
+}
+
+/// @return true when the boxes of the move and of the facet come within `around_mm` of each other along every axis:
+/// what lies beside the move does not block it, however its volumes round.
+bool isBoxTouched(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm) noexcept
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = facet.a[axis], b = facet.b[axis], c = facet.c[axis];
+        if (std::max(x[axis], y[axis]) + around_mm < std::min({a, b, c}) ||
+            std::min(x[axis], y[axis]) - around_mm > std::max({a, b, c})) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The part of a move, as shares of it, that some half-spaces have in common.
+struct Part
+{
+    double begin = 0.0;
+    double end = 1.0;
+
+    /// Keeps what is at most `most`, of a value that goes from `from` at the move's start to `to` at its end.
+    void clip(double from, double to, double most) noexcept
+    {
+        if (from > most && to > most) {
+            end = -1.0;
+        } else if (from > most) {
+            begin = std::max(begin, (from - most) / (from - to));
+        } else if (to > most) {
+            end = std::min(end, (most - from) / (to - from));
+        }
+    }
+    [[nodiscard]] bool isEmpty() const noexcept { return begin > end; }
+};
+
+/// A facet without an inside blocks what enters the plate around it: half a skin thick on both sides and as much wider
+/// than the triangle. A god-object that is never in a plate never forgets on which side of the facet it is, and
+/// neighbours' plates overlap: rounding, far below half a skin, opens no gap between them.
+bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
+{
+    const double half = kPlate * facet.skin_mm;
+    double start = facet.n.dot(x - facet.a);
+    double end = facet.n.dot(y - facet.a);
+    const double side = start < -kOnPlane * facet.skin_mm ? -1.0 : 1.0;
+    start *= side;
+    end *= side;
+    if ((start > half && end > half) || !isBoxTouched(facet, x, y, half)) {
+        return false;
+    }
+    Part inside;
+    inside.clip(start, end, half);
+    inside.clip(-start, -end, half);
+    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
+    for (std::size_t i = 0; i < 3 && !inside.isEmpty(); ++i) {
+        const Vec3 edge = *corner[i + 1] - *corner[i];
+        const Vec3 outwards = edge.cross(facet.n);
+        inside.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), half * edge.norm());
+    }
+    // A sharp corner's plate ends where the triangle's box does.
+    for (int axis = 0; axis < 3 && !inside.isEmpty(); ++axis) {
+        const double a = facet.a[axis], b = facet.b[axis], c = facet.c[axis];
+        inside.clip(x[axis], y[axis], std::max({a, b, c}) + half);
+        inside.clip(-x[axis], -y[axis], half - std::min({a, b, c}));
+    }
+    // What was put down in a plate may leave it.
+    if (inside.isEmpty() || (inside.begin <= 0.0 && end >= start)) {
+        return false;
+    }
+    const bool isTouched = touches(facet, start, inside.begin, (y - x).squaredNorm());
+    const double key = isTouched ? 0.0 : inside.begin;
+    if (key > limit) {
+        return false;
+    }
+    crossing.key = key;
+    crossing.depth = -end;
+    // Along the plate it is entered from beside.
+    crossing.stop = isTouched || start <= facet.skin_mm ? 0.0 : (start - facet.skin_mm) / (start - end);
+    crossing.facet = facet;
+    crossing.side = side > 0.0 ? 1 : -1;
+    return true;
 }
 
 } // namespace
@@ -38,39 +128,31 @@ Facet Facet::of(const geometry::SurfaceIndex& surface, std::uint32_t structure, 
 
 bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
 {
-    double start = facet.n.dot(x - facet.a);
-    double end = facet.n.dot(y - facet.a);
-    const double onPlane = kOnPlane * facet.skin_mm;
-    double side = 1.0;
-    if (start < -onPlane) {
-        if (!facet.isTwoSided) {
-            return false;
-        }
-        side = -1.0;
-        start = -start;
-        end = -end;
+    if (facet.isTwoSided) {
+        return blocksTwoSided(facet, x, y, limit, crossing);
     }
-    // Where there is no inside, the side is the one the god-object came from: it never comes so near that rounding
-    // could forget it.
-    if (end >= (facet.isTwoSided ? 0.5 * facet.skin_mm : 0.0) || end >= start) {
+    const double start = facet.n.dot(x - facet.a);
+    const double end = facet.n.dot(y - facet.a);
+    if (start < -kOnPlane * facet.skin_mm || end >= 0.0 || end >= start) {
         return false;
     }
-    const double along = start > 0.0 ? start / (start - end) : 0.0;
-    const double key = start <= 1.5 * facet.skin_mm ? 0.0 : along;
-    if (key > limit) {
-        return false;
-    }
-    const Vec3 d = y - x, xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
+    const Vec3 d = y - x;
     const double d2 = d.squaredNorm();
-    if (!isInsideEdge(d, d2, xa, xb, side) || !isInsideEdge(d, d2, xb, xc, side) ||
-        !isInsideEdge(d, d2, xc, xa, side)) {
+    const double along = start > 0.0 ? start / (start - end) : 0.0;
+    const bool isTouched = touches(facet, start, along, d2);
+    const double key = isTouched ? 0.0 : along;
+    if (key > limit || !isBoxTouched(facet, x, y, facet.skin_mm)) {
+        return false;
+    }
+    const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
+    if (!isInsideEdge(d, d2, xa, xb) || !isInsideEdge(d, d2, xb, xc) || !isInsideEdge(d, d2, xc, xa)) {
         return false;
     }
     crossing.key = key;
     crossing.depth = -end;
-    crossing.stop = std::max(0.0, (start - facet.skin_mm) / (start - end));
+    crossing.stop = isTouched ? 0.0 : std::max(0.0, (start - facet.skin_mm) / (start - end));
     crossing.facet = facet;
-    crossing.side = side > 0.0 ? 1 : -1;
+    crossing.side = 1;
     return true;
 }
 

@@ -83,7 +83,8 @@ class Tick
             const Vec3 target = nextTarget();
             Crossing crossing;
             if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
-                if (!stopAt(target, crossing) && !escape()) {
+                const bool isOnEdge = m_count == 0 && turnsRound();
+                if ((!stopAt(target, crossing) || isOnEdge) && !escape()) {
                     return i + 1 + m_walked;
                 }
                 continue;
@@ -115,6 +116,20 @@ class Tick
         }
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
+    }
+
+    /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and
+    /// the other is met by the straight way.
+    /// @return true when that has come round a few times without gaining a skin.
+    bool turnsRound() noexcept
+    {
+        const double spring = (m_hip - m_god).norm();
+        if (spring < m_letGo_mm - m_skin_mm) {
+            m_letGo_mm = spring;
+            m_rounds = 0;
+            return false;
+        }
+        return ++m_rounds >= kRounds;
     }
 
     /// The constrained point of the present contacts; those with no part in it are released.
@@ -168,25 +183,30 @@ class Tick
     /// @return false, unmoved, for less than rounding: a thousandth of the skin.
     bool moveTo(const Vec3& p) noexcept
     {
-        if ((p - m_god).cwiseAbs().maxCoeff() <= 1e-3 * m_skin_mm) {
+        const double most = (p - m_god).cwiseAbs().maxCoeff();
+        if (most <= 1e-3 * m_skin_mm) {
             return false;
         }
         m_god = p;
-        for (int i = 0; i < m_count; ++i) {
+        // Within a skin it is the same place: planes that are one to rounding are that far apart.
+        for (int i = 0; i < m_count && most > m_skin_mm; ++i) {
             m_contacts[static_cast<std::size_t>(i)].isInTheWay = false;
         }
         return true;
     }
 
-    /// Drops the contacts whose triangle is no longer below the god-object. One that stood in the way of a move from
-    /// here may lie beside it, met at a shallow angle: it holds as long as another contact holds too.
+    /// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from
+    /// here: with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and what blocks
+    /// is not let go of.
     void keepSupporting() noexcept
     {
         // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
         const double slack = m_count > 1 ? m_skin_mm : 0.0;
         const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](Contact& c) {
-            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, slack, kTouched * c.facet.skin_mm);
-            return c.foot == Foot::Away && !(c.isInTheWay && m_count > 1);
+            const double plate = c.facet.isTwoSided ? internal::kPlate * c.facet.skin_mm : 0.0;
+            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, std::max(slack, plate),
+                                      kTouched * c.facet.skin_mm);
+            return c.foot == Foot::Away && !c.isInTheWay;
         });
         m_count = static_cast<int>(end - m_contacts.begin());
     }
@@ -336,6 +356,7 @@ class Tick
     static constexpr std::size_t kMost = 4;         // three constraints and the plane just met
     static constexpr std::size_t kMostTouched = 16; // facets around a vertex that `escape` considers
     static constexpr std::uint32_t kPatience = 32;
+    static constexpr int kRounds = 3;
 
     const Vec3& m_hip;
     const HapticScene& m_scene;
@@ -347,6 +368,8 @@ class Tick
     bool m_mayWalk = false;
     std::uint32_t m_walked; ///< moves made by walking
     double m_skin_mm = 0.0;
+    double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
+    int m_rounds = 0;                                            ///< in which that fell by less than a skin
 };
 
 } // namespace
@@ -355,7 +378,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
                               const GodObjectLimits& limits) noexcept
 {
     GodObjectStep result;
-    if (!p_WH.allFinite()) {
+    if (!scene.reaches(p_WH)) {
         result.p_WG = m_state.p_WG;
         result.status = TickStatus::InvalidInput;
         return result;

@@ -22,6 +22,20 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .around_mm = Neighbourhood::kNearby * layer.skin_mm};
 }
 
+bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::uint32_t triangle) noexcept
+{
+    return std::any_of(facets.begin(), facets.end(), [&](const FacetNumber& facet) {
+        return facet.triangle == triangle && facet.structure == structure;
+    });
+}
+
+/// @return of the facets that a path goes over, those that can't block its move i.
+std::span<const FacetNumber> aroundMove(std::span<const FacetNumber> walked, std::size_t i) noexcept
+{
+    const std::span<const FacetNumber> left = walked.subspan(std::min(i, walked.size()));
+    return left.first(std::min<std::size_t>(3, left.size()));
+}
+
 bool isBefore(const Crossing& a, const Crossing& b) noexcept
 {
     if (a.key != b.key) {
@@ -41,7 +55,9 @@ struct Neighbourhood::First
 {
     const Vec3& x;
     const Vec3& y;
+    double skin_mm; ///< of the layer
     Crossing& best;
+    std::span<const FacetNumber> walked;
     double limit;
     bool found = false;
 
@@ -56,6 +72,9 @@ struct Neighbourhood::First
             if (end >= 0.0 || end >= n.dot(x - a)) {
                 return;
             }
+        }
+        if (isAmong(walked, structure, triangle)) {
+            return;
         }
         const Facet facet = Facet::of(surface, structure, triangle);
         Crossing crossing;
@@ -135,7 +154,8 @@ void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noex
     const Cache::Facets& held = m_cache.held();
     float x[3], y[3];
     const float start = asFloats(first.x, held.origin(), x), end = asFloats(first.y, held.origin(), y);
-    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm());
+    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm(),
+                                            static_cast<float>(first.skin_mm));
          lanes != 0; lanes &= lanes - 1) {
         const int i = std::countr_zero(lanes);
         first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
@@ -157,7 +177,7 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
     Crossing crossing;
     if (!std::all_of(path.begin(), path.end(), [this](const Vec3& p) { return holds(p); })) {
         for (std::size_t i = 0; i < moves; ++i) {
-            if (sweep(scene, layer, path[i], path[i + 1], crossing)) {
+            if (sweep(scene, layer, path[i], path[i + 1], crossing, aroundMove(walked, i))) {
                 return i;
             }
         }
@@ -170,12 +190,14 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
         coordinate = std::max(coordinate, asFloats(path[i], held.origin(), points[i]));
     }
     std::uint64_t lanes = crossedLanes(held.groups(), held.count(), points, static_cast<int>(path.size()),
-                                       2.0f * coordinate + held.reach_mm());
-    for (const FacetNumber& facet : walked) {
-        lanes &= ~laneOf(facet);
-    }
+                                       2.0f * coordinate + held.reach_mm(), static_cast<float>(layer.skin_mm));
     for (; lanes != 0; lanes &= lanes - 1) {
         const int k = std::countr_zero(lanes);
+        const bool isWalked = isAmong(walked, held.structure(k), held.triangle(k));
+        if (isWalked && walked.size() <= 3 &&
+            isAmong(walked.last(walked.size() - 1), held.structure(k), held.triangle(k))) {
+            continue; // at most two moves: none is blocked by either's facet
+        }
         const geometry::SurfaceIndex& surface = *scene.structures()[held.structure(k)].surface;
         const geometry::Triangle t = surface.triangle(held.triangle(k));
         const Vec3& a = surface.vertex(t[0]);
@@ -189,30 +211,15 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
             if (!isTwoSided && (from >= 0.0 || from >= start)) {
                 continue;
             }
+            if (isWalked && isAmong(aroundMove(walked, i), held.structure(k), held.triangle(k))) {
+                continue;
+            }
             if (blocks(facet(scene, k), path[i], path[i + 1], 1.0, crossing)) {
                 moves = i;
             }
         }
     }
     return moves;
-}
-
-std::uint64_t Neighbourhood::laneOf(const FacetNumber& facet) noexcept
-{
-    const Cache::Facets& held = m_cache.held();
-    const auto isAt = [&](int i) { return held.triangle(i) == facet.triangle && held.structure(i) == facet.structure; };
-    for (const int i : m_lastLanes) {
-        if (i < held.count() && isAt(i)) {
-            return std::uint64_t{1} << i;
-        }
-    }
-    for (int i = 0; i < held.count(); ++i) {
-        if (isAt(i)) {
-            m_lastLanes = {m_lastLanes[1], i};
-            return std::uint64_t{1} << i;
-        }
-    }
-    return 0;
 }
 
 /// Numbers of the facets held that come near, in the order of structures and triangles: which are gathered first
@@ -247,14 +254,14 @@ int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, cons
 }
 
 bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                          Crossing& first) noexcept
+                          Crossing& first, std::span<const FacetNumber> walked) noexcept
 {
     // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (holds(x)) {
             const double share = insideShare(m_cache.held().region(), x, y);
-            First nearest{x, y, first, share};
+            First nearest{x, y, layer.skin_mm, first, walked, share};
             offerHeld(scene, nearest);
             if (nearest.found || share >= 1.0) {
                 return nearest.found;
@@ -270,17 +277,20 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
-    First nearest{x, y, first, 1.0};
+    First nearest{x, y, layer.skin_mm, first, walked, 1.0};
     layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
         for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
-            surface.hierarchy().visitSegment(x, y, [&](std::uint32_t i, std::uint32_t n) {
-                for (const std::uint32_t end = i + n; i < end; ++i) {
-                    nearest.offer(surface, number, i);
-                }
-                return nearest.limit;
-            });
+            surface.hierarchy().visitSegment(
+                x, y,
+                [&](std::uint32_t i, std::uint32_t n) {
+                    for (const std::uint32_t end = i + n; i < end; ++i) {
+                        nearest.offer(surface, number, i);
+                    }
+                    return nearest.limit;
+                },
+                layer.skin_mm);
         }
         return nearest.limit;
     });

@@ -54,8 +54,9 @@ class Neighbourhood
     /// Finds the first facet of the layer that blocks the move x → y.
     /// @return false when nothing blocks it.
     /// @par Real-time Wait-free.
+    /// @param walked  facets that are known not to block it
     [[nodiscard]] bool sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                             Crossing& first) noexcept PALPATE_NONBLOCKING;
+                             Crossing& first, std::span<const FacetNumber> walked = {}) noexcept PALPATE_NONBLOCKING;
 
     /// @return true when the facets around `g` are held: what is asked there costs no gathering.
     [[nodiscard]] bool holds(const Vec3& g) const noexcept { return m_cache.holds(g); }
@@ -80,8 +81,10 @@ class Neighbourhood
     }
 
     /// Follows a chain of straight moves up to the first that is blocked.
-    /// @param path  at most kMostPoints points [mm]
-    /// @param walked  facets that are known to block none of them, or none
+    /// @param path    at most kMostPoints points [mm]
+    /// @param walked  facets that the path goes over: that before the first move's, then that of each move, and maybe
+    ///                that of the path's end. A move is known not to be blocked by its own, nor by those before and
+    ///                after
     /// @return how many of the moves are free.
     /// @par Real-time Wait-free.
     [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
@@ -115,9 +118,6 @@ class Neighbourhood
         return Facet::of(*scene.structures()[structure].surface, structure, m_cache.held().triangle(i));
     }
 
-    /// @return the bit of the facet's lane among those that are held; 0 when it is not.
-    [[nodiscard]] std::uint64_t laneOf(const FacetNumber& facet) noexcept;
-
     /// Where it is known whether others are near.
     struct Around
     {
@@ -131,8 +131,7 @@ class Neighbourhood
 
     Cache m_cache;
     Around m_around;
-    core::Box m_empty;                ///< no facet of the layer reaches into it [mm]
-    std::array<int, 2> m_lastLanes{}; ///< where laneOf looks first
+    core::Box m_empty; ///< no facet of the layer reaches into it [mm]
 };
 
 } // namespace palpate::haptics::internal
