@@ -116,7 +116,9 @@ class Run
     {
         const HardCaseFigure elsewhere{
             "at rest elsewhere than the exact one [% of ticks]", m_checked > 0 ? 100.0 * m_elsewhere / m_checked : 0.0,
-            m_case.fingertip_mm > 0.0 ? kMostElsewhereOfBall_percent : kMostElsewhere_percent, -1};
+            std::max(m_case.mostElsewhere_percent,
+                     m_case.fingertip_mm > 0.0 ? kMostElsewhereOfBall_percent : kMostElsewhere_percent),
+            -1};
         m_result.figures = {m_popThrough.figure(),
                             m_nonFinite.figure(),
                             m_stopped.figure(),

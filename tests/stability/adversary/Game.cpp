@@ -186,6 +186,9 @@ class Game
             const TickResult twin = m_twin.step(hip, kTick_s);
             if (!sameBits(whole, twin)) {
                 m_compared = 0;
+                if (m_number >= m_tally.printedFrom && m_number <= m_tally.printedTo) {
+                    print(twin);
+                }
                 faults.push_back({sameBits(whole.p_WG, twin.p_WG) && sameBits(whole.f_W, twin.f_W)
                                       ? "restored: other numbers than position and force"
                                       : "restored: other bits of position or force",

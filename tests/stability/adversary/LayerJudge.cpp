@@ -61,15 +61,16 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
     m_isPlaced = true;
 }
 
-/// Staying is a legal move: no tick may end farther from the HIP than it began, but for what a god-object that touches
-/// with less than a skin is lifted by.
+/// Staying is a legal move: no tick may end farther from the HIP than it began, but for what a god-object is lifted by
+/// that comes to touch. A skin away from both walls of a groove it is skin / sin(angle / 2) away from its bottom.
 void LayerJudge::judgeDistance(const Vec3& god, const Vec3& hip, Faults& faults)
 {
     if (!m_isPlaced) {
         return;
     }
     const double more = (god - hip).norm() - (m_god - hip).norm();
-    if (more > 4.0 * m_layer.skin_mm + m_rounding_mm) {
+    constexpr double kLift = 64.0; // skins: a groove of 1.8 degrees
+    if (more > kLift * m_layer.skin_mm + m_rounding_mm) {
         faults.push_back({"ends farther from the HIP than it began", more, "mm", m_god, god});
     }
 }
@@ -257,7 +258,19 @@ void LayerJudge::judgeRest(const Vec3& god, const Vec3& hip, Faults& faults)
     ++m_restTicks;
     // A way is asked for only where it gains more than what the engine's own ways are tried from.
     const double enough = std::max(1e-6 * m_scene.scale, 128.0 * m_layer.skin_mm) + 8.0 * m_rounding_mm;
-    const WayCloser way = wayCloser(m_layer, god, hip, m_scene.fingertip_mm, enough, m_chance);
+    // In the slot between two bodies that touch, a skin from the one wall is a skin behind the other: from there no
+    // facet blocks the way into that body, but there it must not go.
+    const auto mayEnd = [this](const Vec3& place) {
+        for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+            const std::optional<int> turns = m_layer.bodies[i].winding(place);
+            const int most = m_bodies[i].most;
+            if (!m_bodies[i].isKnown || !turns || *turns > most || (!m_layer.bodies[i].isOneSided && *turns != most)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    const WayCloser way = wayCloser(m_layer, god, hip, m_scene.fingertip_mm, enough, mayEnd, m_chance);
     if (way.gain_mm > enough) {
         faults.push_back({"not at rest: a straight legal move leads closer", way.gain_mm, "mm", god, way.to});
     }

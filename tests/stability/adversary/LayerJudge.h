@@ -5,6 +5,8 @@
 
 #include <palpate/haptics/Palpator.h>
 
+#include <functional>
+
 namespace palpate::adversary {
 
 /// Something that the engine must not do.
@@ -75,7 +77,8 @@ struct WayCloser
     Vec3 to = Vec3::Zero();
 };
 /// @param enough_mm  of a smaller gain nothing is said
+/// @param mayEnd  whether the god-object may be at a place at all
 [[nodiscard]] WayCloser wayCloser(const JudgedLayer& layer, const Vec3& god, const Vec3& hip, double fingertip_mm,
-                                  double enough_mm, Chance& chance);
+                                  double enough_mm, const std::function<bool(const Vec3&)>& mayEnd, Chance& chance);
 
 } // namespace palpate::adversary

@@ -86,7 +86,7 @@ std::vector<Vec3> directions(const Touched& touched, const Vec3& pull, Chance& c
 } // namespace
 
 WayCloser wayCloser(const JudgedLayer& layer, const Vec3& god, const Vec3& hip, double fingertip_mm, double enough_mm,
-                    Chance& chance)
+                    const std::function<bool(const Vec3&)>& mayEnd, Chance& chance)
 {
     WayCloser best;
     const Vec3 pull = hip - god;
@@ -107,7 +107,7 @@ WayCloser wayCloser(const JudgedLayer& layer, const Vec3& god, const Vec3& hip, 
             if (gain <= std::max(best.gain_mm, enough_mm)) {
                 break; // a shorter one gains less
             }
-            if (isClearlyLegal(layer, god, to, fingertip_mm)) {
+            if (isClearlyLegal(layer, god, to, fingertip_mm) && mayEnd(to)) {
                 best = {gain, to};
                 break;
             }
