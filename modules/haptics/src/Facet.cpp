@@ -28,20 +28,6 @@ bool touches(const Facet& facet, double start, double along, double d2) noexcept
     return start <= kTouching * facet.skin_mm && along * along * d2 <= beside * beside;
 }
 
-/// @return true when the boxes of the move and of the facet come within `around_mm` of each other along every axis:
-/// what lies beside the move does not block it, however its volumes round.
-bool isBoxTouched(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm) noexcept
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const double a = facet.a[axis], b = facet.b[axis], c = facet.c[axis];
-        if (std::max(x[axis], y[axis]) + around_mm < std::min({a, b, c}) ||
-            std::min(x[axis], y[axis]) - around_mm > std::max({a, b, c})) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// The part of a move, as shares of it, that some half-spaces have in common.
 struct Part
 {
@@ -62,6 +48,18 @@ struct Part
     [[nodiscard]] bool isEmpty() const noexcept { return begin > end; }
 };
 
+/// @return the part of the move x → y that is in the facet's box, or at most `around_mm` beside it along any axis.
+Part partInBox(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm) noexcept
+{
+    Part part;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = facet.a[axis], b = facet.b[axis], c = facet.c[axis];
+        part.clip(x[axis], y[axis], std::max({a, b, c}) + around_mm);
+        part.clip(-x[axis], -y[axis], around_mm - std::min({a, b, c}));
+    }
+    return part;
+}
+
 /// A facet without an inside blocks what enters the plate around it: half a skin thick on both sides and as much wider
 /// than the triangle. A god-object that is never in a plate never forgets on which side of the facet it is, and
 /// neighbours' plates overlap: rounding, far below half a skin, opens no gap between them.
@@ -73,37 +71,36 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
     const double side = start < -kOnPlane * facet.skin_mm ? -1.0 : 1.0;
     start *= side;
     end *= side;
-    if ((start > half && end > half) || !isBoxTouched(facet, x, y, half)) {
+    if (start > half && end > half) {
         return false;
     }
-    Part inside;
+    Part inside = partInBox(facet, x, y, half); // there a sharp corner's plate ends
+    const double beside = inside.begin;
     inside.clip(start, end, half);
     inside.clip(-start, -end, half);
+    const double level = inside.begin;
     const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
     for (std::size_t i = 0; i < 3 && !inside.isEmpty(); ++i) {
         const Vec3 edge = *corner[i + 1] - *corner[i];
         const Vec3 outwards = edge.cross(facet.n);
         inside.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), half * edge.norm());
     }
-    // A sharp corner's plate ends where the triangle's box does.
-    for (int axis = 0; axis < 3 && !inside.isEmpty(); ++axis) {
-        const double a = facet.a[axis], b = facet.b[axis], c = facet.c[axis];
-        inside.clip(x[axis], y[axis], std::max({a, b, c}) + half);
-        inside.clip(-x[axis], -y[axis], half - std::min({a, b, c}));
-    }
     // What was put down in a plate may leave it.
     if (inside.isEmpty() || (inside.begin <= 0.0 && end >= start)) {
         return false;
     }
-    const bool isTouched = touches(facet, start, inside.begin, (y - x).squaredNorm());
+    // Over its rim it is entered from beside, where its neighbour or nothing is: what is touched comes first.
+    const double d2 = (y - x).squaredNorm();
+    const bool isOverRim = inside.begin > level || (inside.begin > 0.0 && inside.begin == beside);
+    const bool isTouched = !isOverRim && touches(facet, start, inside.begin, d2);
     const double key = isTouched ? 0.0 : inside.begin;
     if (key > limit) {
         return false;
     }
     crossing.key = key;
     crossing.depth = -end;
-    // Along the plate it is entered from beside.
-    crossing.stop = isTouched || start <= facet.skin_mm ? 0.0 : (start - facet.skin_mm) / (start - end);
+    const double stop = isOverRim ? inside.begin - half / std::sqrt(d2) : (start - facet.skin_mm) / (start - end);
+    crossing.stop = isTouched ? 0.0 : std::max(0.0, stop);
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;
     return true;
@@ -139,18 +136,26 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     const Vec3 d = y - x;
     const double d2 = d.squaredNorm();
     const double along = start > 0.0 ? start / (start - end) : 0.0;
-    const bool isTouched = touches(facet, start, along, d2);
-    const double key = isTouched ? 0.0 : along;
-    if (key > limit || !isBoxTouched(facet, x, y, facet.skin_mm)) {
+    const double slack = kOnPlane * facet.skin_mm / (start - end); // rounding of that share
+    if (along - slack > limit && start > kTouching * facet.skin_mm) {
         return false;
     }
     const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
     if (!isInsideEdge(d, d2, xa, xb) || !isInsideEdge(d, d2, xb, xc) || !isInsideEdge(d, d2, xc, xa)) {
         return false;
     }
-    crossing.key = key;
+    const Part part = partInBox(facet, x, y, facet.skin_mm);
+    if (part.isEmpty() || along + slack < part.begin || along - slack > part.end) {
+        return false; // it is met beside the facet
+    }
+    const double place = std::clamp(along, part.begin, part.end);
+    const bool isTouched = touches(facet, start, place, d2);
+    crossing.key = isTouched ? 0.0 : place;
+    if (crossing.key > limit) {
+        return false;
+    }
     crossing.depth = -end;
-    crossing.stop = isTouched ? 0.0 : std::max(0.0, (start - facet.skin_mm) / (start - end));
+    crossing.stop = std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
     crossing.facet = facet;
     crossing.side = 1;
     return true;

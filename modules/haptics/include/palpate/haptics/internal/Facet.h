@@ -59,8 +59,8 @@ struct Crossing
 ///
 /// The three edge tests are signs of the volumes spanned by the move and an edge. Two triangles that share an edge
 /// compute the same volume with the opposite sign, to the last bit, and what rounding could decide counts as inside:
-/// so no move passes between neighbours. What lies more than a skin beside the move's box is not asked: in its plane
-/// those volumes would be rounding alone.
+/// so no move passes between neighbours. In a facet's plane those volumes are rounding alone, as is the share at which
+/// it is met: that must be where the move is within a skin of the facet's box.
 /// @param limit  crossings beyond this key are of no interest
 /// @par Real-time Wait-free.
 [[nodiscard]] bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit,
