@@ -60,18 +60,23 @@ Part partInBox(const Facet& facet, const Vec3& x, const Vec3& y, double around_m
     return part;
 }
 
-/// A facet without an inside blocks what enters the plate around it: half a skin thick on both sides and as much wider
-/// than the triangle. A god-object that is never in a plate never forgets on which side of the facet it is, and
-/// neighbours' plates overlap: rounding, far below half a skin, opens no gap between them.
-bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
+/// A move seen from the side of a facet that it starts on.
+struct Approach
 {
-    const double half = kPlate * facet.skin_mm;
-    double start = facet.n.dot(x - facet.a);
-    double end = facet.n.dot(y - facet.a);
-    const double side = start < -kOnPlane * facet.skin_mm ? -1.0 : 1.0;
-    start *= side;
-    end *= side;
-    if (start > half && end > half) {
+    double side;  ///< +1: front, -1: back
+    double start; ///< distance in front of the facet [mm]
+    double end;
+};
+
+/// A plate around a facet is `half_mm` thick on both sides and as much wider than the triangle. A god-object that is
+/// never in a plate never forgets on which side of the facet it is, and neighbours' plates overlap: rounding, far below
+/// a plate, opens no gap between them.
+bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approach& approach, double half_mm,
+                 double limit, Crossing& crossing) noexcept
+{
+    const auto [side, start, end] = approach;
+    const double half = half_mm, d2 = (y - x).squaredNorm();
+    if (end > half) {
         return false;
     }
     Part inside = partInBox(facet, x, y, half); // there a sharp corner's plate ends
@@ -86,11 +91,10 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
         inside.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), half * edge.norm());
     }
     // What was put down in a plate may leave it.
-    if (inside.isEmpty() || (inside.begin <= 0.0 && end >= start)) {
+    if (inside.isEmpty() || (inside.begin <= 0.0 && (!facet.isTwoSided || end >= start))) {
         return false;
     }
     // Over its rim it is entered from beside, where its neighbour or nothing is: what is touched comes first.
-    const double d2 = (y - x).squaredNorm();
     const bool isOverRim = inside.begin > level || (inside.begin > 0.0 && inside.begin == beside);
     const bool isTouched = !isOverRim && touches(facet, start, inside.begin, d2);
     const double key = isTouched ? 0.0 : inside.begin;
@@ -104,6 +108,15 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;
     return true;
+}
+
+/// Around a facet without an inside there is a plate on both sides.
+bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
+{
+    const double half = kPlate * facet.skin_mm;
+    const double start = facet.n.dot(x - facet.a), end = facet.n.dot(y - facet.a);
+    const double side = start < -kOnPlane * facet.skin_mm ? -1.0 : 1.0;
+    return side * end <= half && entersPlate(facet, x, y, {side, side * start, side * end}, half, limit, crossing);
 }
 
 } // namespace
@@ -130,13 +143,18 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     }
     const double start = facet.n.dot(x - facet.a);
     const double end = facet.n.dot(y - facet.a);
-    if (start < -kOnPlane * facet.skin_mm || end >= 0.0 || end >= start) {
+    const double onPlane = kOnPlane * facet.skin_mm;
+    if (start < -onPlane) {
         return false;
+    }
+    if (end >= 0.0 || end >= start) {
+        // To its plane or along it, where rounding alone would tell whether the next move passes at an edge.
+        return end < onPlane && entersPlate(facet, x, y, {1.0, start, end}, onPlane, limit, crossing);
     }
     const Vec3 d = y - x;
     const double d2 = d.squaredNorm();
     const double along = start > 0.0 ? start / (start - end) : 0.0;
-    const double slack = kOnPlane * facet.skin_mm / (start - end); // rounding of that share
+    const double slack = onPlane / (start - end); // rounding of that share
     if (along - slack > limit && start > kTouching * facet.skin_mm) {
         return false;
     }

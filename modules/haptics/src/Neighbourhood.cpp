@@ -29,6 +29,14 @@ bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::
     });
 }
 
+/// @return true when a move ends in front of a plane that has only one side, and not at it.
+/// @param n    normal, of any length
+/// @param end  distance in front of the plane at the move's end, times that length
+bool endsInFront(const Vec3& n, double end, double skin_mm) noexcept
+{
+    return end > 0.0 && end * end >= kOnPlane * kOnPlane * skin_mm * skin_mm * n.squaredNorm();
+}
+
 /// @return of the facets that a path goes over, those that can't block its move i.
 std::span<const FacetNumber> aroundMove(std::span<const FacetNumber> walked, std::size_t i) noexcept
 {
@@ -63,13 +71,12 @@ struct Neighbourhood::First
 
     void offer(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
-        // Most offers end here: a move that ends in front of a plane with only one side, or leaves it.
+        // Most offers end here.
         if (!surface.isTwoSided(triangle)) {
             const geometry::Triangle t = surface.triangle(triangle);
             const Vec3& a = surface.vertex(t[0]);
             const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
-            const double end = n.dot(y - a);
-            if (end >= 0.0 || end >= n.dot(x - a)) {
+            if (endsInFront(n, n.dot(y - a), skin_mm)) {
                 return;
             }
         }
@@ -203,13 +210,9 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
         const Vec3& a = surface.vertex(t[0]);
         const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
         const bool isTwoSided = surface.isTwoSided(held.triangle(k));
-        double from = n.dot(path[0] - a);
         for (std::size_t i = 0; i < moves; ++i) {
-            const double start = from;
-            from = n.dot(path[i + 1] - a);
-            // Most end here: a move that ends in front of a plane with only one side, or leaves it.
-            if (!isTwoSided && (from >= 0.0 || from >= start)) {
-                continue;
+            if (!isTwoSided && endsInFront(n, n.dot(path[i + 1] - a), layer.skin_mm)) {
+                continue; // most
             }
             if (isWalked && isAmong(aroundMove(walked, i), held.structure(k), held.triangle(k))) {
                 continue;
