@@ -11,6 +11,7 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kPatience = 32;
+constexpr double kArrived = 1.0; // skins
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
 // together, but no more than so many radii or times the way from the one before, and only if that is longer at all.
@@ -236,7 +237,7 @@ bool BallTick::topples() noexcept
         const double aside = m_nudges++ % 2 == 0 ? kAside : -kAside;
         const Vec3 target = m_god + aside * m_scene.fingertip_mm() * m_aside;
         BallCrossing crossing;
-        if (!m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
+        if (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
             (void)lookAgain();
             return true;
@@ -247,66 +248,102 @@ bool BallTick::topples() noexcept
 
 std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 {
-    double spring = std::numeric_limits<double>::infinity();
-    std::uint32_t since = 0;
+    m_near.beginTick();
+    if (m_count > 0) {
+        m_known = m_contacts[0];
+        m_isKnown = true;
+    }
     (void)lookAgain();
-    for (std::uint32_t i = 0; i < limit; ++i) {
-        (void)isKept(false);
-        if (const double now = (m_hip - m_god).norm(); now < spring - m_skin_mm) {
-            spring = now;
-            since = i;
-        } else if (i >= since + kPatience && m_count > 0 && isKept(true)) {
-            if (!topples()) {
-                return i + 1;
-            }
-            since = i;
+    std::uint32_t moves = 0;
+    while (moves < limit) {
+        ++moves;
+        if (!goesOn()) {
+            break;
         }
-        const Vec3 u = nextMove();
-        const double step = u.cwiseAbs().maxCoeff();
-        if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
-            if (!isKept(true) || topples()) {
-                continue;
-            }
-            return i + 1;
-        }
-        const bool isLong = m_trialMoves == kTrial;
-        BallCrossing crossing;
-        if (!m_near.sweep(m_scene, m_layer, m_god, m_god + u, crossing)) {
-            const bool wasFlat = isFlat();
-            if (m_count > 0) {
-                m_last = m_step;
-            }
-            m_god += u;
-            if (lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples()) {
-                return i + 1;
-            }
-            continue;
-        }
-        m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
-        const bool hasMoved = crossing.stop * step > 1e-3 * m_skin_mm;
-        if (hasMoved) {
-            m_god += crossing.stop * u;
-            (void)lookAgain();
-        } else if (isLong) {
-            m_trialMoves = 0;
-        }
-        const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
-            return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
-        });
-        if (isHeld) {
-            if (!hasMoved && isKept(true)) {
-                return i + 1;
-            }
-            continue;
-        }
-        if (m_count == static_cast<int>(kMost)) {
-            std::move(m_contacts.begin() + 1, m_contacts.end(), m_contacts.begin());
-            --m_count;
-        }
-        touch(crossing.facet, crossing.side);
     }
     (void)isKept(true);
-    return limit;
+    if (m_count == 0 && m_isKnown && m_god != m_hip) {
+        // Away from the HIP something holds it: the facet known last.
+        touch(m_known.facet, m_known.side);
+    }
+    return moves;
+}
+
+/// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
+bool BallTick::goesOn() noexcept
+{
+    if (m_work.isSpent()) {
+        return false;
+    }
+    (void)isKept(false);
+    if (const double now = (m_hip - m_god).norm(); now < m_spring_mm - kArrived * m_skin_mm) {
+        m_spring_mm = now;
+        m_since = 0;
+    } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
+        m_since = 0;
+        return topples();
+    }
+    const Vec3 u = nextMove();
+    const double step = u.cwiseAbs().maxCoeff();
+    if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
+        return !isKept(true) || topples();
+    }
+    const bool isLong = m_trialMoves == kTrial;
+    const Vec3 target = m_count == 0 ? m_hip : Vec3(m_god + u);
+    BallCrossing crossing;
+    switch (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing)) {
+    case Sweep::Free:
+        return moveTo(target, isLong);
+    case Sweep::Blocked:
+        return stopAt(u, step, crossing, isLong);
+    case Sweep::Unknown:
+        break;
+    }
+    if (crossing.stop > 0.0) { // so far nothing is in the way
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    }
+    return false;
+}
+
+/// Makes a move that nothing blocks. @return false when it has led home
+bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
+{
+    const bool wasFlat = isFlat();
+    if (m_count > 0) {
+        m_last = m_step;
+    }
+    m_god = target;
+    return !(lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples());
+}
+
+/// Moves up to what is in the way, and takes it as a contact. @return false when that leads nowhere any more
+/// @param step  largest part of u by axis [mm]
+bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
+{
+    m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
+    const bool hasMoved = crossing.stop * step > 1e-3 * m_skin_mm;
+    if (hasMoved) {
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    } else if (isLong) {
+        m_trialMoves = 0;
+        m_longest_mm = kShorter * m_tried_mm;
+    }
+    const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
+        return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
+    });
+    if (isHeld) {
+        return hasMoved || isLong || !isKept(true);
+    }
+    if (m_count == static_cast<int>(kMost)) {
+        std::move(m_contacts.begin() + 1, m_contacts.end(), m_contacts.begin());
+        --m_count;
+    }
+    touch(crossing.facet, crossing.side);
+    m_known = m_contacts[static_cast<std::size_t>(m_count - 1)];
+    m_isKnown = true;
+    return true;
 }
 
 bool BallTick::isFlat() const noexcept
