@@ -110,13 +110,13 @@ class BallNeighbourhood::Traversal
         : m_scene(scene)
         , m_layer(layer)
         , m_begin(begin)
-        , m_move(first.y - first.x)
-        , m_from(first.x + begin * m_move)
+        , m_whole((first.y - first.x).norm())
+        , m_u(m_whole > 0.0 ? Vec3((first.y - first.x) / m_whole) : Vec3(Vec3::Zero()))
+        , m_from(first.x + begin * (first.y - first.x))
         , m_work(work)
         , m_first(first)
     {
         std::copy_n(m_from.data(), 3, m_from4);
-        m_length = (1.0 - begin) * m_move.norm();
     }
 
     /// @return false when the work was spent before all was asked
@@ -170,18 +170,17 @@ class BallNeighbourhood::Traversal
         if (m_batch.isEmpty()) {
             return;
         }
-        // The part of the way on which the ball may be near them at all.
-        double spread = 0.0;
-        const Vec3 middle = m_batch.middle(spread) - m_from;
-        const double most = std::max(0.0, m_first.limit * m_move.norm() - (m_move.norm() - m_length));
-        const Vec3 u = m_length > 0.0 ? Vec3(m_move / m_move.norm()) : Vec3(Vec3::Zero());
-        const double nearest = u.dot(middle), around = 1.001 * (spread + m_first.radius_mm);
-        const double low = std::clamp(nearest - around, 0.0, most), high = std::clamp(nearest + around, 0.0, most);
-        const Vec3 half = 0.5 * (high - low) * u;
+        // Where on the way that is still of interest the ball comes nearest to them.
+        double low = 0.0, high = 0.0;
+        m_batch.project(m_from, m_u, low, high);
+        const double most = std::max(0.0, m_first.limit * m_whole - m_begin * m_whole);
+        low = std::clamp(low, 0.0, most);
+        high = std::clamp(high, 0.0, most);
+        const Vec3 half = 0.5 * (high - low) * m_u;
         float at[3], along[3];
         TriangleGroup group;
         const float reach = m_batch.derive(m_from4, group);
-        const float coordinate = std::max(reach, asFloats(0.5 * (low + high) * u, Vec3::Zero(), at));
+        const float coordinate = std::max(reach, asFloats(0.5 * (low + high) * m_u, Vec3::Zero(), at));
         (void)asFloats(half, Vec3::Zero(), along);
         alignas(32) float distance_mm[kLanes];
         distances(&group, m_batch.count(), at, along, distance_mm);
@@ -199,10 +198,10 @@ class BallNeighbourhood::Traversal
     const HapticScene& m_scene;
     const HapticLayer& m_layer;
     double m_begin;
-    Vec3 m_move;
+    double m_whole; ///< length of the move [mm]
+    Vec3 m_u;       ///< its direction
     Vec3 m_from; ///< where the rest begins [mm]
     double m_from4[4]{};
-    double m_length = 0.0; ///< of the rest [mm]
     TickWork& m_work;
     First& m_first;
     TriangleBatch m_batch;

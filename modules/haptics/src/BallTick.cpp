@@ -10,8 +10,8 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::uint32_t kPatience = 32;
-constexpr double kArrived = 1.0; // skins
+constexpr std::uint32_t kPatience = 12;
+constexpr double kArrived = 16; // skins
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
 // together, but no more than so many radii or times the way from the one before, and only if that is longer at all.

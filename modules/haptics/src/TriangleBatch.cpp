@@ -2,7 +2,6 @@
 #include "palpate/haptics/internal/TriangleBatch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace palpate::haptics::internal {
@@ -20,17 +19,18 @@ float TriangleBatch::derive(const double* origin, TriangleGroup& group) noexcept
     return internal::derive(corners, group);
 }
 
-core::Vec3 TriangleBatch::middle(double& spread_mm) const noexcept
+void TriangleBatch::project(const core::Vec3& from, const core::Vec3& u, double& low_mm, double& high_mm) const noexcept
 {
-    const core::Vec3 first = core::Vec3::Map(m_at[0][0]);
-    double spread2 = 0.0;
+    low_mm = high_mm = u.dot(core::Vec3::Map(m_at[0][0]));
     for (const auto& corner : m_at) {
         for (int i = 0; i < m_count; ++i) {
-            spread2 = std::max(spread2, (core::Vec3::Map(corner[i]) - first).squaredNorm());
+            const double along = u.dot(core::Vec3::Map(corner[i]));
+            low_mm = std::min(low_mm, along);
+            high_mm = std::max(high_mm, along);
         }
     }
-    spread_mm = std::sqrt(spread2);
-    return first;
+    low_mm -= u.dot(from);
+    high_mm -= u.dot(from);
 }
 
 } // namespace palpate::haptics::internal

@@ -61,9 +61,16 @@ class SweptBall
             from[axis] = c[axis] - m_mid[axis];
             along += from[axis] * m_half[axis];
         }
-        // The place on the segment that is nearest to the box's centre; the distance of the box is convex along the
-        // segment and lies above its tangent there.
-        const Float4 at = core::least(core::greatest(along * m_perHalf2, -one), one);
+        // The place on the segment that is nearest to the box's centre, and the places that are nearest to any point of
+        // it; the distance of the box is convex along the segment and lies above its tangent there.
+        const Float4 place = along * m_perHalf2;
+        Float4 width{};
+        for (int axis = 0; axis < 3; ++axis) {
+            width += e[axis] * core::absolute(m_half[axis]);
+        }
+        width = width * m_perHalf2 * core::splat4(1.00001f) + core::splat4(1e-5f);
+        const auto clamped = [&](Float4 v) { return core::least(core::greatest(v, -one), one); };
+        const Float4 at = clamped(place), low = clamped(place - width), high = clamped(place + width);
         Float4 distance2{}, slope{};
         for (int axis = 0; axis < 3; ++axis) {
             const Float4 v = from[axis] - at * m_half[axis];
@@ -71,7 +78,7 @@ class SweptBall
             distance2 += gap * gap;
             slope += (v > zero ? gap : -gap) * m_half[axis];
         }
-        const Float4 least = distance2 - core::greatest(slope * (one - at), -slope * (one + at));
+        const Float4 least = distance2 - core::greatest(slope * (high - at), -slope * (at - low));
         return ~((least > zero) & (least * least > m_reach2 * distance2));
     }
 

@@ -39,8 +39,10 @@ class TriangleBatch
     /// @return the largest coordinate [mm]
     float derive(const double* origin, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
 
-    /// @return a corner, and in `spread_mm` how far from it the others lie at most. @pre not empty
-    [[nodiscard]] core::Vec3 middle(double& spread_mm) const noexcept PALPATE_NONBLOCKING;
+    /// Finds between which places on a line through `from` along the unit vector u its nearest to any point of theirs
+    /// lie. @pre not empty
+    void project(const core::Vec3& from, const core::Vec3& u, double& low_mm,
+                 double& high_mm) const noexcept PALPATE_NONBLOCKING;
 
   private:
     int m_count = 0;
