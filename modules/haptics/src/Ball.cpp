@@ -20,7 +20,7 @@ constexpr double kAlong = 1e-15;
 /// what rounding makes it lie inside, it is on the sphere. The part of w across u is formed before it is squared, so
 /// that no difference of large squares decides.
 /// @param u  unit, or shorter by the part along a cylinder's axis
-double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
+inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
 {
     const double u2 = u.squaredNorm();
     const double nearest = -w.dot(u); // times u2: where the line comes nearest
@@ -53,13 +53,22 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
     const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 w = x - *corner[i], e = *corner[(i + 1) % 3] - *corner[i];
-        first = std::min(first, firstRoot(w, u, r));
+        // What the move cannot reach before what is known needs no root.
+        double reach = r + std::min(first, limit);
+        if (w.squaredNorm() <= reach * reach) {
+            first = std::min(first, firstRoot(w, u, r));
+            reach = r + std::min(first, limit);
+        }
         const double length = e.norm();
         if (length > 0.0) {
             // The cylinder around the edge: the same without the parts along it.
             const Vec3 axis = e / length;
             const double we = w.dot(axis), ue = u.dot(axis);
-            const double s = firstRoot(w - we * axis, u - ue * axis, r);
+            const Vec3 across = w - we * axis;
+            if (across.squaredNorm() > reach * reach) {
+                continue;
+            }
+            const double s = firstRoot(across, u - ue * axis, r);
             const double along = we + s * ue;
             if (s < first && along >= 0.0 && along <= length) {
                 first = s;

@@ -15,7 +15,7 @@ using core::Vec3;
 
 constexpr double kHalfWidth = 0.75; // cells: a cell holds what is needed in it and a quarter of it around it
 constexpr double kWanted = 48.0;    // facets in a cell, by the facets' mean size
-constexpr int kLevels = 5;          // each half as large as the one before
+constexpr int kLevels = 3;          // each half as large as the one before
 constexpr std::uint32_t kMostAsked = 4 * BallCell::kMost; // facets by their boxes, before a cell counts as too full
 
 // In units of TickWork.
@@ -126,8 +126,7 @@ void BallCells::clear() noexcept
     m_size_mm = 0.0;
 }
 
-const BallCell& BallCells::at(const HapticScene& scene, const HapticLayer& layer, const Vec3& p,
-                              TickWork& work) noexcept
+double BallCells::size_mm(const HapticScene& scene, const HapticLayer& layer) noexcept
 {
     if (m_size_mm == 0.0) {
         // Facets of mean size within a shell around a ball that stands on them.
@@ -135,6 +134,22 @@ const BallCell& BallCells::at(const HapticScene& scene, const HapticLayer& layer
         const double r = scene.fingertip_mm(), patch = kWanted * area / std::numbers::pi;
         m_size_mm = patch / (std::sqrt(r * r + patch) + r) / (std::numbers::sqrt3 * kHalfWidth);
     }
+    return m_size_mm;
+}
+
+const BallCell* BallCells::paidAt(const Vec3& p) const noexcept
+{
+    for (std::size_t i = 0; i < kHeld; ++i) {
+        if (m_lastUse[i] > m_tickBegan && m_cells[i].contains(p)) {
+            return &m_cells[i];
+        }
+    }
+    return nullptr;
+}
+
+const BallCell& BallCells::at(const HapticScene& scene, const HapticLayer& layer, const Vec3& p,
+                              TickWork& work) noexcept
+{
     ++m_clock;
     for (std::size_t i = 0; i < kHeld; ++i) {
         if (m_cells[i].contains(p)) {
@@ -150,7 +165,7 @@ const BallCell& BallCells::at(const HapticScene& scene, const HapticLayer& layer
     BallCell& cell = m_cells[oldest];
     m_lastUse[oldest] = m_clock;
     m_price[oldest] = 0;
-    double size = m_size_mm;
+    double size = size_mm(scene, layer);
     for (int level = 0; level < kLevels; ++level, size *= 0.5) {
         const bool isHeld = cell.gather(scene, layer, p, size);
         m_price[oldest] += cell.price();

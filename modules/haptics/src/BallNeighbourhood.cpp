@@ -17,10 +17,10 @@ constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells 
 
 // In units of TickWork.
 constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
-constexpr std::uint32_t kGroup = 4;  // eight facets' distances
+constexpr std::uint32_t kGroup = 3;  // eight facets' distances
 constexpr std::uint32_t kExact = 15; // the exact test of one
 constexpr std::uint32_t kNode = 4;
-constexpr std::uint32_t kBatch = 16; // of eight facets of the hierarchy
+constexpr std::uint32_t kBatch = 20; // of eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
@@ -220,6 +220,12 @@ Sweep BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& laye
     double done = 0.0; // share of the move that is known to be free
     for (int piece = 0; piece < kMostPieces; ++piece) {
         const Vec3 p = x + done * (y - x);
+        // A long move is not worth a cell, unless that is paid for.
+        const bool isLong = (1.0 - done) * length > kCellsOnWay * m_cells.size_mm(scene, layer);
+        const BallCell* held = m_cells.paidAt(p);
+        if (held == nullptr && isLong) {
+            break;
+        }
         const BallCell& cell = m_cells.at(scene, layer, p, work);
         if (cell.isFull() || !cell.region().contains(p)) {
             break;
@@ -231,7 +237,7 @@ Sweep BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& laye
             return first.found ? Sweep::Blocked : Sweep::Free;
         }
         done = upTo;
-        if ((1.0 - done) * length > kCellsOnWay * cell.size_mm() || work.isSpent()) {
+        if (work.isSpent()) {
             break;
         }
     }

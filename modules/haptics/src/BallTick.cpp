@@ -10,11 +10,13 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::uint32_t kPatience = 12;
-constexpr double kArrived = 16; // skins
+constexpr std::uint32_t kPatience = 16;
+constexpr double kSlight = 1e-8;
+constexpr double kArrived = 4; // skins
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
-// together, but no more than so many radii or times the way from the one before, and only if that is longer at all.
+// together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
+// only if that is longer at all.
 constexpr int kCreeping = 2;
 constexpr double kAlike = 0.9;
 constexpr double kLongest = 0.5;
@@ -164,7 +166,7 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
         return u;
     }
     const double shrunk = moved.dot(m_last.u - u);
-    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * length});
+    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * std::max(length, m_kept_mm)});
     const double whole = length * length * step < most * shrunk ? length * length * step / shrunk : most;
     if (whole <= kLonger * step) {
         return u;
@@ -185,6 +187,7 @@ bool BallTick::isKept(bool isOver) noexcept
     }
     if ((m_hip - m_god).norm() < m_before.spring_mm + kParted * m_skin_mm) {
         m_trialMoves = 0;
+        m_kept_mm = m_tried_mm;
         m_longest_mm = std::max(m_longest_mm, m_tried_mm / kShorter);
         return true;
     }
@@ -192,6 +195,7 @@ bool BallTick::isKept(bool isOver) noexcept
         return true;
     }
     m_trialMoves = 0;
+    m_kept_mm = 0.0;
     m_longest_mm = kShorter * m_tried_mm;
     m_god = m_before.god;
     m_contacts = m_before.contacts;
@@ -214,6 +218,14 @@ Vec3 BallTick::slope() const noexcept
     return Vec3::Zero();
 }
 
+/// Takes back a move aside.
+void BallTick::standAgain() noexcept
+{
+    m_god = m_stood.god;
+    m_contacts = m_stood.contacts;
+    m_count = m_stood.count;
+}
+
 /// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
 /// roll.
 /// @return true when there is a side to try; where none led closer it stands where it stood
@@ -225,9 +237,7 @@ bool BallTick::topples() noexcept
         m_aside = slope();
         m_stood = {m_god, m_contacts, m_count, spring};
     } else {
-        m_god = m_stood.god;
-        m_contacts = m_stood.contacts;
-        m_count = m_stood.count;
+        standAgain();
     }
     const int sides = m_contacts[0].nearest.along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
     while (m_nudges < sides && !m_aside.isZero(0.0)) {
@@ -261,7 +271,9 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
             break;
         }
     }
-    (void)isKept(true);
+    if (isKept(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
+        standAgain();
+    }
     if (m_count == 0 && m_isKnown && m_god != m_hip) {
         // Away from the HIP something holds it: the facet known last.
         touch(m_known.facet, m_known.side);
@@ -276,7 +288,7 @@ bool BallTick::goesOn() noexcept
         return false;
     }
     (void)isKept(false);
-    if (const double now = (m_hip - m_god).norm(); now < m_spring_mm - kArrived * m_skin_mm) {
+    if (const double now = (m_hip - m_god).norm(); now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {

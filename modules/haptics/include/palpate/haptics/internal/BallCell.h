@@ -81,6 +81,12 @@ class BallCells
     [[nodiscard]] const BallCell& at(const HapticScene& scene, const HapticLayer& layer, const core::Vec3& p,
                                      TickWork& work) noexcept PALPATE_NONBLOCKING;
 
+    /// @return the cell that p is in if the tick has paid for it already, else null.
+    [[nodiscard]] const BallCell* paidAt(const core::Vec3& p) const noexcept PALPATE_NONBLOCKING;
+
+    /// @return width of the largest cells [mm]
+    [[nodiscard]] double size_mm(const HapticScene& scene, const HapticLayer& layer) noexcept PALPATE_NONBLOCKING;
+
   private:
     static constexpr std::size_t kHeld = 4;
 

@@ -68,6 +68,7 @@ class BallTick
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
+    void standAgain() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
@@ -111,6 +112,7 @@ class BallTick
     Step m_last;                                                   ///< the last one that nothing blocked
     int m_trialMoves = 0;                                          ///< left to the long step that is being judged
     double m_tried_mm = 0.0;                                       ///< its length
+    double m_kept_mm = 0.0;                                        ///< length of the last that led nearer
     double m_longest_mm = std::numeric_limits<double>::infinity(); ///< that is still tried
 };
 
