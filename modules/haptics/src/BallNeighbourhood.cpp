@@ -6,6 +6,7 @@
 #include "palpate/haptics/internal/TriangleBatch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate::haptics::internal {
 
@@ -18,9 +19,10 @@ constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells 
 // In units of TickWork.
 constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
 constexpr std::uint32_t kGroup = 3;  // eight facets' distances
-constexpr std::uint32_t kExact = 15; // the exact test of one
-constexpr std::uint32_t kNode = 4;
-constexpr std::uint32_t kBatch = 20; // of eight facets of the hierarchy
+constexpr std::uint32_t kExact = 6;  // the exact test of one
+constexpr std::uint32_t kMeets = 15; // and more where it blocks
+constexpr std::uint32_t kNode = 5;
+constexpr std::uint32_t kBatch = 30; // of eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
@@ -49,12 +51,18 @@ struct BallNeighbourhood::First
     double limit;
     bool found = false;
 
+    std::uint32_t price = 0; ///< of all that was offered, in units of TickWork
+
     void offer(const HapticScene& scene, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
+        price += kExact;
         const geometry::SurfaceIndex& surface = *scene.structures()[structure].surface;
         BallCrossing crossing;
-        if (blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing) &&
-            (!found || isBefore(crossing, best))) {
+        if (!blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing)) {
+            return;
+        }
+        price += kMeets;
+        if (!found || isBefore(crossing, best)) {
             best = crossing;
             limit = crossing.key;
             found = true;
@@ -78,11 +86,7 @@ void BallNeighbourhood::offer(const HapticScene& scene, const BallCell& cell, do
     alignas(32) float distance_mm[kMostTriangles];
     distances(cell.groups(), cell.count(), at, along, distance_mm);
     const double touching = first.radius_mm + leastDistanceRounding(coordinate, half.norm(), first.radius_mm);
-    std::uint32_t offered = 0;
-    const auto offer = [&](int i) {
-        ++offered;
-        first.offer(scene, cell.structure(i), cell.triangle(i));
-    };
+    const auto offer = [&](int i) { first.offer(scene, cell.structure(i), cell.triangle(i)); };
     if (isShort) {
         forEachBetween(distance_mm, cell.count(), kAnyDistance, touching, offer);
     } else {
@@ -98,7 +102,8 @@ void BallNeighbourhood::offer(const HapticScene& scene, const BallCell& cell, do
             }
         }
     }
-    work.spend(kGroup * static_cast<std::uint32_t>((cell.count() + kLanes - 1) / kLanes) + kExact * offered);
+    work.spend(kGroup * static_cast<std::uint32_t>((cell.count() + kLanes - 1) / kLanes) +
+               std::exchange(first.price, 0u));
 }
 
 /// Asks the whole hierarchy for the rest of a move.
@@ -186,12 +191,9 @@ class BallNeighbourhood::Traversal
         distances(&group, m_batch.count(), at, along, distance_mm);
         const double touching =
             m_first.radius_mm + leastDistanceRounding(coordinate, half.norm(), m_first.radius_mm);
-        std::uint32_t offered = 0;
-        forEachBetween(distance_mm, m_batch.count(), kAnyDistance, touching, [&](int i) {
-            ++offered;
-            m_first.offer(m_scene, m_batch.structure(i), m_batch.triangle(i));
-        });
-        m_work.spend(kBatch + kExact * offered);
+        forEachBetween(distance_mm, m_batch.count(), kAnyDistance, touching,
+                       [&](int i) { m_first.offer(m_scene, m_batch.structure(i), m_batch.triangle(i)); });
+        m_work.spend(kBatch + std::exchange(m_first.price, 0u));
         m_batch.clear();
     }
 
