@@ -10,9 +10,11 @@ namespace palpate::haptics::internal {
 
 namespace {
 
+// What comes nearer to the HIP by less than so many skins, or than so small a share of the distance, in so many moves,
+// has arrived.
 constexpr std::uint32_t kPatience = 16;
+constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
-constexpr double kArrived = 4; // skins
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
 // together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
@@ -162,7 +164,7 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
         return u;
     }
     m_step.alike = m_last.alike + 1;
-    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u)) {
+    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u) || isDeep()) {
         return u;
     }
     const double shrunk = moved.dot(m_last.u - u);
@@ -288,7 +290,8 @@ bool BallTick::goesOn() noexcept
         return false;
     }
     (void)isKept(false);
-    if (const double now = (m_hip - m_god).norm(); now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
+    const double now = (m_hip - m_god).norm();
+    if (!isDeep() && now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
@@ -356,6 +359,14 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
     m_known = m_contacts[static_cast<std::size_t>(m_count - 1)];
     m_isKnown = true;
     return true;
+}
+
+/// Nearer to a contact than its radius: put there. Each move leads it farther out, and none along the surface.
+bool BallTick::isDeep() const noexcept
+{
+    return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
+        return m_scene.fingertip_mm() + c.facet.skin_mm - c.distance_mm > kPressed * c.facet.skin_mm;
+    });
 }
 
 bool BallTick::isFlat() const noexcept

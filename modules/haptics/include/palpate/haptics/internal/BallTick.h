@@ -71,6 +71,7 @@ class BallTick
     void standAgain() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
+    [[nodiscard]] bool isDeep() const noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
     [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
 
