@@ -16,10 +16,10 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// side.
 constexpr double kAlong = 1e-15;
 
-/// Where the line w + s u, seen from the middle of a sphere, comes nearer to it than r. The start counts as outside: by
-/// what rounding makes it lie inside, it is on the sphere. The part of w across u is formed before it is squared, so
-/// that no difference of large squares decides.
-/// @param u  unit, or shorter by the part along a cylinder's axis
+/// Where the line w + s u, seen from the middle of a sphere or of a cylinder's section, comes nearer to it than r. The
+/// start counts as outside: where rounding makes it lie inside, it is on the sphere. How far the line passes beside the
+/// middle is a cross product, so that no difference of large squares decides.
+/// @param u  unit, or shorter by the part along the cylinder's axis
 inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
 {
     const double u2 = u.squaredNorm();
@@ -27,9 +27,8 @@ inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
     if (nearest <= 0.0 || u2 <= kAlong * kAlong) {
         return kNever;
     }
-    const double s = nearest / u2;
-    const double across2 = (w + s * u).squaredNorm();
-    return across2 <= r * r ? std::max(0.0, s - std::sqrt((r * r - across2) / u2)) : kNever;
+    const double beside2 = w.cross(u).squaredNorm(); // times u2
+    return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNever;
 }
 
 /// Way along the move x + s u at which its distance from the triangle falls to `r`; kNever when it stays farther or
@@ -59,18 +58,17 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
             first = std::min(first, firstRoot(w, u, r));
             reach = r + std::min(first, limit);
         }
-        const double length = e.norm();
-        if (length > 0.0) {
+        const double e2 = e.squaredNorm();
+        if (e2 > 0.0) {
             // The cylinder around the edge: the same without the parts along it.
-            const Vec3 axis = e / length;
-            const double we = w.dot(axis), ue = u.dot(axis);
-            const Vec3 across = w - we * axis;
+            const double perEdge2 = 1.0 / e2, we = w.dot(e), ue = u.dot(e);
+            const Vec3 across = w - (we * perEdge2) * e;
             if (across.squaredNorm() > reach * reach) {
                 continue;
             }
-            const double s = firstRoot(across, u - ue * axis, r);
+            const double s = firstRoot(across, u - (ue * perEdge2) * e, r);
             const double along = we + s * ue;
-            if (s < first && along >= 0.0 && along <= length) {
+            if (s < first && along >= 0.0 && along <= e2) {
                 first = s;
             }
         }
