@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/BallCell.h"
 
-#include "palpate/haptics/internal/TriangleBatch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +12,7 @@ namespace {
 using core::Vec3;
 
 constexpr double kHalfWidth = 0.75; // cells: a cell holds what is needed in it and a quarter of it around it
-constexpr double kWanted = 48.0;    // facets in a cell, by the facets' mean size
+constexpr double kWanted = 32.0;    // facets in a cell, by the facets' mean size
 constexpr int kLevels = 3;          // each half as large as the one before
 constexpr std::uint32_t kMostAsked = 4 * BallCell::kMost; // facets by their boxes, before a cell counts as too full
 
@@ -24,67 +22,82 @@ constexpr std::uint32_t kFacet = 2;
 
 } // namespace
 
-/// One cell being filled.
+/// One cell being filled: all facets that may belong are found first, then where their corners lie, then how far they
+/// are, so that one wait for memory serves many.
 class BallCell::Gathering
 {
   public:
-    Gathering(BallCell& cell, double reach_mm) noexcept
-        : m_cell(cell)
-        , m_reach_mm(reach_mm)
-    {
-        std::copy_n(cell.m_origin.data(), 3, m_origin4);
-    }
-
     /// @return false when there is too much
-    bool add(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t first,
-             std::uint32_t n) noexcept
+    bool find(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t first,
+              std::uint32_t n) noexcept
     {
-        m_asked += n;
-        for (const std::uint32_t end = first + n; first < end; ++first) {
-            m_batch.add(surface, structure, first);
-            if (m_batch.isFull() && !flush()) {
-                return false;
-            }
+        if (m_count + n > kMostAsked) {
+            return false;
         }
-        return m_asked <= kMostAsked;
+        surface.prefetchTriangles(first);
+        for (const std::uint32_t end = first + n; first < end; ++first) {
+            m_structure[m_count] = structure;
+            m_triangle[m_count++] = first;
+        }
+        return true;
     }
 
-    /// Keeps those of the batch that the ball may touch.
-    bool flush() noexcept
+    /// Keeps what the ball may touch. @return false when there is too much
+    bool keep(const HapticScene& scene, double reach_mm, BallCell& cell) noexcept
     {
-        if (m_batch.isEmpty()) {
-            return true;
-        }
-        TriangleGroup group;
-        const float reach = m_batch.derive(m_origin4, group);
+        locate(scene);
+        double origin4[4]{};
+        std::copy_n(cell.m_origin.data(), 3, origin4);
         const float nowhere[3]{};
-        alignas(32) float distance_mm[kLanes];
-        distances(&group, m_batch.count(), nowhere, nowhere, distance_mm);
-        const double upTo = m_reach_mm + kDistanceRounding * reach;
         bool isRoom = true;
-        forEachBetween(distance_mm, m_batch.count(), kAnyDistance, upTo, [&](int i) {
-            if (m_cell.m_count == kMost) {
-                isRoom = false;
-                return;
-            }
-            const auto k = static_cast<std::size_t>(m_cell.m_count++);
-            m_cell.m_structure[k] = m_batch.structure(i);
-            m_cell.m_triangle[k] = m_batch.triangle(i);
-            m_cell.m_reach_mm = std::max(m_cell.m_reach_mm, reach);
-            copyTriangle(&group, i, m_cell.m_groups.data(), static_cast<int>(k));
-        });
-        m_batch.clear();
+        for (std::uint32_t first = 0; first < m_count && isRoom; first += kLanes) {
+            Corners corners;
+            TriangleGroup group;
+            setCorners(m_at[0] + first, m_at[1] + first, m_at[2] + first, origin4, corners);
+            std::fill_n(corners.isTwoSided, kLanes, 0);
+            const float reach = derive(corners, group);
+            const int n = static_cast<int>(std::min<std::uint32_t>(m_count - first, kLanes));
+            alignas(32) float distance_mm[kLanes];
+            distances(&group, n, nowhere, nowhere, distance_mm);
+            forEachBetween(distance_mm, n, kAnyDistance, reach_mm + kDistanceRounding * reach, [&](int i) {
+                if (cell.m_count == kMost) {
+                    isRoom = false;
+                    return;
+                }
+                const auto k = static_cast<std::size_t>(cell.m_count++);
+                cell.m_structure[k] = m_structure[first + static_cast<std::uint32_t>(i)];
+                cell.m_triangle[k] = m_triangle[first + static_cast<std::uint32_t>(i)];
+                cell.m_reach_mm = std::max(cell.m_reach_mm, reach);
+                copyTriangle(&group, i, cell.m_groups.data(), static_cast<int>(k));
+            });
+        }
         return isRoom;
     }
 
-    [[nodiscard]] std::uint32_t asked() const noexcept { return m_asked; }
+    [[nodiscard]] std::uint32_t found() const noexcept { return m_count; }
 
   private:
-    BallCell& m_cell;
-    double m_reach_mm;
-    TriangleBatch m_batch;
-    std::uint32_t m_asked = 0;
-    double m_origin4[4]{};
+    void locate(const HapticScene& scene) noexcept
+    {
+        for (std::uint32_t i = 0; i < m_count; ++i) {
+            const geometry::SurfaceIndex& surface = *scene.structures()[m_structure[i]].surface;
+            const geometry::Triangle t = surface.triangle(m_triangle[i]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                m_at[c][i] = surface.vertex(t[c]).data();
+                core::prefetch(m_at[c][i]);
+            }
+        }
+        for (std::uint32_t i = m_count; i % kLanes != 0; ++i) {
+            for (auto& corner : m_at) {
+                corner[i] = corner[m_count - 1]; // what is left over of eight repeats the last
+            }
+        }
+    }
+
+    std::uint32_t m_count = 0;
+    std::array<std::uint32_t, kMostAsked> m_structure;
+    std::array<std::uint32_t, kMostAsked> m_triangle;
+    const double* m_at[3][kMostAsked];
 };
 
 bool BallCell::gather(const HapticScene& scene, const HapticLayer& layer, const Vec3& p, double size_mm) noexcept
@@ -96,7 +109,7 @@ bool BallCell::gather(const HapticScene& scene, const HapticLayer& layer, const 
     m_count = 0;
     m_reach_mm = 0.0f;
     const double reach = scene.fingertip_mm() + layer.skin_mm + std::numbers::sqrt3 * kHalfWidth * size_mm;
-    Gathering gathering(*this, reach);
+    Gathering gathering;
     bool isAll = true;
     std::uint32_t nodes = 0;
     const std::uint32_t above = layer.hierarchy.visitAround(m_origin, reach, [&](std::uint32_t s, std::uint32_t n) {
@@ -104,13 +117,13 @@ bool BallCell::gather(const HapticScene& scene, const HapticLayer& layer, const 
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
             nodes += surface.hierarchy().visitAround(m_origin, reach, [&](std::uint32_t first, std::uint32_t count) {
-                return isAll = gathering.add(surface, number, first, count);
+                return isAll = gathering.find(surface, number, first, count);
             });
         }
         return isAll;
     });
-    isAll = isAll && gathering.flush();
-    m_price = kNode * (above + nodes) + kFacet * gathering.asked();
+    isAll = isAll && gathering.keep(scene, reach, *this);
+    m_price = kNode * (above + nodes) + kFacet * gathering.found();
     m_isFull = !isAll;
     if (m_isFull) {
         m_count = 0;
