@@ -6,12 +6,14 @@
 #include "palpate/haptics/internal/TriangleBatch.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace palpate::haptics::internal {
 
 namespace {
 
+constexpr double kNever = 2.0;
 constexpr double kShort = 0.5;     // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
 constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells is asked of the whole hierarchy
@@ -124,42 +126,41 @@ class BallNeighbourhood::Traversal
         std::copy_n(m_from.data(), 3, m_from4);
     }
 
-    /// @return false when the work was spent before all was asked
-    bool run() noexcept
+    /// @return the share of the move up to which all was asked: 1, or less where the work was spent
+    double run() noexcept
     {
         const double reach = m_first.radius_mm + m_layer.skin_mm;
-        bool isAll = visit(m_layer.hierarchy, reach, [&](std::uint32_t s, std::uint32_t n) {
+        visit(m_layer.hierarchy, reach, [&](std::uint32_t s, std::uint32_t n) {
             for (const std::uint32_t end = s + n; s < end && !m_work.isSpent(); ++s) {
                 visitStructure(m_layer.structures[s], reach);
             }
         });
-        isAll = isAll && !m_work.isSpent();
         flush();
-        return isAll;
+        return m_free_mm < (1.0 - m_begin) * m_whole ? m_begin + m_free_mm / m_whole : 1.0;
     }
 
   private:
     template<class Leaf>
-    bool visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
+    void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
     {
         std::uint32_t nodes = m_work.left() / kNode, before = nodes;
-        const bool isAll = hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
+        const double free = hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
             m_work.spend(kNode * (before - nodes));
             leaf(i, n);
             nodes = before = m_work.left() / kNode;
             return m_work.isSpent() ? -1.0 : (m_first.limit - m_begin) / (1.0 - m_begin);
         });
         m_work.spend(kNode * (before - nodes));
-        if (!isAll) {
+        if (free < m_free_mm) {
+            m_free_mm = free;
             m_work.spend(m_work.left());
         }
-        return isAll;
     }
 
     void visitStructure(std::uint32_t number, double reach) noexcept
     {
         const geometry::SurfaceIndex& surface = *m_scene.structures()[number].surface;
-        (void)visit(surface.hierarchy(), reach, [&](std::uint32_t i, std::uint32_t n) {
+        visit(surface.hierarchy(), reach, [&](std::uint32_t i, std::uint32_t n) {
             for (const std::uint32_t end = i + n; i < end; ++i) {
                 m_batch.add(surface, number, i);
                 if (m_batch.isFull()) {
@@ -201,6 +202,7 @@ class BallNeighbourhood::Traversal
     const HapticLayer& m_layer;
     double m_begin;
     double m_whole; ///< length of the move [mm]
+    double m_free_mm = std::numeric_limits<double>::infinity(); ///< of the rest, before what was not asked
     Vec3 m_u;       ///< its direction
     Vec3 m_from; ///< where the rest begins [mm]
     double m_from4[4]{};
@@ -213,6 +215,7 @@ Sweep BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& laye
                                TickWork& work, BallCrossing& best) noexcept
 {
     best.stop = 0.0;
+    best.key = kNever;
     if (work.isSpent()) {
         return Sweep::Unknown;
     }
@@ -244,8 +247,10 @@ Sweep BallNeighbourhood::sweep(const HapticScene& scene, const HapticLayer& laye
         }
     }
     first.limit = 1.0;
-    if (!Traversal(scene, layer, done, work, first).run()) {
-        best.stop = done;
+    const double asked = Traversal(scene, layer, done, work, first).run();
+    if (first.limit > asked) {
+        best.key = first.found ? best.key : kNever;
+        best.stop = first.found ? std::min(best.stop, asked) : asked;
         return Sweep::Unknown;
     }
     return first.found ? Sweep::Blocked : Sweep::Free;

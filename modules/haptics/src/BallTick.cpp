@@ -35,6 +35,8 @@ constexpr int kMostRolled = 8;       // facets in one move
 constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
 constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
 
+constexpr double kThere = 0.01; // radii in front of what it would touch next, where the work is spent
+
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
 
@@ -314,7 +316,12 @@ bool BallTick::goesOn() noexcept
     case Sweep::Unknown:
         break;
     }
-    if (crossing.stop > 0.0) { // so far nothing is in the way
+    // So far nothing is in the way. What is known to come next holds it where it gets no farther, and if it is there
+    // already, but for what the distances of boxes leave open.
+    const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_scene.fingertip_mm();
+    if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= 1e-3 * m_skin_mm)) {
+        (void)stopAt(u, step, crossing, isLong);
+    } else if (crossing.stop > 0.0) {
         m_god += crossing.stop * u;
         (void)lookAgain();
     }

@@ -89,13 +89,13 @@ class BoxHierarchy
     /// Calls `leaf(first, count)` for the leaves that a ball of `reach_mm` may touch whose centre goes along a segment,
     /// nearer ones first as a rule: by the distance of their boxes, less what rounding could make of it. Left out is
     /// what lies wholly behind the start, too: from there on its distance only grows. `leaf` returns the share of the
-    /// segment, 0 … 1, that is still of interest; what is met wholly beyond is left out.
+    /// segment, 0 … 1, that is still of interest; what is met wholly beyond is left out. Less than 0 ends it.
     /// @param nodes  counted down for each node; the traversal ends where it comes to 0
-    /// @return false when it ended before all was visited
+    /// @return how far along the segment nothing is met of what was left unvisited; infinite when all was visited [mm]
     /// @par Real-time Wait-free; bounded by `nodes`.
     template<class Leaf>
-    bool visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
-                    Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
+                      Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `leaf(first, count)` for each leaf whose box comes within `reach_mm` of a point, in a fixed order, until
     /// it returns false. @return how many nodes were visited.

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate::geometry {
@@ -95,6 +97,23 @@ class SweptBall
         return most >= size * core::splat4(-kBoxRounding * m_largest);
     }
 
+    /// @return how far the start is from the nearest of those boxes of four that are used, or less [mm]
+    [[nodiscard]] double distanceFromStart(const core::Float4* c, const core::Float4* e,
+                                           core::Mask4 isUsed) const noexcept
+    {
+        core::Float4 distance2{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const core::Float4 v = c[axis] - core::splat4(static_cast<float>(m_at[axis]));
+            const core::Float4 gap = core::greatest(core::absolute(v) - e[axis], core::Float4{});
+            distance2 += gap * gap;
+        }
+        double least2 = std::numeric_limits<double>::infinity();
+        for (std::uint32_t lanes = core::laneBits(isUsed); lanes != 0; lanes &= lanes - 1) {
+            least2 = std::min(least2, static_cast<double>(distance2[std::countr_zero(lanes)]));
+        }
+        return 0.999999 * std::sqrt(least2) - 2.0 * kBoxRounding * m_largest;
+    }
+
     /// @return by what the nearer boxes come first
     [[nodiscard]] core::Float4 order(const core::Float4* c) const noexcept
     {
@@ -169,11 +188,12 @@ std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& l
 }
 
 template<class Leaf>
-bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
-                              Leaf&& leaf) const noexcept
+double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
+                                Leaf&& leaf) const noexcept
 {
+    constexpr double kAll = std::numeric_limits<double>::infinity();
     if (m_nodes.empty()) {
-        return true;
+        return kAll;
     }
     // What lies outside of the root's box, a reach around it, meets nothing: floats are of the size of the rest.
     const Node& root = m_nodes[0];
@@ -192,7 +212,7 @@ bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm,
         const double start = from[axis] - m_origin[axis], d = to[axis] - from[axis];
         if (d == 0.0) {
             if (start < low - around || start > high + around) {
-                return true;
+                return kAll;
             }
             continue;
         }
@@ -201,7 +221,7 @@ bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm,
         last = std::min(last, std::max(a, b));
     }
     if (!(first <= last)) {
-        return true;
+        return kAll;
     }
     const Vec3 along = (last - first) * (to - from);
     internal::SweptBall ball(from + first * (to - from) - m_origin, along, reach_mm);
@@ -209,9 +229,21 @@ bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm,
     std::uint32_t stack[kStack];
     int top = 0;
     std::uint32_t current = 0;
+    // How far the ball surely gets before it meets what is in the present node and on the stack.
+    const auto freeOfTheRest = [&] {
+        double least = kAll;
+        for (;; current = stack[--top]) {
+            core::Float4 c[3], e[3];
+            const core::Mask4 isUsed = internal::boxesOf(m_nodes[current], c, e);
+            least = std::min(least, ball.distanceFromStart(c, e, isUsed));
+            if (top == 0) {
+                return std::max(0.0, first * (to - from).norm() + least - reach_mm);
+            }
+        }
+    };
     for (;;) {
         if (nodes == 0) {
-            return false;
+            return freeOfTheRest();
         }
         --nodes;
         const Node& node = m_nodes[current];
@@ -222,9 +254,12 @@ bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm,
             const std::uint32_t child = node.child[std::countr_zero(leaves)];
             const double left = leaf(child >> 3, child & 7u);
             if (left < share) {
+                if (left < 0.0) {
+                    return freeOfTheRest();
+                }
                 share = left;
                 if (share < first) {
-                    return true;
+                    return kAll;
                 }
                 ball.clip(last > first ? (share - first) / (last - first) : 1.0);
             }
@@ -248,7 +283,7 @@ bool BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm,
             }
         }
         if (top == 0) {
-            return true;
+            return kAll;
         }
         current = stack[--top];
     }

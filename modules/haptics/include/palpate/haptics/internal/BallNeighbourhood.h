@@ -18,7 +18,8 @@ class BallNeighbourhood
     void beginTick() noexcept PALPATE_NONBLOCKING { m_cells.beginTick(); }
 
     /// Finds the first facet of the layer that blocks a ball with the scene's radius, its centre going x → y.
-    /// @param first  where Blocked: by what; where Unknown: `stop` is the share of the move that is known to be free
+    /// @param first  where Blocked: by what; where Unknown: `stop` is the share of the move that may be made, and its
+    ///               facet one of those in the way, if its `key` is not beyond 1
     /// @par Real-time Wait-free; bounded by `work`.
     [[nodiscard]] Sweep sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
                               TickWork& work, BallCrossing& first) noexcept PALPATE_NONBLOCKING;
