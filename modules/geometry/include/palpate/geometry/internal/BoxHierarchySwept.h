@@ -84,6 +84,17 @@ class SweptBall
         return ~((least > zero) & (least * least > m_reach2 * distance2));
     }
 
+    /// The same for a segment that is a point.
+    [[nodiscard]] core::Mask4 touchesAtStart(const core::Float4* c, const core::Float4* e) const noexcept
+    {
+        core::Float4 distance2{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const core::Float4 gap = core::greatest(core::absolute(c[axis] - m_mid[axis]) - e[axis], core::Float4{});
+            distance2 += gap * gap;
+        }
+        return distance2 <= m_reach2;
+    }
+
     /// @return all ones where a box doesn't lie wholly behind the plane through the start, across the segment
     [[nodiscard]] core::Mask4 isAhead(const core::Float4* c, const core::Float4* e) const noexcept
     {
@@ -166,7 +177,7 @@ std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& l
             core::Float4 c[3], e[3];
             const core::Mask4 isUsed = internal::boxesOf(node, c, e);
             ++visited;
-            std::uint32_t lanes = core::laneBits(isUsed & ball.touches(c, e));
+            std::uint32_t lanes = core::laneBits(isUsed & ball.touchesAtStart(c, e));
             for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
                 const std::uint32_t child = node.child[std::countr_zero(leaves)];
                 if (!leaf(child >> 3, child & 7u)) {
