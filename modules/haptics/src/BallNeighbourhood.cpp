@@ -22,9 +22,9 @@ constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells 
 constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
 constexpr std::uint32_t kGroup = 3;  // eight facets' distances
 constexpr std::uint32_t kExact = 6;  // the exact test of one
-constexpr std::uint32_t kMeets = 20; // and more where it blocks
-constexpr std::uint32_t kNode = 6;
-constexpr std::uint32_t kBatch = 38; // of eight facets of the hierarchy
+constexpr std::uint32_t kMeets = 15; // and more where it blocks
+constexpr std::uint32_t kNode = 5;
+constexpr std::uint32_t kBatch = 36; // of eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
