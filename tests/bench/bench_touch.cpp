@@ -11,9 +11,13 @@
 // finger/T  the slide with a ball of 1 mm radius instead of a point
 // crowd/T   the slide on one of 300 spheres of T triangles each, 125 mm apart: the others should cost nothing
 // bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
+// ballR/T   a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s
+// worst/N/R a ball of R mm where a tick is bounded by its work: N = fan, the apex of 10,000 facets; pile, a million
+//           triangles within 1e-9 mm; crowd, 300 spheres of 2,000 triangles through each other
 //
 // Columns: p50, p99, p99_9 and max in ns of one tick, clock included (about 25 ns of each); iterations, the mean of
-// moves tried; hash of all god-objects: when it changes, so has the answer. Pin one core for numbers worth comparing:
+// moves tried; limit, the share of ticks that ended at a bound; hash of all god-objects: when it changes, so has the
+// answer. Pin one core for numbers worth comparing:
 // taskset -c 1 bench_touch
 #include "Shapes.h"
 
@@ -27,6 +31,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <random>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -75,14 +81,53 @@ Vec3 direction(double arc)
     return Vec3(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc), std::sin(0.37 * arc));
 }
 
+/// What the ticks of one row took and led to.
+class Ticks
+{
+  public:
+    void step(benchmark::State& state, haptics::Palpator& palpator, const Vec3& hip)
+    {
+        const std::int64_t start = core::monotonicNow_ns();
+        const haptics::TickResult tick = palpator.step(hip, 1e-3);
+        const std::int64_t end = core::monotonicNow_ns();
+        m_ns.push_back(end - start);
+        state.SetIterationTime(static_cast<double>(end - start) * 1e-9);
+        for (int axis = 0; axis < 3; ++axis) {
+            m_hash = m_hash * 0x9e3779b97f4a7c15ull + std::bit_cast<std::uint64_t>(tick.p_WG[axis]);
+        }
+        m_moves += tick.iterations;
+        m_contacts += tick.constraints > 0 ? 1 : 0;
+        m_limited += tick.status == haptics::TickStatus::IterationLimit ? 1 : 0;
+    }
+    void report(benchmark::State& state)
+    {
+        std::sort(m_ns.begin(), m_ns.end());
+        const auto n = static_cast<double>(m_ns.size());
+        const auto percentile = [&](double p) {
+            return static_cast<double>(m_ns[std::min(m_ns.size() - 1, static_cast<std::size_t>(p * n))]);
+        };
+        state.counters["p50"] = percentile(0.5);
+        state.counters["p99"] = percentile(0.99);
+        state.counters["p99_9"] = percentile(0.999);
+        state.counters["max"] = static_cast<double>(m_ns.back());
+        state.counters["iterations"] = static_cast<double>(m_moves) / n;
+        state.counters["contact"] = static_cast<double>(m_contacts) / n;
+        state.counters["limit"] = static_cast<double>(m_limited) / n;
+        state.counters["hash"] = static_cast<double>(m_hash >> 40);
+    }
+
+  private:
+    std::vector<std::int64_t> m_ns;
+    std::uint64_t m_hash = 0, m_moves = 0, m_contacts = 0, m_limited = 0;
+};
+
 void slide(benchmark::State& state, int n, double bump, double distance_mm, double speed_mm_s, bool isCold,
            double fingertip_mm, int spheres)
 {
     const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm, spheres);
     haptics::Palpator palpator;
     palpator.setScene(&sphere);
-    std::vector<std::int64_t> ns;
-    std::uint64_t hash = 0, moves = 0, contacts = 0;
+    Ticks ticks;
     double arc = 0.0;
     for (int i = 0; i < 300; ++i) { // arrive
         const double share = std::min(1.0, i / 200.0);
@@ -94,30 +139,10 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
         if (isCold) {
             flushCaches();
         }
-        const std::int64_t start = core::monotonicNow_ns();
-        const haptics::TickResult tick = palpator.step(hip, 1e-3);
-        const std::int64_t end = core::monotonicNow_ns();
-        ns.push_back(end - start);
-        state.SetIterationTime(static_cast<double>(end - start) * 1e-9);
-        for (int axis = 0; axis < 3; ++axis) {
-            hash = hash * 0x9e3779b97f4a7c15ull + std::bit_cast<std::uint64_t>(tick.p_WG[axis]);
-        }
-        moves += tick.iterations;
-        contacts += tick.constraints > 0 ? 1 : 0;
+        ticks.step(state, palpator, hip);
     }
-    std::sort(ns.begin(), ns.end());
-    const auto percentile = [&ns](double p) {
-        return static_cast<double>(
-            ns[std::min(ns.size() - 1, static_cast<std::size_t>(p * static_cast<double>(ns.size())))]);
-    };
     state.counters["triangles"] = sphere.structures()[0].surface->triangleCount();
-    state.counters["p50"] = percentile(0.5);
-    state.counters["p99"] = percentile(0.99);
-    state.counters["p99_9"] = percentile(0.999);
-    state.counters["max"] = static_cast<double>(ns.back());
-    state.counters["iterations"] = static_cast<double>(moves) / static_cast<double>(ns.size());
-    state.counters["contact"] = static_cast<double>(contacts) / static_cast<double>(ns.size());
-    state.counters["hash"] = static_cast<double>(hash >> 40);
+    ticks.report(state);
 }
 
 void add(const char* name, int n, double bump, double distance_mm, double speed_mm_s, bool isCold, int ticks,
@@ -127,6 +152,79 @@ void add(const char* name, int n, double bump, double distance_mm, double speed_
         (std::string(name) + "/" + std::to_string(20 * n * n)).c_str(),
         [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold, fingertip_mm, spheres); })
         ->Iterations(ticks)
+        ->UseManualTime()
+        ->Unit(benchmark::kNanosecond);
+}
+
+geometry::TriangleMesh fanOf(std::uint32_t n)
+{
+    geometry::TriangleMesh fan;
+    fan.vertices = {Vec3(0, 0, 5), Vec3(0, 0, -10)};
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double angle = 6.283185307179586 * i / n;
+        fan.vertices.push_back(Vec3(20 * std::cos(angle), 20 * std::sin(angle), i % 2));
+        const std::uint32_t next = (i + 1) % n;
+        fan.triangles.push_back({0, 2 + i, 2 + next});
+        fan.triangles.push_back({1, 2 + next, 2 + i});
+    }
+    return fan;
+}
+
+geometry::TriangleMesh pileOf(std::uint32_t n)
+{
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal(0.0, 1e-9);
+    geometry::TriangleMesh pile;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (const Vec3& corner : {Vec3(-10, -10, 0), Vec3(10, -10, 0), Vec3(0, 10, 0)}) {
+            pile.vertices.push_back(corner + Vec3(normal(random), normal(random), normal(random)));
+        }
+        pile.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return pile;
+}
+
+std::vector<haptics::HapticStructure> crowdOf(int n)
+{
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal;
+    const geometry::TriangleMesh sphere = test::sphere(10, 8.0);
+    std::vector<haptics::HapticStructure> structures;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 at = 6.0 * Vec3(normal(random), normal(random), normal(random));
+        const auto moved = [&at](const Vec3& p) { return Vec3(p + at); };
+        structures.push_back({"sphere", test::indexed(test::transformed(sphere, moved)), {0.5, 0.0}, 0});
+    }
+    return structures;
+}
+
+/// @param name  of what: fan, pile or crowd
+void addWorst(const std::string& name, double fingertip_mm)
+{
+    const auto run = [=](benchmark::State& state) {
+        std::vector<haptics::HapticStructure> structures;
+        if (name == "crowd") {
+            structures = crowdOf(300);
+        } else {
+            const geometry::TriangleMesh mesh = name == "fan" ? fanOf(10'000) : pileOf(1'000'000);
+            structures.push_back({name, test::indexed(mesh), {0.5, 0.0}, 0});
+        }
+        const haptics::HapticScene worst(std::move(structures), fingertip_mm);
+        haptics::Palpator palpator;
+        palpator.setScene(&worst);
+        Ticks ticks;
+        int i = 0;
+        for (auto _ : state) {
+            const double arc = 0.003 * i, high = std::max(0.0, 60.0 - 0.3 * i);
+            ++i;
+            const double wide = name == "crowd" ? 14.0 : 2.0;
+            ticks.step(state, palpator, Vec3(wide * std::sin(arc), wide * std::sin(1.4 * arc), high + 2 * std::cos(1.2 * arc)));
+        }
+        ticks.report(state);
+    };
+    benchmark::RegisterBenchmark(
+        ("worst/" + name + "/" + std::to_string(static_cast<int>(fingertip_mm))).c_str(), run)
+        ->Iterations(3'000)
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
 }
@@ -144,6 +242,14 @@ int main(int argc, char** argv)
     add("bumpy", 128, 0.05, -5.0, 400.0, false, 100'000);
     add("finger", 128, 0.0, -5.0, 100.0, false, 50'000, 1.0);
     add("crowd", 32, 0.0, -5.0, 100.0, false, 200'000, 0.0, 300);
+    for (const int radius : {1, 4, 8, 20}) {
+        add(("ball" + std::to_string(radius)).c_str(), 81, 0.02, radius - 2.0, 100.0, false, 20'000, radius);
+    }
+    for (const char* name : {"fan", "pile", "crowd"}) {
+        for (const double radius : {1.0, 4.0, 20.0}) {
+            addWorst(name, radius);
+        }
+    }
     if (std::getenv("PALPATE_BENCH_LARGE") != nullptr) {
         add("slide", 708, 0.0, -5.0, 100.0, false, 200'000);
         add("free", 708, 0.0, 5.0, 100.0, false, 200'000);

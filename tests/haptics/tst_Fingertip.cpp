@@ -158,6 +158,140 @@ class Fingertip : public QObject
         QCOMPARE(feel.at(Vec3(0, 0, std::nan(""))).status, TickStatus::InvalidInput);
     }
 
+    void aTouchedFloorHidesNoWall_data()
+    {
+        QTest::addColumn<double>("gap");
+        QTest::addColumn<double>("depth");
+        for (const double gap : {1.4, 1.2, 1.05}) {
+            for (const double depth : {2e-10, 1e-9, 1e-8, 1e-6}) {
+                QTest::newRow(qPrintable(QString("%1 skins above, then %2 mm below").arg(gap).arg(depth)))
+                    << gap << depth;
+            }
+        }
+    }
+    void aTouchedFloorHidesNoWall()
+    {
+        // The floor is touched and would stop the move far along it, well behind the wall.
+        QFETCH(double, gap);
+        QFETCH(double, depth);
+        geometry::TriangleMesh corner = box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4);
+        append(corner, box(Vec3(1, -5, -1), Vec3(9, 5, 5)));
+        Feel feel(corner, 0.5);
+        const double skin = feel.scene.layer(0).skin_mm;
+        (void)feel.at(Vec3(0.4, 0, 2));
+        (void)feel.at(Vec3(0.4, 0, 0.5 + gap * skin));
+        QVERIFY(feel.at(Vec3(6, 0, 0.5 - depth)).p_WG.x() < 0.5 + kBound_mm);
+    }
+
+    void aBallPutDownOnTheSurfaceItselfIsHeld()
+    {
+        for (const double height : {0.0, 1e-12, 1e-3}) {
+            Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4), 2.0);
+            std::mt19937_64 random(4);
+            std::normal_distribution<double> normal;
+            (void)feel.at(Vec3(0.3, 0.2, height));
+            double lowest = height;
+            for (int i = 0; i < 3000; ++i) {
+                const double deeper = std::abs(normal(random)) * (i % 2 == 0 ? 1.0 : 1e-12);
+                lowest = std::min(lowest, feel.at(Vec3(0.3 + normal(random), 0.2 + normal(random), height - deeper)).p_WG.z());
+            }
+            QVERIFY2(lowest > height - 1e-9, qPrintable(QString::number(lowest)));
+        }
+    }
+
+    void aTinyBallStaysOffALongEdge()
+    {
+        // An edge of 2 m: what it is away from is seven digits below the distances to the edge's ends.
+        const double size = 1000.0, radius = 0.001;
+        Feel feel(box(Vec3(-size, -size, -size), Vec3(size, size, size)), radius);
+        const double skin = feel.scene.layer(0).skin_mm;
+        std::mt19937_64 random(6);
+        std::uniform_real_distribution<double> part(-1.0, 1.0);
+        for (int path = 0; path < 40; ++path) {
+            const Vec3 base(size, 0.9 * size * part(random), size);
+            feel.palpator.reset();
+            (void)feel.at(base + Vec3(1, 0, 1) * 10 * radius);
+            for (int i = 0; i < 200; ++i) {
+                const Vec3 g = feel.at(base + 2 * radius * Vec3(part(random), part(random), part(random))).p_WG;
+                QVERIFY2(clearance(feel.mesh, g) > radius - 8 * skin, qPrintable(QString("path %1").arg(path)));
+            }
+        }
+    }
+
+    void withoutContactItIsAtTheHip()
+    {
+        // HIPs on edges and vertices to the last bit, and steps of up to a hundred extents.
+        const geometry::TriangleMesh mesh = sphere(6, 10.0);
+        Feel feel(mesh, 4.0);
+        std::mt19937_64 random(3);
+        std::uniform_int_distribution<std::size_t> any(0, mesh.triangles.size() - 1);
+        (void)feel.at(Vec3(30, 0, 0));
+        for (int i = 0; i < 4000; ++i) {
+            const geometry::Triangle& t = mesh.triangles[any(random)];
+            const double away = i % 7 == 0 ? 1e3 : i % 7 == 3 ? 2.0 : 1.0;
+            const Vec3 hip = away * (i % 2 == 0 ? mesh.vertices[t[0]]
+                                                : Vec3(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]])));
+            const TickResult r = feel.at(hip);
+            QVERIFY2(r.constraints > 0 || r.p_WG == hip, qPrintable(QString("tick %1").arg(i)));
+        }
+    }
+
+    void atTheCentreOfCurvatureItComesToRest()
+    {
+        // As deep as its radius at a vertex: the ball may roll around the HIP without coming nearer.
+        const geometry::TriangleMesh mesh = sphere(20, 20.0);
+        for (const double radius : {1.0, 4.0}) {
+            Feel feel(mesh, radius);
+            std::mt19937_64 random(1);
+            std::normal_distribution<double> normal;
+            (void)feel.at(Vec3(90, 1, 2));
+            std::uint64_t moves = 0;
+            for (int i = 0; i < 1000; ++i) {
+                const geometry::Triangle& t = mesh.triangles[static_cast<std::size_t>(i / 5) * 37 % mesh.triangles.size()];
+                const TickResult r = feel.at(mesh.vertices[t[0]] + 1e-5 * Vec3(normal(random), normal(random), normal(random)));
+                QVERIFY(std::abs((r.p_WG - mesh.vertices[t[0]]).norm() - radius) < 1e-4);
+                moves += r.iterations;
+            }
+            qInfo("radius %g: %.1f moves a tick", radius, double(moves) / 1000.0);
+            QVERIFY(moves < 60 * 1000);
+        }
+    }
+
+    void theWorkOfATickIsBounded()
+    {
+        // 4,000 facets that meet in one point: more than a tick can ask for often.
+        geometry::TriangleMesh fan;
+        const int n = 4000;
+        fan.vertices = {Vec3(0, 0, 5), Vec3(0, 0, -10)};
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2 * std::numbers::pi * i / n;
+            fan.vertices.push_back(Vec3(20 * std::cos(angle), 20 * std::sin(angle), i % 2));
+        }
+        for (std::uint32_t i = 0; i < std::uint32_t(n); ++i) {
+            const std::uint32_t j = (i + 1) % std::uint32_t(n);
+            fan.triangles.push_back({0, 2 + i, 2 + j});
+            fan.triangles.push_back({1, 2 + j, 2 + i});
+        }
+        Feel kept(fan, 4.0), thrownAway(fan, 4.0);
+        int limited = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double angle = 0.02 * i, away = 2 * std::abs(std::sin(0.003 * i));
+            const Vec3 hip(away * std::cos(angle), away * std::sin(angle), i < 5 ? 20.0 - 2 * i : 3.0 - 0.01 * i);
+            thrownAway.palpator.restore(thrownAway.palpator.state());
+            const TickResult r = kept.at(hip), other = thrownAway.at(hip);
+            QVERIFY2(r.p_WG == other.p_WG && r.iterations == other.iterations && r.status == other.status,
+                     qPrintable(QString("tick %1").arg(i)));
+            limited += r.status == TickStatus::IterationLimit ? 1 : 0;
+            // Wherever the bound was met it is legal, and what holds it is felt.
+            if (i % 10 == 0) {
+                QVERIFY2(clearance(fan, r.p_WG) > 4.0 - 1e-8, qPrintable(QString("tick %1").arg(i)));
+            }
+            QVERIFY2(r.constraints > 0 || hip.z() > 9.0, qPrintable(QString("tick %1").arg(i)));
+        }
+        qInfo("%d of 400 ticks at the bound", limited);
+        QVERIFY(limited > 0);
+    }
+
     void noSmallLegalMoveComesCloser_data()
     {
         QTest::addColumn<geometry::TriangleMesh>("mesh");

@@ -4,58 +4,72 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kNever = 2.0;
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Smaller root of a t² + 2 b t + c with c > 0, kNever when there is none in front.
-double firstRoot(double a, double b, double c) noexcept
+/// A move that is nearer to an edge's direction than this sine goes along the edge: it enters at the ends, not at the
+/// side.
+constexpr double kAlong = 1e-15;
+
+/// Where the line w + s u, seen from the middle of a sphere or of a cylinder's section, comes nearer to it than r. The
+/// start counts as outside: where rounding makes it lie inside, it is on the sphere. How far the line passes beside the
+/// middle is a cross product, so that no difference of large squares decides.
+/// @param u  unit, or shorter by the part along the cylinder's axis
+inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
 {
-    const double d = b * b - a * c;
-    return b < 0.0 && d >= 0.0 ? c / (std::sqrt(d) - b) : kNever;
+    const double u2 = u.squaredNorm();
+    const double nearest = -w.dot(u); // times u2: where the line comes nearest
+    if (nearest <= 0.0 || u2 <= kAlong * kAlong) {
+        return kNever;
+    }
+    const double beside2 = w.cross(u).squaredNorm(); // times u2
+    return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNever;
 }
 
-/// Share of the move x + t d at which its distance from the triangle falls to `r`; kNever when it stays farther or
-/// would do so beyond `limit`. @pre the distance at x is greater than r
-double entry(const Facet& facet, double side, const Vec3& x, const Vec3& d, double r, double limit) noexcept
+/// Way along the move x + s u at which its distance from the triangle falls to `r`; kNever when it stays farther or
+/// would do so beyond `limit`. [mm] @param u  unit @pre the distance at x is greater than r, and r than 0
+double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, double r, double limit) noexcept
 {
     double first = kNever;
-    const double sinking = -side * facet.n.dot(d);
+    const double sinking = -side * facet.n.dot(u);
     if (sinking > 0.0) {
         const double height = side * facet.n.dot(x - facet.a);
-        const double t = (height - r) / sinking;
-        if (t >= 0.0 && t <= limit) {
-            const Vec3 p = x + t * d;
+        const double s = std::max(0.0, (height - r) / sinking);
+        if (s <= limit) {
+            const Vec3 p = x + s * u;
             const Vec3 pa = facet.a - p, pb = facet.b - p, pc = facet.c - p;
             if (facet.n.dot(pa.cross(pb)) >= 0.0 && facet.n.dot(pb.cross(pc)) >= 0.0 &&
                 facet.n.dot(pc.cross(pa)) >= 0.0) {
-                return t; // on the face: the other parts are entered later
+                return s; // on the face: the other parts are entered later
             }
         }
     }
-    const double d2 = d.squaredNorm(), r2 = r * r;
     const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3& v = *corner[i];
-        const Vec3 w = x - v, e = *corner[(i + 1) % 3] - v;
-        const double wd = w.dot(d), w2 = w.squaredNorm();
-        if (w2 > r2) {
-            first = std::min(first, firstRoot(d2, wd, w2 - r2));
+        const Vec3 w = x - *corner[i], e = *corner[(i + 1) % 3] - *corner[i];
+        // What the move cannot reach before what is known needs no root.
+        double reach = r + std::min(first, limit);
+        if (w.squaredNorm() <= reach * reach) {
+            first = std::min(first, firstRoot(w, u, r));
+            reach = r + std::min(first, limit);
         }
-        // The cylinder around the edge: the same without the parts along it.
         const double e2 = e.squaredNorm();
         if (e2 > 0.0) {
-            const double we = w.dot(e), de = d.dot(e);
-            const double c = w2 - we * we / e2 - r2;
-            if (c > 0.0) {
-                const double t = firstRoot(d2 - de * de / e2, wd - we * de / e2, c);
-                const double along = we + t * de;
-                if (t < first && along >= 0.0 && along <= e2) {
-                    first = t;
-                }
+            // The cylinder around the edge: the same without the parts along it.
+            const double perEdge2 = 1.0 / e2, we = w.dot(e), ue = u.dot(e);
+            const Vec3 across = w - (we * perEdge2) * e;
+            if (across.squaredNorm() > reach * reach) {
+                continue;
+            }
+            const double s = firstRoot(across, u - (ue * perEdge2) * e, r);
+            const double along = we + s * ue;
+            if (s < first && along >= 0.0 && along <= e2) {
+                first = s;
             }
         }
     }
@@ -108,24 +122,39 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     }
     const double side = height < 0.0 && facet.isTwoSided ? -1.0 : 1.0;
     const Vec3 d = y - x;
-    const Vec3 away = x - nearestOn(facet, x).q;
+    const double length = d.norm();
+    Vec3 away = x - nearestOn(facet, x).q;
+    const double distance = away.norm();
+    if (distance <= onPlane) {
+        away = side * facet.n; // on the facet itself: up is where it leads away
+    }
     const double closing = -away.dot(d);
     if (closing <= 0.0) {
         return false; // the distance from a convex set only grows from here
     }
-    const double distance = away.norm();
     const double kept = radius_mm + facet.skin_mm;
-    // What touches already comes first, whatever its entry.
-    const bool isTouching = distance <= kept + 0.5 * facet.skin_mm;
-    const double t = entry(facet, side, x, d, std::min(radius_mm, distance - onPlane), isTouching ? 1.0 : limit);
-    if (t == kNever) {
-        return false;
-    }
-    crossing.key = isTouching ? 0.0 : t;
-    crossing.closing_mm = isTouching ? closing / distance : 0.0;
-    crossing.stop = distance <= kept ? 0.0 : std::min(t, entry(facet, side, x, d, kept, 1.0));
     crossing.facet = facet;
     crossing.side = side > 0.0 ? 1 : -1;
+    if (distance <= onPlane) {
+        crossing.key = crossing.stop = 0.0;
+        crossing.closing_mm = closing;
+        return true;
+    }
+    // A little more than the limit, so that of facets met at the same share none is lost to rounding.
+    const double most = limit * length + onPlane;
+    if (distance - radius_mm > most) {
+        return false;
+    }
+    // What touches already comes first, whatever its entry: nothing is made of the move.
+    const bool isTouching = distance <= kept + onPlane;
+    const Vec3 u = d / length;
+    const double s = entry(facet, side, x, u, std::min(radius_mm, distance - onPlane), isTouching ? length : most);
+    if (s == kNever || (!isTouching && s / length > limit)) {
+        return false;
+    }
+    crossing.key = isTouching ? 0.0 : s / length;
+    crossing.closing_mm = isTouching ? closing / distance : 0.0;
+    crossing.stop = isTouching ? 0.0 : std::min(s, entry(facet, side, x, u, kept, s)) / length;
     return true;
 }
 

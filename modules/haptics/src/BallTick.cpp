@@ -10,10 +10,15 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::uint32_t kPatience = 32;
+// What comes nearer to the HIP by less than so many skins, or than so small a share of the distance, in so many moves,
+// has arrived.
+constexpr std::uint32_t kPatience = 16;
+constexpr double kArrived = 4.0;
+constexpr double kSlight = 1e-8;
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
-// together, but no more than so many radii or times the way from the one before, and only if that is longer at all.
+// together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
+// only if that is longer at all.
 constexpr int kCreeping = 2;
 constexpr double kAlike = 0.9;
 constexpr double kLongest = 0.5;
@@ -29,6 +34,8 @@ constexpr double kParted = 3.0;      // skins of gap, beyond the first, from whi
 constexpr int kMostRolled = 8;       // facets in one move
 constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
 constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
+
+constexpr double kThere = 0.01; // radii in front of what it would touch next, where the work is spent
 
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
@@ -159,11 +166,11 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
         return u;
     }
     m_step.alike = m_last.alike + 1;
-    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u)) {
+    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u) || isDeep()) {
         return u;
     }
     const double shrunk = moved.dot(m_last.u - u);
-    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * length});
+    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * std::max(length, m_kept_mm)});
     const double whole = length * length * step < most * shrunk ? length * length * step / shrunk : most;
     if (whole <= kLonger * step) {
         return u;
@@ -184,6 +191,7 @@ bool BallTick::isKept(bool isOver) noexcept
     }
     if ((m_hip - m_god).norm() < m_before.spring_mm + kParted * m_skin_mm) {
         m_trialMoves = 0;
+        m_kept_mm = m_tried_mm;
         m_longest_mm = std::max(m_longest_mm, m_tried_mm / kShorter);
         return true;
     }
@@ -191,6 +199,7 @@ bool BallTick::isKept(bool isOver) noexcept
         return true;
     }
     m_trialMoves = 0;
+    m_kept_mm = 0.0;
     m_longest_mm = kShorter * m_tried_mm;
     m_god = m_before.god;
     m_contacts = m_before.contacts;
@@ -213,6 +222,14 @@ Vec3 BallTick::slope() const noexcept
     return Vec3::Zero();
 }
 
+/// Takes back a move aside.
+void BallTick::standAgain() noexcept
+{
+    m_god = m_stood.god;
+    m_contacts = m_stood.contacts;
+    m_count = m_stood.count;
+}
+
 /// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
 /// roll.
 /// @return true when there is a side to try; where none led closer it stands where it stood
@@ -224,9 +241,7 @@ bool BallTick::topples() noexcept
         m_aside = slope();
         m_stood = {m_god, m_contacts, m_count, spring};
     } else {
-        m_god = m_stood.god;
-        m_contacts = m_stood.contacts;
-        m_count = m_stood.count;
+        standAgain();
     }
     const int sides = m_contacts[0].nearest.along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
     while (m_nudges < sides && !m_aside.isZero(0.0)) {
@@ -236,7 +251,7 @@ bool BallTick::topples() noexcept
         const double aside = m_nudges++ % 2 == 0 ? kAside : -kAside;
         const Vec3 target = m_god + aside * m_scene.fingertip_mm() * m_aside;
         BallCrossing crossing;
-        if (!m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
+        if (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
             (void)lookAgain();
             return true;
@@ -247,66 +262,118 @@ bool BallTick::topples() noexcept
 
 std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 {
-    double spring = std::numeric_limits<double>::infinity();
-    std::uint32_t since = 0;
-    (void)lookAgain();
-    for (std::uint32_t i = 0; i < limit; ++i) {
-        (void)isKept(false);
-        if (const double now = (m_hip - m_god).norm(); now < spring - m_skin_mm) {
-            spring = now;
-            since = i;
-        } else if (i >= since + kPatience && m_count > 0 && isKept(true)) {
-            if (!topples()) {
-                return i + 1;
-            }
-            since = i;
-        }
-        const Vec3 u = nextMove();
-        const double step = u.cwiseAbs().maxCoeff();
-        if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
-            if (!isKept(true) || topples()) {
-                continue;
-            }
-            return i + 1;
-        }
-        const bool isLong = m_trialMoves == kTrial;
-        BallCrossing crossing;
-        if (!m_near.sweep(m_scene, m_layer, m_god, m_god + u, crossing)) {
-            const bool wasFlat = isFlat();
-            if (m_count > 0) {
-                m_last = m_step;
-            }
-            m_god += u;
-            if (lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples()) {
-                return i + 1;
-            }
-            continue;
-        }
-        m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
-        const bool hasMoved = crossing.stop * step > 1e-3 * m_skin_mm;
-        if (hasMoved) {
-            m_god += crossing.stop * u;
-            (void)lookAgain();
-        } else if (isLong) {
-            m_trialMoves = 0;
-        }
-        const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
-            return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
-        });
-        if (isHeld) {
-            if (!hasMoved && isKept(true)) {
-                return i + 1;
-            }
-            continue;
-        }
-        if (m_count == static_cast<int>(kMost)) {
-            std::move(m_contacts.begin() + 1, m_contacts.end(), m_contacts.begin());
-            --m_count;
-        }
-        touch(crossing.facet, crossing.side);
+    m_near.beginTick();
+    if (m_count > 0) {
+        m_known = m_contacts[0];
+        m_isKnown = true;
     }
-    (void)isKept(true);
-    return limit;
+    (void)lookAgain();
+    std::uint32_t moves = 0;
+    while (moves < limit) {
+        ++moves;
+        if (!goesOn()) {
+            break;
+        }
+    }
+    if (isKept(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
+        standAgain();
+    }
+    if (m_count == 0 && m_isKnown && m_god != m_hip) {
+        // Away from the HIP something holds it: the facet known last.
+        touch(m_known.facet, m_known.side);
+    }
+    return moves;
+}
+
+/// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
+bool BallTick::goesOn() noexcept
+{
+    if (m_work.isSpent()) {
+        return false;
+    }
+    (void)isKept(false);
+    const double now = (m_hip - m_god).norm();
+    if (!isDeep() && now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
+        m_spring_mm = now;
+        m_since = 0;
+    } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
+        m_since = 0;
+        return topples();
+    }
+    const Vec3 u = nextMove();
+    const double step = u.cwiseAbs().maxCoeff();
+    if (m_count > 0 && step <= 1e-3 * m_skin_mm) {
+        return !isKept(true) || topples();
+    }
+    const bool isLong = m_trialMoves == kTrial;
+    const Vec3 target = m_count == 0 ? m_hip : Vec3(m_god + u);
+    BallCrossing crossing;
+    switch (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing)) {
+    case Sweep::Free:
+        return moveTo(target, isLong);
+    case Sweep::Blocked:
+        return stopAt(u, step, crossing, isLong);
+    case Sweep::Unknown:
+        break;
+    }
+    // So far nothing is in the way. What is known to come next holds it where it gets no farther, and if it is there
+    // already, but for what the distances of boxes leave open.
+    const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_scene.fingertip_mm();
+    if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= 1e-3 * m_skin_mm)) {
+        (void)stopAt(u, step, crossing, isLong);
+    } else if (crossing.stop > 0.0) {
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    }
+    return false;
+}
+
+/// Makes a move that nothing blocks. @return false when it has led home
+bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
+{
+    const bool wasFlat = isFlat();
+    if (m_count > 0) {
+        m_last = m_step;
+    }
+    m_god = target;
+    return !(lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples());
+}
+
+/// Moves up to what is in the way, and takes it as a contact. @return false when that leads nowhere any more
+/// @param step  largest part of u by axis [mm]
+bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
+{
+    m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
+    const bool hasMoved = crossing.stop * step > 1e-3 * m_skin_mm;
+    if (hasMoved) {
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    } else if (isLong) {
+        m_trialMoves = 0;
+        m_longest_mm = kShorter * m_tried_mm;
+    }
+    const bool isHeld = std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
+        return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
+    });
+    if (isHeld) {
+        return hasMoved || isLong || !isKept(true);
+    }
+    if (m_count == static_cast<int>(kMost)) {
+        std::move(m_contacts.begin() + 1, m_contacts.end(), m_contacts.begin());
+        --m_count;
+    }
+    touch(crossing.facet, crossing.side);
+    m_known = m_contacts[static_cast<std::size_t>(m_count - 1)];
+    m_isKnown = true;
+    return true;
+}
+
+/// Nearer to a contact than its radius: put there. Each move leads it farther out, and none along the surface.
+bool BallTick::isDeep() const noexcept
+{
+    return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
+        return m_scene.fingertip_mm() + c.facet.skin_mm - c.distance_mm > kPressed * c.facet.skin_mm;
+    });
 }
 
 bool BallTick::isFlat() const noexcept

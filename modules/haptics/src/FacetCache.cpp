@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/FacetCache.h"
 
-#include "palpate/haptics/internal/TriangleDistances.h"
-
 #include <algorithm>
 
 namespace palpate::haptics::internal {
@@ -142,6 +140,5 @@ bool FacetCache<Group, kMost>::gatherAt(const HapticScene& scene, const HapticLa
 }
 
 template class FacetCache<FacetGroup, 64>;
-template class FacetCache<TriangleGroup, 256>;
 
 } // namespace palpate::haptics::internal

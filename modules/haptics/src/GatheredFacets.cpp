@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/internal/GatheredFacets.h"
 
-#include "palpate/haptics/internal/TriangleDistances.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -95,6 +93,5 @@ void GatheredFacets<Group, kMost>::proceed(const HapticScene& scene, int groups)
 }
 
 template class GatheredFacets<FacetGroup, 64>;
-template class GatheredFacets<TriangleGroup, 256>;
 
 } // namespace palpate::haptics::internal

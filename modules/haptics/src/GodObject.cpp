@@ -432,7 +432,9 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
     internal::TickWork work(limits.work);
     if (scene.fingertip_mm() > 0.0) {
         run(internal::BallTick(p_WH, scene, layer, m_ballNeighbourhood, work, m_state.p_WG), limits, result);
-        m_ballNeighbourhood.endTick(scene, layer, m_state.p_WG);
+        if (work.isSpent()) {
+            result.status = TickStatus::IterationLimit;
+        }
     } else if (m_state.constraints == 0 && m_neighbourhood.isFree(m_state.p_WG, p_WH)) {
         m_state.p_WG = result.p_WG = p_WH;
         result.iterations = 1;

@@ -87,6 +87,23 @@ class BoxHierarchy
     void visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf,
                       double around_mm = 0.0) const noexcept PALPATE_NONBLOCKING;
 
+    /// Calls `leaf(first, count)` for the leaves that a ball of `reach_mm` may touch whose centre goes along a segment,
+    /// nearer ones first as a rule: by the distance of their boxes, less what rounding could make of it. Left out is
+    /// what lies wholly behind the start, too: from there on its distance only grows. `leaf` returns the share of the
+    /// segment, 0 … 1, that is still of interest; what is met wholly beyond is left out. Less than 0 ends it.
+    /// @param nodes  counted down for each node; the traversal ends where it comes to 0
+    /// @return how far along the segment nothing is met of what was left unvisited; infinite when all was visited [mm]
+    /// @par Real-time Wait-free; bounded by `nodes`.
+    template<class Leaf>
+    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
+                      Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+
+    /// Calls `leaf(first, count)` for each leaf whose box comes within `reach_mm` of a point, in a fixed order, until
+    /// it returns false. @return how many nodes were visited.
+    /// @par Real-time Wait-free; bounded by the number of nodes.
+    template<class Leaf>
+    std::uint32_t visitAround(const Vec3& p, double reach_mm, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+
     /// Calls `pair(thread, first, count, otherFirst, otherCount)` once for each two leaves whose boxes come within
     /// `around_mm` of each other, a leaf and itself among them: in no fixed order, and from thread 0 and 1 at once. A
     /// thread ends when `pair` returns false to it.
@@ -114,4 +131,5 @@ class BoxHierarchy
 
 } // namespace palpate::geometry
 
+#include "palpate/geometry/internal/BoxHierarchySwept.h"
 #include "palpate/geometry/internal/BoxHierarchyVisit.h"

@@ -2,41 +2,36 @@
 #pragma once
 
 #include "palpate/haptics/internal/Ball.h"
-#include "palpate/haptics/internal/CloseTriangles.h"
-#include "palpate/haptics/internal/FacetCache.h"
+#include "palpate/haptics/internal/BallCell.h"
+#include "palpate/haptics/internal/TickWork.h"
 
 namespace palpate::haptics::internal {
 
-/// What a ball's moves meet, asked of the facets around it.
+/// What a ball's moves meet: short ones are asked of the cells that they lead through, the rest of long ones of the
+/// whole hierarchy.
 class BallNeighbourhood
 {
   public:
     /// Forgets everything: the scene changed.
-    void clear() noexcept PALPATE_NONBLOCKING
-    {
-        m_cache.clear();
-        m_close.clear();
-    }
+    void clear() noexcept PALPATE_NONBLOCKING { m_cells.clear(); }
 
-    /// Tells where the ball's centre stands after a tick.
-    /// @par Real-time Wait-free.
-    void endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
+    void beginTick() noexcept PALPATE_NONBLOCKING { m_cells.beginTick(); }
 
     /// Finds the first facet of the layer that blocks a ball with the scene's radius, its centre going x → y.
-    /// @return false when nothing blocks it.
-    /// @par Real-time Wait-free.
-    [[nodiscard]] bool sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                             BallCrossing& first) noexcept PALPATE_NONBLOCKING;
+    /// @param first  where Blocked: by what; where Unknown: `stop` is the share of the move that may be made, and its
+    ///               facet one of those in the way, if its `key` is not beyond 1
+    /// @par Real-time Wait-free; bounded by `work`.
+    [[nodiscard]] Sweep sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
+                              TickWork& work, BallCrossing& first) noexcept PALPATE_NONBLOCKING;
 
   private:
-    using Cache = FacetCache<TriangleGroup, kMostTriangles>;
-
     struct First;
-    template<class Facets>
-    static void offerFrom(const HapticScene& scene, const Facets& facets, First& first) noexcept;
+    class Traversal;
 
-    Cache m_cache;
-    CloseTriangles m_close;
+    static void offer(const HapticScene& scene, const BallCell& cell, double begin, double end, TickWork& work,
+                      First& first) noexcept;
+
+    BallCells m_cells;
 };
 
 } // namespace palpate::haptics::internal

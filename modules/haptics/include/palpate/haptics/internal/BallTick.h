@@ -34,7 +34,7 @@ struct BallContact
 /// @par Source Birgin, Martínez & Raydan, SIAM J. Optim. 10 (2000) 1196, doi:10.1137/S1052623497330963: projected
 /// gradient with spectral (secant) step lengths and a non-monotone test. Here along the surface, by moves that are each
 /// legal.
-/// @par Real-time Wait-free; bounded by `limit`.
+/// @par Real-time Wait-free; bounded by `limit` and `work`.
 class BallTick
 {
   public:
@@ -50,7 +50,7 @@ class BallTick
     }
 
     void touch(const Facet& facet, int side) noexcept;
-    /// @return how many moves were tried, `limit` when it was not enough.
+    /// @return how many moves were tried, `limit` when it was not enough; where the work is spent, it was not either.
     std::uint32_t converge(std::uint32_t limit) noexcept;
 
     [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
@@ -60,13 +60,18 @@ class BallTick
   private:
     static constexpr std::size_t kMost = 4; // three constraints and the facet just met
 
+    [[nodiscard]] bool goesOn() noexcept;
+    [[nodiscard]] bool moveTo(const Vec3& target, bool isLong) noexcept;
+    [[nodiscard]] bool stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept;
     [[nodiscard]] bool lookAgain() noexcept;
     [[nodiscard]] bool rollOn(BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
+    void standAgain() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
+    [[nodiscard]] bool isDeep() const noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
     [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
 
@@ -79,6 +84,10 @@ class BallTick
     std::array<BallContact, kMost> m_contacts;
     int m_count = 0;
     double m_skin_mm = 0.0;
+    BallContact m_known;                                          ///< the contact met last, or held from before
+    bool m_isKnown = false;                                       ///< there is one
+    double m_spring_mm = std::numeric_limits<double>::infinity(); ///< when the last progress was made
+    std::uint32_t m_since = 0;                                    ///< moves made since then
 
     /// Where the last long step began, to be taken back.
     struct Before
@@ -104,6 +113,7 @@ class BallTick
     Step m_last;                                                   ///< the last one that nothing blocked
     int m_trialMoves = 0;                                          ///< left to the long step that is being judged
     double m_tried_mm = 0.0;                                       ///< its length
+    double m_kept_mm = 0.0;                                        ///< length of the last that led nearer
     double m_longest_mm = std::numeric_limits<double>::infinity(); ///< that is still tried
 };
 

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Traversals of BoxHierarchy for a ball: private, included by BoxHierarchy.h so that the visitor is inlined.
+
+#include "palpate/geometry/BoxHierarchy.h"
+
+#include <palpate/core/Float4.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate::geometry {
+
+namespace internal {
+
+/// Rounding of the float arithmetic on boxes: a few ulp of the largest number in it.
+inline constexpr float kBoxRounding = 2e-6f;
+
+/// A segment as floats against which boxes are ruled out, relative to a hierarchy's origin.
+class SweptBall
+{
+  public:
+    /// @param at    first end [mm]
+    /// @param along  to the other end [mm]
+    SweptBall(const Vec3& at, const Vec3& along, double reach_mm) noexcept
+        : m_at(at)
+        , m_along(along)
+        , m_reach_mm(reach_mm)
+    {
+        m_largest = static_cast<float>((at.cwiseAbs() + along.cwiseAbs()).maxCoeff());
+        clip(1.0);
+    }
+
+    /// Only the first `share` of the segment is of interest from now on.
+    void clip(double share) noexcept
+    {
+        double half2 = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double h = 0.5 * share * m_along[axis];
+            m_mid[axis] = core::splat4(static_cast<float>(m_at[axis] + h));
+            m_half[axis] = core::splat4(static_cast<float>(h));
+            half2 += h * h;
+        }
+        m_perHalf2 = core::splat4(half2 > 1e-30 ? static_cast<float>(1.0 / half2) : 0.0f);
+        // The direction to a box rounds, too, and the half of the segment multiplies that.
+        const double rounding = kBoxRounding * m_largest * (1.0 + 2.0 * std::sqrt(half2) / m_reach_mm);
+        const auto reach = static_cast<float>(1.000001 * (m_reach_mm + rounding));
+        m_reach2 = core::splat4(reach * reach);
+    }
+
+    /// @param c,e  centres and half extents of four boxes [mm]
+    /// @return all ones where the ball may touch a box
+    [[nodiscard]] core::Mask4 touches(const core::Float4* c, const core::Float4* e) const noexcept
+    {
+        using core::Float4;
+        const Float4 zero{}, one = core::splat4(1.0f);
+        Float4 from[3], along{};
+        for (int axis = 0; axis < 3; ++axis) {
+            from[axis] = c[axis] - m_mid[axis];
+            along += from[axis] * m_half[axis];
+        }
+        // The place on the segment that is nearest to the box's centre, and the places that are nearest to any point of
+        // it; the distance of the box is convex along the segment and lies above its tangent there.
+        const Float4 place = along * m_perHalf2;
+        Float4 width{};
+        for (int axis = 0; axis < 3; ++axis) {
+            width += e[axis] * core::absolute(m_half[axis]);
+        }
+        width = width * m_perHalf2 * core::splat4(1.00001f) + core::splat4(1e-5f);
+        const auto clamped = [&](Float4 v) { return core::least(core::greatest(v, -one), one); };
+        const Float4 at = clamped(place), low = clamped(place - width), high = clamped(place + width);
+        Float4 distance2{}, slope{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Float4 v = from[axis] - at * m_half[axis];
+            const Float4 gap = core::greatest(core::absolute(v) - e[axis], zero);
+            distance2 += gap * gap;
+            slope += (v > zero ? gap : -gap) * m_half[axis];
+        }
+        const Float4 least = distance2 - core::greatest(slope * (high - at), -slope * (at - low));
+        return ~((least > zero) & (least * least > m_reach2 * distance2));
+    }
+
+    /// The same for a segment that is a point.
+    [[nodiscard]] core::Mask4 touchesAtStart(const core::Float4* c, const core::Float4* e) const noexcept
+    {
+        core::Float4 distance2{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const core::Float4 gap = core::greatest(core::absolute(c[axis] - m_mid[axis]) - e[axis], core::Float4{});
+            distance2 += gap * gap;
+        }
+        return distance2 <= m_reach2;
+    }
+
+    /// @return all ones where a box doesn't lie wholly behind the plane through the start, across the segment
+    [[nodiscard]] core::Mask4 isAhead(const core::Float4* c, const core::Float4* e) const noexcept
+    {
+        core::Float4 most{}, size{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto along = static_cast<float>(m_along[axis]);
+            most += (c[axis] - core::splat4(static_cast<float>(m_at[axis]))) * core::splat4(along) +
+                    e[axis] * core::splat4(std::fabs(along));
+            size += core::splat4(std::fabs(along));
+        }
+        return most >= size * core::splat4(-kBoxRounding * m_largest);
+    }
+
+    /// @return how far the start is from the nearest of those boxes of four that are used, or less [mm]
+    [[nodiscard]] double distanceFromStart(const core::Float4* c, const core::Float4* e,
+                                           core::Mask4 isUsed) const noexcept
+    {
+        core::Float4 distance2{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const core::Float4 v = c[axis] - core::splat4(static_cast<float>(m_at[axis]));
+            const core::Float4 gap = core::greatest(core::absolute(v) - e[axis], core::Float4{});
+            distance2 += gap * gap;
+        }
+        double least2 = std::numeric_limits<double>::infinity();
+        for (std::uint32_t lanes = core::laneBits(isUsed); lanes != 0; lanes &= lanes - 1) {
+            least2 = std::min(least2, static_cast<double>(distance2[std::countr_zero(lanes)]));
+        }
+        return 0.999999 * std::sqrt(least2) - 2.0 * kBoxRounding * m_largest;
+    }
+
+    /// @return by what the nearer boxes come first
+    [[nodiscard]] core::Float4 order(const core::Float4* c) const noexcept
+    {
+        core::Float4 along{};
+        for (int axis = 0; axis < 3; ++axis) {
+            along += c[axis] * core::splat4(static_cast<float>(m_along[axis]));
+        }
+        return along;
+    }
+
+  private:
+    Vec3 m_at, m_along;
+    double m_reach_mm;
+    float m_largest = 0.0f;
+    core::Float4 m_mid[3]{}, m_half[3]{}, m_perHalf2{}, m_reach2{};
+};
+
+/// Centres and half extents of a node's boxes, rounded outwards. @return all ones where a child is used
+inline core::Mask4 boxesOf(const BoxHierarchy::Node& node, core::Float4* c, core::Float4* e) noexcept
+{
+    using core::load4, core::splat4;
+    core::Mask4 isUsed = load4(node.low[0]) <= load4(node.high[0]);
+    for (int axis = 0; axis < 3; ++axis) {
+        const core::Float4 low = load4(node.low[axis]), high = load4(node.high[axis]);
+        c[axis] = (low + high) * splat4(0.5f);
+        e[axis] = (high - low) * splat4(0.5f) + (core::absolute(low) + core::absolute(high)) * splat4(4e-7f);
+    }
+    return isUsed;
+}
+
+} // namespace internal
+
+template<class Leaf>
+std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& leaf) const noexcept
+{
+    if (m_nodes.empty()) {
+        return 0;
+    }
+    const internal::SweptBall ball(p - m_origin, Vec3::Zero(), reach_mm);
+    // In waves: nodes are asked for when they are found and looked at together, so that one wait for memory serves
+    // several.
+    std::uint32_t stack[kWave * kStack];
+    std::uint32_t wave[kWave];
+    std::uint32_t visited = 0;
+    int top = 0, found = 1;
+    wave[0] = 0;
+    while (found > 0) {
+        for (int i = 0; i < found; ++i) {
+            const Node& node = m_nodes[wave[i]];
+            core::Float4 c[3], e[3];
+            const core::Mask4 isUsed = internal::boxesOf(node, c, e);
+            ++visited;
+            std::uint32_t lanes = core::laneBits(isUsed & ball.touchesAtStart(c, e));
+            for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
+                const std::uint32_t child = node.child[std::countr_zero(leaves)];
+                if (!leaf(child >> 3, child & 7u)) {
+                    return visited;
+                }
+            }
+            for (lanes &= ~node.leafMask; lanes != 0; lanes &= lanes - 1) {
+                const std::uint32_t child = node.child[std::countr_zero(lanes)];
+                core::prefetch(&m_nodes[child]);
+                core::prefetch(m_nodes[child].child);
+                stack[top++] = child;
+            }
+        }
+        for (found = 0; found < kWave && top > 0; ++found) {
+            wave[found] = stack[--top];
+        }
+    }
+    return visited;
+}
+
+template<class Leaf>
+double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
+                                Leaf&& leaf) const noexcept
+{
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    if (m_nodes.empty()) {
+        return kAll;
+    }
+    // What lies outside of the root's box, a reach around it, meets nothing: floats are of the size of the rest.
+    const Node& root = m_nodes[0];
+    double first = 0.0, last = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = 0.0, high = 0.0;
+        bool isAny = false;
+        for (int lane = 0; lane < 4; ++lane) {
+            if (root.low[axis][lane] <= root.high[axis][lane]) {
+                low = isAny ? std::min<double>(low, root.low[axis][lane]) : root.low[axis][lane];
+                high = isAny ? std::max<double>(high, root.high[axis][lane]) : root.high[axis][lane];
+                isAny = true;
+            }
+        }
+        const double around = 1.01 * reach_mm + 1e-6 * (high - low);
+        const double start = from[axis] - m_origin[axis], d = to[axis] - from[axis];
+        if (d == 0.0) {
+            if (start < low - around || start > high + around) {
+                return kAll;
+            }
+            continue;
+        }
+        const double a = (low - around - start) / d, b = (high + around - start) / d;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    if (!(first <= last)) {
+        return kAll;
+    }
+    const Vec3 along = (last - first) * (to - from);
+    internal::SweptBall ball(from + first * (to - from) - m_origin, along, reach_mm);
+    double share = last;
+    std::uint32_t stack[kStack];
+    int top = 0;
+    std::uint32_t current = 0;
+    // How far the ball surely gets before it meets what is in the present node and on the stack.
+    const auto freeOfTheRest = [&] {
+        double least = kAll;
+        for (;; current = stack[--top]) {
+            core::Float4 c[3], e[3];
+            const core::Mask4 isUsed = internal::boxesOf(m_nodes[current], c, e);
+            least = std::min(least, ball.distanceFromStart(c, e, isUsed));
+            if (top == 0) {
+                return std::max(0.0, first * (to - from).norm() + least - reach_mm);
+            }
+        }
+    };
+    for (;;) {
+        if (nodes == 0) {
+            return freeOfTheRest();
+        }
+        --nodes;
+        const Node& node = m_nodes[current];
+        core::Float4 c[3], e[3];
+        const core::Mask4 isUsed = internal::boxesOf(node, c, e);
+        std::uint32_t lanes = core::laneBits(isUsed & ball.isAhead(c, e) & ball.touches(c, e));
+        for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
+            const std::uint32_t child = node.child[std::countr_zero(leaves)];
+            const double left = leaf(child >> 3, child & 7u);
+            if (left < share) {
+                if (left < 0.0) {
+                    return freeOfTheRest();
+                }
+                share = left;
+                if (share < first) {
+                    return kAll;
+                }
+                ball.clip(last > first ? (share - first) / (last - first) : 1.0);
+            }
+        }
+        lanes &= ~node.leafMask;
+        if (lanes != 0) {
+            // Farthest pushed first, so that the nearest is taken next.
+            const core::Float4 order = ball.order(c);
+            const int begin = top;
+            for (; lanes != 0; lanes &= lanes - 1) {
+                int at = top++;
+                stack[at] = static_cast<std::uint32_t>(std::countr_zero(lanes));
+                for (; at > begin && order[static_cast<int>(stack[at - 1])] < order[static_cast<int>(stack[at])];
+                     --at) {
+                    std::swap(stack[at - 1], stack[at]);
+                }
+            }
+            for (int i = begin; i < top; ++i) {
+                core::prefetch(&m_nodes[node.child[stack[i]]]);
+                stack[i] = node.child[stack[i]];
+            }
+        }
+        if (top == 0) {
+            return kAll;
+        }
+        current = stack[--top];
+    }
+}
+
+} // namespace palpate::geometry
