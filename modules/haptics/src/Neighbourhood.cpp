@@ -13,11 +13,12 @@ namespace {
 
 constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move is not worth it
 
-// What a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets, rule them out and test
-// those that stay. A traversal that asks no more than twice as many is charged the same, so that the price does not
-// tell whether it was needed.
-constexpr std::uint32_t kSweepPrice = 48;
-constexpr std::uint32_t kSpared = 128;
+// In units of TickWork: what a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets,
+// rule them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that
+// the price does not tell whether it was needed.
+constexpr std::uint32_t kSweepPrice = 160;
+constexpr std::uint32_t kSpared = 128; // facets
+constexpr std::uint32_t kAsked = 3;    // of each facet beyond them
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
@@ -300,7 +301,7 @@ Sweep Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, c
 Sweep Neighbourhood::sweepAll(const HapticScene& scene, const HapticLayer& layer, First nearest) noexcept
 {
     constexpr double kEnd = -1.0;
-    const std::uint32_t most = kSpared + m_work.left();
+    const std::uint32_t most = kSpared + m_work.left() / kAsked;
     std::uint32_t asked = 0;
     layer.hierarchy.visitSegment(nearest.x, nearest.y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
         for (std::uint32_t s = firstStructure; s < firstStructure + structureCount && asked < most; ++s) {
@@ -323,7 +324,7 @@ Sweep Neighbourhood::sweepAll(const HapticScene& scene, const HapticLayer& layer
         }
         return asked < most ? nearest.limit : kEnd;
     });
-    m_work.spend(asked > kSpared ? asked - kSpared : 0);
+    m_work.spend(asked >= most ? m_work.left() : asked > kSpared ? kAsked * (asked - kSpared) : 0);
     return asked >= most ? Sweep::Unknown : nearest.found ? Sweep::Blocked : Sweep::Free;
 }
 

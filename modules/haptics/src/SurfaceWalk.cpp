@@ -11,11 +11,11 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr std::uint32_t kStepPrice = 4; // of going over to the next facet, in units of TickWork
-constexpr double kFar = 16.0;           // facet sizes
-constexpr double kSharpest = 0.5;       // cosine of the angle between two facets' normals
-constexpr double kLifted = 0.5;         // skins above the next facet from which on it is walked on
-constexpr double kBesideEdge = 8.0;     // skins beyond an edge that still are at it
+constexpr std::uint32_t kStepPrice = 12; // of going over to the next facet, in units of TickWork
+constexpr double kFar = 16.0;            // facet sizes
+constexpr double kSharpest = 0.5;        // cosine of the angle between two facets' normals
+constexpr double kLifted = 0.5;          // skins above the next facet from which on it is walked on
+constexpr double kBesideEdge = 8.0;      // skins beyond an edge that still are at it
 
 /// Where the way to a place in a facet's plane leaves the facet.
 struct Exit

@@ -43,7 +43,7 @@ struct GodObjectState
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick; reaching it is reported
-    std::uint32_t work = 6000;      ///< units of internal::TickWork; reaching it is reported, too
+    std::uint32_t work = 20000;     ///< units of internal::TickWork; reaching it is reported, too
 };
 
 /// What one step of a god-object gives.

@@ -140,7 +140,7 @@ class Neighbourhood
 
     Cache m_cache;
     Around m_around;
-    core::Box m_empty; ///< no facet of the layer reaches into it [mm]
+    core::Box m_empty;                                          ///< no facet of the layer reaches into it [mm]
     TickWork m_work{std::numeric_limits<std::uint32_t>::max()}; ///< of the tick
 };
 
