@@ -170,7 +170,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     if (!options.files.empty()) {
         window.open(options.files, options.unit_mm);
     } else if (options.screenshot) {
-        QTimer::singleShot(kSettle_ms, &window, [&window] { emit window.ready(); });
+        QTimer::singleShot(kSettle_ms, &window, [&window] { Q_EMIT window.ready(); });
     }
     return QApplication::exec();
 }

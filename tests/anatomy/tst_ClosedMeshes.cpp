@@ -71,7 +71,7 @@ class ClosedMeshes : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void areNeverEnteredAndAlwaysConverge_data()
     {
         QTest::addColumn<QString>("file");

@@ -143,7 +143,7 @@ class CommandLine : public QObject
         return csv;
     }
 
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();

@@ -66,7 +66,7 @@ class Evaluate : public QObject
         return process->exitStatus() == QProcess::NormalExit ? process->exitCode() : -1;
     }
 
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();

@@ -17,7 +17,7 @@ class TimingHistogram : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void isZeroWithoutValues()
     {
         const auto summary = Histogram().summary();

@@ -74,7 +74,7 @@ class HostileFiles : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void sharedFilesAreDecided();
     void ownFilesAreRefused_data();
     void ownFilesAreRefused();

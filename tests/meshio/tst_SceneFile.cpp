@@ -10,7 +10,7 @@ class SceneFile : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void givesBackWhatWasWritten();
     void meshPathsAreRelative();
     void keepsFieldsThatItDoesNotKnow();

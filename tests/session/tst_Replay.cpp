@@ -49,7 +49,7 @@ class Replay : public QObject
         return reader.isOk() ? session::resimulate(*reader.value(), test::boxSurfaces()) : reader.status();
     }
 
-  private slots:
+  private Q_SLOTS:
     void givesOneTickARow()
     {
         const auto motion = pressing(10000); // more than a batch
