@@ -7,12 +7,18 @@
 #include <palpate/ui/Theme.h>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QPainter>
+#include <QTemporaryDir>
 #include <QTimer>
 
+#include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <langinfo.h>
 #include <memory>
+#include <string_view>
+#include <unistd.h>
 
 using namespace palpate;
 
@@ -141,10 +147,49 @@ class ScreenshotRun : public QObject
     QPointF m_place;
 };
 
+/// The folder for sockets and the like that Qt and what it loads expect in XDG_RUNTIME_DIR: where there is none, or it
+/// is another user's, they say so and take one that anyone may have made. It goes with the object.
+class RuntimeFolder
+{
+  public:
+    RuntimeFolder()
+    {
+        const QFileInfo given(qEnvironmentVariable("XDG_RUNTIME_DIR"));
+        constexpr auto kOfOthers = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup |
+                                   QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
+        if (given.isDir() && given.ownerId() == ::getuid() && (given.permissions() & kOfOthers) == 0) {
+            return;
+        }
+        m_own = std::make_unique<QTemporaryDir>(); // for this user alone
+        if (m_own->isValid()) {
+            qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
+        }
+    }
+
+  private:
+    std::unique_ptr<QTemporaryDir> m_own;
+};
+
+/// Qt needs an encoding that has every character; where the locale names another, it says so and takes C.UTF-8. Taken
+/// here, numbers and dates stay as the user has them.
+void useUtf8()
+{
+    if (std::setlocale(LC_CTYPE, "") != nullptr && std::string_view(::nl_langinfo(CODESET)) == "UTF-8") {
+        return;
+    }
+    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // it would come before LC_CTYPE
+        qputenv("LANG", qgetenv("LC_ALL"));
+        qunsetenv("LC_ALL");
+    }
+    qputenv("LC_CTYPE", "C.UTF-8");
+}
+
 } // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
+    useUtf8();
+    const RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));
