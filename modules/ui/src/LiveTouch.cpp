@@ -249,7 +249,7 @@ void LiveTouch::measure()
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
         Q_EMIT faulted(QString::fromUtf8(fault.message));
         if (m_info.actuatedAxes == 0) {
-            m_loop.rearm(); // it pushes nobody: touch goes on, eased in
+            m_loop.rearm(); // it has no motors: touch goes on, eased in
         }
     }
     m_wasFaulted = fault.isFaulted();
