@@ -22,23 +22,25 @@ case $suite in bookworm | trixie) ;; *) fail "found \"$suite\", expected bookwor
 [[ $(id -u) -eq 0 ]] || fail "needs root, to install packages and to mount" 2
 command -v debootstrap >/dev/null || fail "needs debootstrap (apt-get install debootstrap)" 2
 
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+command=${3:-app/run.sh && tests/run.sh}
 if [[ -z ${PALPATE_MOUNTS_ARE_OWN:-} ]]; then
-    PALPATE_MOUNTS_ARE_OWN=1 exec unshare --mount --pid --fork --kill-child --mount-proc -- "$BASH" "$0" "$@"
+    # Out here: the folder, and an end to all that runs inside. With its last process the namespace and its mounts go.
+    inside=
+    system=${2:-}
+    [[ -n $system ]] || { system=$(mktemp -d) && chmod 755 "$system" && trap 'rm -rf --one-file-system "$system"' EXIT; } || exit 1
+    trap '[[ -z $inside ]] || { kill -KILL "$inside"; wait "$inside"; }; exit 130' INT TERM HUP
+    PALPATE_MOUNTS_ARE_OWN=1 unshare --mount --pid --fork --kill-child --mount-proc -- \
+        "$BASH" "$0" "$suite" "$system" "$command" &
+    inside=$!
+    wait "$inside"
+    exit $?
 fi
 unset PALPATE_MOUNTS_ARE_OWN
 
-source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-command=${3:-app/run.sh && tests/run.sh}
-if [[ -n ${2:-} ]]; then
-    mkdir -p "$2" || exit 1
-    system=$(cd "$2" && pwd)
-    [[ $system != / ]] || fail "found / as the folder, expected one for a system of its own" 2
-else
-    system=$(mktemp -d) || exit 1
-    # What is mounted below it is unmounted first; if it could not be, it is not reached into.
-    trap 'umount -R "$system/proc" "$system/dev" 2>/dev/null; rm -rf --one-file-system "$system"' EXIT
-    trap 'exit 130' INT TERM HUP
-fi
+mkdir -p "$2" || exit 1
+system=$(cd "$2" && pwd)
+[[ $system != / ]] || fail "found / as the folder, expected one for a system of its own" 2
 
 mirror=${PALPATE_MIRROR:-$(apt-get indextargets --format '$(REPO_URI) $(LABEL)' 'Created-By: Packages' |
     sed -n 's/ Debian$//p' | head -n 1)}
