@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "Console.h"
 #include "Devices.h"
 #include "MainWindow.h"
 
@@ -184,10 +185,25 @@ void useUtf8()
     qputenv("LC_CTYPE", "C.UTF-8");
 }
 
+/// Whether Qt will find a display, as far as the environment tells; without one it ends the program by a signal.
+bool hasDisplay()
+{
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (!qEnvironmentVariableIsEmpty(name)) {
+            return true;
+        }
+    }
+    return QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/wayland-0"));
+}
+
 } // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
+    if (!hasDisplay()) {
+        app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
+        return app::kFailed;
+    }
     useUtf8();
     const RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());

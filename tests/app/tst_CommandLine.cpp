@@ -97,7 +97,7 @@ class CommandLine : public QObject
         QProcess process;
         process.setWorkingDirectory(m_folder->path());
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
             environment.remove(display); // no subcommand needs one
         }
         process.setProcessEnvironment(environment);
@@ -193,6 +193,13 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
+    }
+
+    void aWindowWithoutADisplayIsAnErrorOfOneLine()
+    {
+        const Outcome outcome = run({"box.stl"});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.error.count('\n') == 1 && outcome.error.contains("display"), outcome.error.constData());
     }
 
     void replayWritesTheTable()
