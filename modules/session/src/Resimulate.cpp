@@ -108,8 +108,7 @@ class Resimulator
         servo::TickRecord now = row;
         const std::int64_t start_ns = core::monotonicNow_ns();
         const haptics::TickResult felt = servo::feelTick(m_palpator, row.p_WH, flags, m_recording.info().dt_s);
-        now.solve_ns = static_cast<std::uint32_t>(
-            std::clamp<std::int64_t>(core::monotonicNow_ns() - start_ns, 0, std::numeric_limits<std::uint32_t>::max()));
+        now.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - start_ns);
         ++m_result.compared;
         if ((flags & servo::kNoHand) == 0) {
             now.p_WG = felt.p_WG;
