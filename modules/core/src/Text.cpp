@@ -10,7 +10,10 @@ std::string internal::grouped(std::uint64_t magnitude, bool isNegative)
         i -= 3;
         digits.insert(i, 1, ',');
     }
-    return isNegative ? "-" + digits : digits;
+    if (isNegative) {
+        digits.insert(0, 1, '-');
+    }
+    return digits;
 }
 
 std::string inQuotes(std::string_view text)

@@ -169,8 +169,9 @@ class Resimulator
 
     static std::string touch(const servo::TickRecord& tick)
     {
-        return "(" + std::to_string(tick.structure) + " " + std::to_string(tick.triangle) + " " +
-               std::to_string(tick.constraints) + ")";
+        std::string out(1, '(');
+        out += std::to_string(tick.structure) + ' ' + std::to_string(tick.triangle) + ' ';
+        return out + std::to_string(tick.constraints) + ')';
     }
 
     /// How far rounding can bring what is felt on a scene apart.
