@@ -60,4 +60,14 @@ core::Status AtomicFile::finish()
     return isDone ? core::Status() : cannotWrite(m_path, m_file->errorString().toStdString());
 }
 
+core::Status writeAtomically(const std::filesystem::path& path, std::string_view text)
+{
+    auto file = AtomicFile::create(path);
+    if (!file.isOk()) {
+        return file.status();
+    }
+    file.value().write(text);
+    return file.value().finish();
+}
+
 } // namespace palpate::session

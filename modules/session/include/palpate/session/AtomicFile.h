@@ -36,4 +36,7 @@ class AtomicFile
     std::unique_ptr<QFileDevice> m_file;
 };
 
+/// Writes all of an AtomicFile at once.
+[[nodiscard]] core::Status writeAtomically(const std::filesystem::path& path, std::string_view text);
+
 } // namespace palpate::session
