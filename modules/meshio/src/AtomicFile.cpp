@@ -13,10 +13,9 @@ core::Status writeAtomically(const std::filesystem::path& path, std::string_view
     const auto failed = [&](std::string_view why) {
         const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
         std::error_code ignored;
-        return fault(std::filesystem::exists(folder, ignored) ? core::StatusCode::Unreadable
-                                                              : core::StatusCode::NotFound,
-                     path.filename().string(), "", "cannot be written: " + std::string(why),
-                     "a place that can be written");
+        return fault(
+            std::filesystem::exists(folder, ignored) ? core::StatusCode::Unreadable : core::StatusCode::NotFound,
+            path.filename().string(), "", "cannot be written: " + std::string(why), "a place that can be written");
     };
     if (name.toStdString() != path.string()) { // Qt would write to another one
         return failed("its name is not UTF-8");

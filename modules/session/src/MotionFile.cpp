@@ -137,12 +137,13 @@ class MotionParser
                              kColumns[c]);
             }
             if (!std::isfinite(*value)) {
-                return wrong(StatusCode::NonFinite, "found " + core::inQuotes(trimmed(field)) + ", expected a finite number",
-                             kColumns[c]);
+                return wrong(StatusCode::NonFinite,
+                             "found " + core::inQuotes(trimmed(field)) + ", expected a finite number", kColumns[c]);
             }
             if (c != kTimeColumn && std::abs(*value) > kLargest_mm) {
                 return wrong(StatusCode::OutOfRange,
-                             "found " + core::inQuotes(trimmed(field)) + ", expected a coordinate within 1e9 mm", kColumns[c]);
+                             "found " + core::inQuotes(trimmed(field)) + ", expected a coordinate within 1e9 mm",
+                             kColumns[c]);
             }
             values[c] = *value;
         }
