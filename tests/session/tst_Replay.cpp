@@ -160,6 +160,8 @@ class Replay : public QObject
         QTest::newRow("a force as of 15 skins") << 0.0 << 15.0 << 0 << 0 << true;
         QTest::newRow("a force as of 17 skins") << 0.0 << 17.0 << 0 << 0 << false;
         QTest::newRow("the triangle alone") << 0.0 << 0.0 << 0 << 1 << true;
+        QTest::newRow("a skin, and a force as of 17") << 1.0 << 17.0 << 0 << 0 << false;
+        QTest::newRow("a skin, and another structure") << 1.0 << 0.0 << 1 << 0 << false;
         QTest::newRow("another structure") << 0.0 << 0.0 << 1 << 0 << false;
         QTest::newRow("not a number") << std::nan("") << 0.0 << 0 << 0 << false;
     }
@@ -194,7 +196,8 @@ class Replay : public QObject
         QVERIFY2(it.isWithinRounding() == isRounding, it.beyond.c_str());
         if (!isRounding) {
             QCOMPARE(*it.firstBeyond, ticks[at].tick);
-            QVERIFY2(it.beyond.starts_with("tick " + std::to_string(ticks[at].tick) + ": "), it.beyond.c_str());
+            const std::string what = pushed != 0.0 ? "force" : structure != 0 ? "structure" : "god-object";
+            QVERIFY2(it.beyond.starts_with("tick " + std::to_string(ticks[at].tick) + ": " + what), it.beyond.c_str());
         }
         if (skins > 0.0) {
             QVERIFY(std::abs(it.farthest_mm - skins * skin_mm) < 0.1 * skin_mm);

@@ -137,34 +137,37 @@ class Resimulator
         const double apart_N = (row.f_W - now.f_W).norm();
         m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
         m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
-        const auto said = [&] {
-            const std::string tick = "tick " + std::to_string(row.tick) + ": ";
-            const auto apart = [](double value, const char* unit) {
-                char digits[32];
-                const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3);
-                return ", " + std::string(digits, end.ptr) + unit + " apart";
-            };
-            if (!isSamePlace) {
-                return tick + "god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG) +
-                       apart(apart_mm, " mm");
-            }
-            if (!isSameForce) {
-                return tick + "force recorded as " + text(row.f_W) + ", now " + text(now.f_W) + apart(apart_N, " N");
-            }
+        const std::string tick = "tick " + std::to_string(row.tick) + ": ";
+        const auto places = [&] {
+            return tick + "god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG) +
+                   apart(apart_mm, " mm");
+        };
+        const auto forces = [&] {
+            return tick + "force recorded as " + text(row.f_W) + ", now " + text(now.f_W) + apart(apart_N, " N");
+        };
+        const auto touches = [&] {
             return tick + "structure, triangle and constraints recorded as " + touch(row) + ", now " + touch(now);
         };
         if (!m_result.firstDifference) {
             m_result.firstDifference = row.tick;
-            m_result.difference = said();
+            m_result.difference = !isSamePlace ? places() : !isSameForce ? forces() : touches();
         }
-        // Not a comparison that a NaN passes.
-        const bool isClose = apart_mm <= m_rounding_mm && apart_N <= m_rounding_N + kForceRounding * row.f_W.norm();
+        // Not comparisons that a NaN passes.
+        const bool isNear = apart_mm <= m_rounding_mm;
+        const bool isAlike = apart_N <= m_rounding_N + kForceRounding * row.f_W.norm();
         // Where it touches next to nothing, one build may touch what the other just misses.
         const bool isSameStructure = row.structure == now.structure || row.structure < 0 || now.structure < 0;
-        if (!(isClose && isSameStructure) && !m_result.firstBeyond) {
+        if (!(isNear && isAlike && isSameStructure) && !m_result.firstBeyond) {
             m_result.firstBeyond = row.tick;
-            m_result.beyond = said();
+            m_result.beyond = !isNear ? places() : !isAlike ? forces() : touches();
         }
+    }
+
+    static std::string apart(double value, const char* unit)
+    {
+        char digits[32];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3);
+        return ", " + std::string(digits, end.ptr) + unit + " apart";
     }
 
     static std::string touch(const servo::TickRecord& tick)
