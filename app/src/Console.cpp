@@ -54,17 +54,6 @@ void print(const char* format, ...)
     va_end(arguments);
 }
 
-std::string grouped(long long value)
-{
-    std::string digits = std::to_string(value);
-    const std::size_t sign = value < 0 ? 1 : 0;
-    for (std::size_t i = digits.size(); i > sign + 3;) {
-        i -= 3;
-        digits.insert(i, 1, ',');
-    }
-    return digits;
-}
-
 core::Result<double> numberOption(std::string_view option, const std::string& text, double least, bool isAbove)
 {
     const auto value = core::parseNumber(text);

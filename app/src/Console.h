@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Status.h>
+#include <palpate/core/Text.h>
 
 #include <filesystem>
 #include <string>
@@ -28,8 +29,7 @@ void printError(std::string_view message);
 /// Writes to stdout as printf does, always with a decimal point.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
 
-/// A whole number with a comma every three digits.
-[[nodiscard]] std::string grouped(long long value);
+using core::grouped;
 
 /// Checks a number from the command line.
 /// @param least  smallest value that is allowed, or with `isAbove` the largest that is not

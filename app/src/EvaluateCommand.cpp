@@ -32,7 +32,7 @@ using Subjects = std::vector<std::shared_ptr<const evaluation::Subject>>;
 struct EvaluateOptions
 {
     std::vector<fs::path> scenes;
-    fs::path motion, out = "evaluation";
+    fs::path motion, out = "out/evaluation";
     std::string unit = "mm", stiffness;
     std::uint64_t seed = 1;
     bool isQuick = false;
@@ -148,8 +148,8 @@ void printSummary(const evaluation::Evaluation& result)
         }
     }
     for (const evaluation::Ratio& ratio : result.ratios) {
-        print("Sphere of %s triangles: a tick of %s takes %.3g times as long",
-              grouped(static_cast<long long>(ratio.triangles)).c_str(), ratio.solver.c_str(), ratio.times);
+        print("Sphere of %s triangles: a tick of %s takes %.3g times as long", grouped(ratio.triangles).c_str(),
+              ratio.solver.c_str(), ratio.times);
         if (ratio.wanted > 0.0) {
             print(" (wanted: at least %g)", ratio.wanted);
         }

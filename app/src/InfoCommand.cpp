@@ -4,7 +4,6 @@
 #include "InfoReport.h"
 #include "SceneForTouch.h"
 
-#include <palpate/session/AtomicFile.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <CLI/CLI.hpp>

@@ -61,12 +61,12 @@ std::string feeling(const geometry::MeshReport& r)
 
 std::string crossings(const geometry::SurfaceExamination& e, std::size_t triangles)
 {
-    std::string line = e.crossingPairs == 0 ? "no triangles that cross each other"
-                                            : grouped(static_cast<long long>(e.crossingPairs)) +
-                                                  " pairs of triangles cross each other: the tip can catch there";
+    std::string line = e.crossingPairs == 0
+                           ? "no triangles that cross each other"
+                           : grouped(e.crossingPairs) + " pairs of triangles cross each other: the tip can catch there";
     if (e.isCrossingBounded) {
-        line += " (looked at " + grouped(static_cast<long long>(e.examinedTriangles)) + " of " +
-                grouped(static_cast<long long>(triangles)) + " triangles, then gave up)";
+        line +=
+            " (looked at " + grouped(e.examinedTriangles) + " of " + grouped(triangles) + " triangles, then gave up)";
     }
     return line;
 }
@@ -82,8 +82,7 @@ std::string wall(const geometry::SurfaceExamination& e)
         text.data(), text.size(),
         "thinnest wall found %.3g mm at (%.6g, %.6g, %.6g), of %s rays: a hand pressed in deeper than that is "
         "beyond the other side",
-        *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(),
-        grouped(static_cast<long long>(e.wallSamples)).c_str());
+        *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(), grouped(e.wallSamples).c_str());
     return text.data();
 }
 
@@ -112,9 +111,8 @@ void printReport(const FileReport& report)
         const meshio::LoadedStructure& structure = report.scene.structures[i];
         const geometry::MeshReport& r = structure.surface->report;
         print("  %s: %s triangles, %s vertices, frame %s (%s)%s\n", structure.description.name.c_str(),
-              grouped(static_cast<long long>(r.triangles)).c_str(), grouped(static_cast<long long>(r.vertices)).c_str(),
-              frameName(structure.frame), frameSource(structure.frame),
-              structure.description.palpable ? "" : "; not palpable");
+              grouped(r.triangles).c_str(), grouped(r.vertices).c_str(), frameName(structure.frame),
+              frameSource(structure.frame), structure.description.palpable ? "" : "; not palpable");
         if (!r.bounds.isEmpty()) {
             const core::Vec3 size = r.bounds.sizes();
             const core::Vec3 centre = r.bounds.center();
@@ -142,8 +140,7 @@ void printReport(const FileReport& report)
     }
     print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms, examined in %.0f "
           "ms\n",
-          grouped(static_cast<long long>(report.touchTriangles)).c_str(),
-          grouped(static_cast<long long>(report.touchBytes)).c_str(),
+          grouped(report.touchTriangles).c_str(), grouped(report.touchBytes).c_str(),
           static_cast<double>(report.touchBytes) / static_cast<double>(std::max<std::size_t>(report.touchTriangles, 1)),
           report.load_s * 1e3, report.index_s * 1e3, report.examine_s * 1e3);
 }

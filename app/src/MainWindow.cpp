@@ -262,7 +262,7 @@ void MainWindow::connectParts()
         loadingEnded();
         m_waitingRecording.reset();
         showError(line);
-        emit openFailed(line);
+        Q_EMIT openFailed(line);
     });
     connect(&m_loader, &SceneLoader::cancelled, this, [this, loadingEnded] {
         loadingEnded();

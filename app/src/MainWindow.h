@@ -53,7 +53,7 @@ class MainWindow : public QMainWindow
     void useCpu(int cpu);
     [[nodiscard]] bool usesPointer() const noexcept { return m_live.usesPointer(); }
 
-  signals:
+  Q_SIGNALS:
     /// The scene is open and drawn; what was asked for besides (a recording) is loaded.
     void ready();
     void openFailed(const QString& line);

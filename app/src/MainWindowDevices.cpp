@@ -44,7 +44,7 @@ void MainWindow::chooseDevice(const std::string& id)
     const auto take = [this, id] {
         if (const core::Status status = m_devices->choose(id); !status.isOk()) {
             showError(QString::fromStdString(status.message()));
-            emit deviceRefused(QString::fromStdString(status.message()));
+            Q_EMIT deviceRefused(QString::fromStdString(status.message()));
         }
     };
     if (m_model.rowCount() > 0) {

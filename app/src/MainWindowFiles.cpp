@@ -135,7 +135,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (m_waitingRecording) {
         openRecording(*std::exchange(m_waitingRecording, std::nullopt));
     }
-    emit ready();
+    Q_EMIT ready();
 }
 
 void MainWindow::openRecording(const std::filesystem::path& path)
@@ -143,7 +143,7 @@ void MainWindow::openRecording(const std::filesystem::path& path)
     auto recording = RecordedTouch::open(path);
     if (!recording.isOk()) {
         showError(QString::fromStdString(recording.status().message()));
-        emit openFailed(QString::fromStdString(recording.status().message()));
+        Q_EMIT openFailed(QString::fromStdString(recording.status().message()));
         return;
     }
     const QString losses = recording.value()->losses();
@@ -158,7 +158,7 @@ void MainWindow::openRecording(const std::filesystem::path& path)
                      "what was touched.")
                       .arg(toText(path.filename())));
         m_stack->setCurrentWidget(m_viewport);
-        emit ready();
+        Q_EMIT ready();
     }
 }
 

@@ -89,7 +89,13 @@ void MainWindow::markFinding()
     finding.p_W = touch.p_WG;
     finding.force_N = touch.f_W.norm();
     finding.depth_mm = (touch.p_WG - touch.p_WH).norm();
-    m_document->addFinding({finding.name, finding.p_W, finding.structure});
+    meshio::SceneFinding kept;
+    kept.name = finding.name;
+    kept.p_W = finding.p_W;
+    kept.structure = finding.structure;
+    kept.force_N = finding.force_N;
+    kept.depth_mm = finding.depth_mm;
+    m_document->addFinding(kept);
     m_live.note("finding", session::findingJson(finding));
     say(tr("%1 marked on %2 with %3 N")
             .arg(QString::fromStdString(finding.name), m_touchedStructure,

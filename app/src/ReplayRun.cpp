@@ -34,10 +34,10 @@ int ReplayRun::run()
         }
     }
     m_summary->print();
-    if (m_resimulation && !m_resimulation->isSame()) {
-        printError(m_options.motion.string() + ": " + m_resimulation->difference +
-                   builtDifferently(m_recording->info()));
-        return kFailed;
+    if (m_resimulation) {
+        if (const int code = reportAgreement(m_options.motion, m_recording->info(), *m_resimulation); code != kDone) {
+            return code;
+        }
     }
     return reportLosses(m_losses);
 }

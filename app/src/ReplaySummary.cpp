@@ -80,8 +80,7 @@ void ReplaySummary::print() const
     const SolveTimes t = solveTimes();
     app::print("%s: %zu structure%s, %s triangles; ready to touch in %.3f s (index %.3f s), %.1f bytes a triangle\n",
                m_cost.name.c_str(), m_cost.structures, m_cost.structures == 1 ? "" : "s",
-               grouped(static_cast<long long>(m_cost.triangles)).c_str(), m_cost.load_s + m_cost.index_s,
-               m_cost.index_s, perTriangle(m_cost));
+               grouped(m_cost.triangles).c_str(), m_cost.load_s + m_cost.index_s, m_cost.index_s, perTriangle(m_cost));
     app::print("ticks %s (%.3f s), in contact %s\n", grouped(m.ticks).c_str(), m.duration_s,
                grouped(m.contact.ticks).c_str());
     app::print("peak force %.4g N, mean in contact %.4g N, peak depth %.4g mm\n", m.contact.peakForce_N,
@@ -92,12 +91,6 @@ void ReplaySummary::print() const
         app::print("live: %lld ticks lost, %llu overruns, safety gate changed the HIP %lld times\n",
                    static_cast<long long>(*m_lost), static_cast<unsigned long long>(m_overruns),
                    static_cast<long long>(m_gated));
-    }
-    if (m_resimulation) {
-        app::print("recording: %s ticks computed again, %s%s\n", grouped(m_resimulation->compared).c_str(),
-                   m_resimulation->isSame() ? "every god-object and force is the same bit for bit"
-                                            : "first difference at ",
-                   m_resimulation->difference.c_str());
     }
 }
 
@@ -131,10 +124,19 @@ std::string ReplaySummary::json() const
     if (m_resimulation) {
         QJsonObject result{{"compared_ticks", static_cast<qint64>(m_resimulation->compared)},
                            {"unverified_ticks", static_cast<qint64>(m_resimulation->unverified)},
-                           {"identical", m_resimulation->isSame()}};
+                           {"identical", m_resimulation->isSame()},
+                           {"within_rounding", m_resimulation->isWithinRounding()},
+                           {"rounding_mm", m_resimulation->rounding_mm}};
         if (m_resimulation->firstDifference) {
+            result["differing_ticks"] = static_cast<qint64>(m_resimulation->differing);
             result["first_difference"] = static_cast<qint64>(*m_resimulation->firstDifference);
             result["difference"] = text(m_resimulation->difference);
+            result["farthest_mm"] = m_resimulation->farthest_mm;
+            result["farthest_N"] = m_resimulation->farthest_N;
+        }
+        if (m_resimulation->firstBeyond) {
+            result["first_beyond_rounding"] = static_cast<qint64>(*m_resimulation->firstBeyond);
+            result["beyond_rounding"] = text(m_resimulation->beyond);
         }
         root["resimulation"] = result;
     }

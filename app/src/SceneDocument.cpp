@@ -48,12 +48,12 @@ class SceneDocument::AddFinding final : public QUndoCommand
     void redo() override
     {
         m_document.m_rest.findings.push_back(m_finding);
-        emit m_document.findingsChanged();
+        Q_EMIT m_document.findingsChanged();
     }
     void undo() override
     {
         m_document.m_rest.findings.pop_back();
-        emit m_document.findingsChanged();
+        Q_EMIT m_document.findingsChanged();
     }
 
   private:
@@ -102,7 +102,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
             discardLeftover(scene.files.front());
         }
     }
-    emit findingsChanged();
+    Q_EMIT findingsChanged();
 }
 
 void SceneDocument::addFinding(const meshio::SceneFinding& finding)

@@ -43,7 +43,7 @@ class SceneDocument : public QObject
     /// Deletes such a copy.
     static void discardLeftover(const std::filesystem::path& copy);
 
-  signals:
+  Q_SIGNALS:
     void findingsChanged();
 
   private:

@@ -68,12 +68,9 @@ int runVerify(const SessionOptions& options)
         return report({result.status().code(), options.file.string() + ": " + result.status().message()});
     }
     const session::Resimulation& again = result.value();
-    if (!again.isSame()) {
-        printError(options.file.string() + ": " + again.difference + builtDifferently(reader.info()));
-        return kFailed;
+    if (const int code = reportAgreement(options.file, reader.info(), again); code != kDone) {
+        return code;
     }
-    print("%s ticks computed again: every god-object and force is the same bit for bit\n",
-          grouped(again.compared).c_str());
     if (reader.extent().dropped > 0 || again.unverified > 0) {
         printError(options.file.string() + ": " + std::to_string(reader.extent().dropped) + " ticks are missing and " +
                    std::to_string(again.unverified) + " after them could not be computed again");

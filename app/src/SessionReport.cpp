@@ -45,11 +45,31 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     print("  events: %s\n", list.empty() ? "none" : list.c_str());
 }
 
-std::string builtDifferently(const session::RecordingInfo& info)
+int reportAgreement(const std::filesystem::path& file, const session::RecordingInfo& info,
+                    const session::Resimulation& again)
 {
-    return info.build == session::buildId()
-               ? std::string()
-               : "; recorded by another build (" + info.build + "), this one is " + session::buildId();
+    const std::string ticks = grouped(again.compared);
+    if (again.isSame()) {
+        print("%s ticks computed again: every god-object and force is the same bit for bit\n", ticks.c_str());
+        return kDone;
+    }
+    const std::string here = session::buildId();
+    const std::string builds = info.build == here
+                                   ? "; recorded by this build (" + here + ")"
+                                   : "; recorded by another build (" + info.build + "), this one is " + here;
+    if (!again.isWithinRounding()) {
+        printError(file.string() + ": " + again.beyond + builds);
+        return kFailed;
+    }
+    if (info.build == here && session::isExactBuild(here)) {
+        printError(file.string() + ": " + again.difference + builds + ", which should give the same bits");
+        return kFailed;
+    }
+    print("%s ticks computed again: %s differ, by rounding: by at most %.2g mm (up to %.2g mm is rounding) and %.2g N, "
+          "first at %s%s\n",
+          ticks.c_str(), grouped(again.differing).c_str(), again.farthest_mm, again.rounding_mm, again.farthest_N,
+          again.difference.c_str(), builds.c_str());
+    return kDone;
 }
 
 } // namespace palpate::app

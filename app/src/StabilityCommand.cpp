@@ -22,7 +22,7 @@ using core::StatusCode;
 
 struct StabilityOptions
 {
-    fs::path scene, out = "stability";
+    fs::path scene, out = "out/stability";
     std::string device, unit = "mm", rate = "1000";
 };
 

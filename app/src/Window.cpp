@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "Console.h"
 #include "Devices.h"
 #include "MainWindow.h"
 
 #include <palpate/ui/Theme.h>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QPainter>
+#include <QTemporaryDir>
 #include <QTimer>
 
+#include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <langinfo.h>
 #include <memory>
+#include <string_view>
+#include <unistd.h>
 
 using namespace palpate;
 
@@ -141,10 +148,64 @@ class ScreenshotRun : public QObject
     QPointF m_place;
 };
 
+/// The folder for sockets and the like that Qt and what it loads expect in XDG_RUNTIME_DIR: where there is none, or it
+/// is another user's, they say so and take one that anyone may have made. It goes with the object.
+class RuntimeFolder
+{
+  public:
+    RuntimeFolder()
+    {
+        const QFileInfo given(qEnvironmentVariable("XDG_RUNTIME_DIR"));
+        constexpr auto kOfOthers = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup |
+                                   QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
+        if (given.isDir() && given.ownerId() == ::getuid() && (given.permissions() & kOfOthers) == 0) {
+            return;
+        }
+        m_own = std::make_unique<QTemporaryDir>(); // for this user alone
+        if (m_own->isValid()) {
+            qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
+        }
+    }
+
+  private:
+    std::unique_ptr<QTemporaryDir> m_own;
+};
+
+/// Qt needs an encoding that has every character; where the locale names another, it says so and takes C.UTF-8. Taken
+/// here, numbers and dates stay as the user has them.
+void useUtf8()
+{
+    if (std::setlocale(LC_CTYPE, "") != nullptr && std::string_view(::nl_langinfo(CODESET)) == "UTF-8") {
+        return;
+    }
+    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // it would come before LC_CTYPE
+        qputenv("LANG", qgetenv("LC_ALL"));
+        qunsetenv("LC_ALL");
+    }
+    qputenv("LC_CTYPE", "C.UTF-8");
+}
+
+/// Whether Qt will find a display, as far as the environment tells; without one it ends the program by a signal.
+bool hasDisplay()
+{
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (!qEnvironmentVariableIsEmpty(name)) {
+            return true;
+        }
+    }
+    return QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/wayland-0"));
+}
+
 } // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
+    if (!hasDisplay()) {
+        app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
+        return app::kFailed;
+    }
+    useUtf8();
+    const RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));
@@ -170,7 +231,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     if (!options.files.empty()) {
         window.open(options.files, options.unit_mm);
     } else if (options.screenshot) {
-        QTimer::singleShot(kSettle_ms, &window, [&window] { emit window.ready(); });
+        QTimer::singleShot(kSettle_ms, &window, [&window] { Q_EMIT window.ready(); });
     }
     return QApplication::exec();
 }

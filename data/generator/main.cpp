@@ -5,7 +5,9 @@
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/meshio/SceneFile.h>
+#include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/session/Replay.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +26,38 @@ std::string stlName(std::string name)
 {
     std::replace(name.begin(), name.end(), ' ', '-');
     return name + ".stl";
+}
+
+/// Computes a recording again on the scene beside it.
+/// @param isExact  every bit must be the same; else what rounds otherwise in another build may differ by as much
+core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::path& recording, bool isExact)
+{
+    session::SurfacesByHash surfaces;
+    for (const meshio::LoadedStructure& structure : scene.structures) {
+        if (structure.description.palpable) {
+            surfaces[session::geometryHash(structure.surface->mesh)] =
+                std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*structure.surface));
+        }
+    }
+    const auto reader = session::RecordingReader::open(recording);
+    if (!reader.isOk()) {
+        return reader.status();
+    }
+    if (core::Status status = reader.value()->verify(); !status.isOk()) {
+        return status;
+    }
+    const auto again = session::resimulate(*reader.value(), surfaces);
+    if (!again.isOk()) {
+        return {again.status().code(), recording.string() + ": " + again.status().message()};
+    }
+    const session::Resimulation& it = again.value();
+    if (it.unverified > 0 || !it.isWithinRounding() || (isExact && !it.isSame())) {
+        return {core::StatusCode::Mismatch, recording.string() + ": " +
+                                                (it.unverified > 0       ? "ticks are missing"
+                                                 : it.isWithinRounding() ? it.difference
+                                                                         : it.beyond)};
+    }
+    return {};
 }
 
 core::Status write(const std::filesystem::path& folder)
@@ -66,7 +100,9 @@ core::Status write(const std::filesystem::path& folder)
     if (!loaded.isOk()) {
         return loaded.status();
     }
-    return phantom::recordPalpation(loaded.value(), phantom::palpationScript(), folder / "palpation.palpate");
+    const std::filesystem::path recording = folder / "palpation.palpate";
+    const core::Status recorded = phantom::recordPalpation(loaded.value(), phantom::palpationScript(), recording);
+    return recorded.isOk() ? verify(loaded.value(), recording, true) : recorded;
 }
 
 /// One line when the two files differ in a bit.
@@ -152,13 +188,18 @@ core::Status check(const std::filesystem::path& folder)
                                            : compareBytes(kept, entry.path());
     }
     std::filesystem::remove_all(made);
-    return status;
+    if (!status.isOk()) {
+        return status;
+    }
+    const core::Result<meshio::LoadedScene> kept = meshio::loadScene(folder / "phantom.palpate.json");
+    return kept.isOk() ? verify(kept.value(), folder / "palpation.palpate", false) : kept.status();
 }
 
 } // namespace
 
 /// Usage: palpate-phantom [--check] FOLDER   writes the phantom's meshes, its scene file and its recording into an
-/// existing folder, or checks that what is there is what it would write.
+/// existing folder, or checks that what is there is what it would write and that the recording, computed again, is what
+/// it says.
 int main(int argc, char** argv)
 {
     const bool isCheck = argc == 3 && std::string_view(argv[1]) == "--check";

@@ -46,7 +46,8 @@ vtkNew<vtkPolyData> toVtk(const RepairedMesh& surface)
     return data;
 }
 
-/// Blocked by any of `triangles`, in DESIGN's words and in long double. The surface is closed: fronts only.
+/// Blocked by any of `triangles`, as resources/docs/god-object.md defines it, in long double. The surface is closed:
+/// fronts only.
 bool isBlocked(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles, const Vec3& from,
                const Vec3& to)
 {
@@ -71,7 +72,7 @@ class ClosedMeshes : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void areNeverEnteredAndAlwaysConverge_data()
     {
         QTest::addColumn<QString>("file");

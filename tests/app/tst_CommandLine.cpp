@@ -2,6 +2,9 @@
 #include "../support/Shapes.h"
 #include "TestRunner.h"
 
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
@@ -94,7 +97,7 @@ class CommandLine : public QObject
         QProcess process;
         process.setWorkingDirectory(m_folder->path());
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
             environment.remove(display); // no subcommand needs one
         }
         process.setProcessEnvironment(environment);
@@ -143,7 +146,29 @@ class CommandLine : public QObject
         return csv;
     }
 
-  private slots:
+    /// Writes r.palpate as c.palpate, as if `build` had made it with god-objects `off_mm` away from a tick on.
+    void writeAltered(const std::string& build, double off_mm, std::int64_t from) const
+    {
+        const auto reader = session::RecordingReader::open(file("r.palpate").toStdString());
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        session::RecordingInfo info = reader.value()->info();
+        info.build = build;
+        auto writer = session::RecordingWriter::create(file("c.palpate").toStdString(), info);
+        QVERIFY2(writer.isOk(), writer.status().message().c_str());
+        for (const session::SceneRecord& scene : reader.value()->scenes()) {
+            QVERIFY(writer.value()->addScene(scene).isOk());
+        }
+        const auto read = reader.value()->forEach(0, 1 << 20, [&](servo::TickRecord tick) {
+            if (tick.tick >= from) {
+                tick.p_WG.z() += off_mm;
+            }
+            return writer.value()->append(tick).isOk();
+        });
+        QVERIFY(read.isOk());
+        QVERIFY(writer.value()->finish().isOk());
+    }
+
+  private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
@@ -168,6 +193,13 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
+    }
+
+    void aWindowWithoutADisplayIsAnErrorOfOneLine()
+    {
+        const Outcome outcome = run({"box.stl"});
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.error.count('\n') == 1 && outcome.error.contains("display"), outcome.error.constData());
     }
 
     void replayWritesTheTable()
@@ -262,6 +294,46 @@ class CommandLine : public QObject
         QVERIFY(read("measures.json").contains("\"box\""));
         QCOMPARE(run({"session", "export", "r.palpate", "--csv", "e.csv"}).exitCode, 0);
         QCOMPARE(withoutTimes(read("e.csv")), withoutTimes(read("t.csv")));
+    }
+
+    void aRecordingOfAnotherBuildIsToldFromADifferentOne_data()
+    {
+        QTest::addColumn<bool>("isThisBuild");
+        QTest::addColumn<double>("off_mm");
+        QTest::addColumn<int>("exitCode");
+        QTest::newRow("the same bits") << false << 0.0 << 0;
+        QTest::newRow("rounding") << false << 1e-11 << 0;
+        QTest::newRow("different") << false << 1e-6 << 1;
+        QTest::newRow("different, of this build") << true << 1e-6 << 1;
+        // With changes that no commit has, two builds may have one name.
+        QTest::newRow("rounding, of this build")
+            << true << 1e-11 << (session::isExactBuild(session::buildId()) ? 1 : 0);
+    }
+
+    void aRecordingOfAnotherBuildIsToldFromADifferentOne()
+    {
+        QFETCH(bool, isThisBuild);
+        QFETCH(double, off_mm);
+        QFETCH(int, exitCode);
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        writeAltered(isThisBuild ? session::buildId() : "0123456789ab GNU 12.2.0 Release", off_mm, 700);
+        for (const QStringList& command :
+             {QStringList{"session", "verify", "c.palpate"},
+              QStringList{"replay", "box.stl", "--motion", "c.palpate", "--json", "s.json"}}) {
+            const Outcome outcome = run(command);
+            QVERIFY2(outcome.exitCode == exitCode, outcome.error + outcome.out);
+            QCOMPARE(outcome.out.contains("the same bit for bit"), off_mm == 0.0);
+            const QByteArray& told = exitCode == 0 ? outcome.out : outcome.error;
+            if (off_mm != 0.0) {
+                QVERIFY2(told.contains("tick 700: god-object recorded at (") && told.contains(" mm apart"), told);
+                QVERIFY2(isThisBuild || told.contains("another build (0123456789ab GNU"), told);
+            }
+            QCOMPARE(outcome.error.count('\n'), exitCode == 0 ? 0 : 1);
+        }
+        const QJsonObject told = QJsonDocument::fromJson(read("s.json")).object()["resimulation"].toObject();
+        QCOMPARE(told["identical"].toBool(), off_mm == 0.0);
+        QCOMPARE(told["within_rounding"].toBool(), off_mm < 1e-9);
+        QCOMPARE(told["differing_ticks"].toInt(), off_mm == 0.0 ? 0 : 300);
     }
 
     void aRecordingOfAnotherMeshIsRefusedUnlessForced()

@@ -66,7 +66,7 @@ class Evaluate : public QObject
         return process->exitStatus() == QProcess::NormalExit ? process->exitCode() : -1;
     }
 
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
@@ -97,6 +97,30 @@ class Evaluate : public QObject
         QCOMPARE(exitCodeOf(arguments, &error), 2);
         QCOMPARE(error.count('\n'), qsizetype(1));
         QVERIFY(QDir(file("x")).entryList(QDir::Files).isEmpty());
+    }
+
+    void whatIsWrittenGoesBelowOut_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("folder");
+        QTest::newRow("evaluate") << QStringList{"evaluate", "m.csv"} << "out/evaluation";
+        QTest::newRow("stability") << QStringList{"stability", "m.csv"} << "out/stability";
+        QTest::newRow("evaluate, said") << QStringList{"evaluate", "m.csv", "--out", "out/e"} << "out/e";
+        QTest::newRow("stability, said") << QStringList{"stability", "m.csv", "--out", "out/s"} << "out/s";
+    }
+    void whatIsWrittenGoesBelowOut()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, folder);
+        QProcess process;
+        process.setWorkingDirectory(m_folder->path());
+        process.start(PALPATE_EXECUTABLE, arguments);
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 2); // that is no mesh; the folder was made before it was looked at
+        QVERIFY(QDir(file(folder)).exists());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+                 (QStringList{"m.csv", "organs", "out"}));
+        QCOMPARE(QDir(file("out")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{folder.mid(4)});
     }
 
     void aFolderIsEvaluatedAndItsLossesAreNamed()

@@ -105,7 +105,7 @@ class ImportedFiles : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void hostileFilesOfOursAreDecided();
     void sharedHostileFilesAreDecided();
     void cutFileNeedsPartialAndThenSaysTheLoss();

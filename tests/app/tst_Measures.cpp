@@ -11,7 +11,7 @@
 class Measures : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void saysTheRecordingWithoutScrollingSideways()

@@ -17,7 +17,7 @@ class Numbers : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void readsDecimalNumbers_data()
     {
         QTest::addColumn<QByteArray>("text");

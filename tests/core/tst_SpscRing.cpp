@@ -41,7 +41,7 @@ class SpscRing : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void roundsCapacityUpToAPowerOfTwo_data()
     {
         QTest::addColumn<quint64>("asked");

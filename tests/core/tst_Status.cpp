@@ -12,7 +12,7 @@ class Status : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void isOkByDefault()
     {
         const palpate::core::Status status;

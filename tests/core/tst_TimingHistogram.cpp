@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
+#include <palpate/core/Clock.h>
 #include <palpate/core/TimingHistogram.h>
 
 #include <algorithm>
@@ -17,7 +18,18 @@ class TimingHistogram : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
+    void aShortDurationEndsAtItsBounds()
+    {
+        using palpate::core::shortDuration_ns;
+        constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+        QCOMPARE(shortDuration_ns(-1), std::uint32_t{0});
+        QCOMPARE(shortDuration_ns(1234), std::uint32_t{1234});
+        QCOMPARE(shortDuration_ns(kMost), std::uint32_t{0xffffffff});
+        QCOMPARE(shortDuration_ns(kMost + 1), std::uint32_t{0xffffffff});
+        QCOMPARE(shortDuration_ns(std::numeric_limits<std::int64_t>::max()), std::uint32_t{0xffffffff});
+    }
+
     void isZeroWithoutValues()
     {
         const auto summary = Histogram().summary();

@@ -13,7 +13,7 @@ class TripleBuffer : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void givesTheInitialValueBeforeTheFirstWrite()
     {
         palpate::core::TripleBuffer<int> buffer(5);

@@ -16,7 +16,7 @@ class HandScript : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void refusesBadTargets()
     {
         QVERIFY(Script::make({}).status().code() == StatusCode::Empty);

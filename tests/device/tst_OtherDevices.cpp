@@ -13,7 +13,7 @@ class OtherDevices : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void recognisesByIdsOrByName_data()
     {
         QTest::addColumn<QString>("vendor");

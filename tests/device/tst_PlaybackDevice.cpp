@@ -31,7 +31,7 @@ class PlaybackDevice : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void refusesAnEmptyMotion() { QVERIFY(Playback(std::vector<Vec3>{}).start().code() == StatusCode::Empty); }
 
     void playsOneRowATickAndThenLetsGo()

@@ -32,7 +32,7 @@ class PluginHost : public QObject
         return "not found";
     }
 
-  private slots:
+  private Q_SLOTS:
     void readsMetadataWithoutLoading()
     {
         const device::PluginHost all({m_found}); // no probe: nothing may be loaded here

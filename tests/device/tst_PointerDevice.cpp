@@ -15,7 +15,7 @@ class PointerDevice : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void saysThatNothingPushesBack()
     {
         const auto info = palpate::device::PointerDevice().info();

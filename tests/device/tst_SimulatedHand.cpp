@@ -34,7 +34,7 @@ class SimulatedHand : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void saysTheLimitsOfItsPreset()
     {
         SimulatedHandOptions options;

@@ -74,7 +74,7 @@ class Faults : public QObject
         return force_N;
     }
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         m_bench = std::make_unique<EmulatedBench>();

@@ -25,7 +25,7 @@ class Killed : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     /// The child: presses until it is killed.
     void pressForever()
     {

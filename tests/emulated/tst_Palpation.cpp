@@ -40,7 +40,7 @@ class Palpation : public QObject
         return unit;
     }
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         m_bench = std::make_unique<EmulatedBench>();

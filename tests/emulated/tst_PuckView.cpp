@@ -69,7 +69,7 @@ class PuckView : public QObject
         QTest::qWait(200); // the last reports and the timeout have passed
     }
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         m_bench = std::make_unique<EmulatedBench>();

@@ -31,7 +31,7 @@ class SpaceMouse : public QObject
         return state;
     }
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         m_bench = std::make_unique<EmulatedBench>();

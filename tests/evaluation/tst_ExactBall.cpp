@@ -64,7 +64,7 @@ class ExactBall : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void restsOnAPlane()
     {
         Feel feel(shapes::box({-10, -10, -10}, {10, 10, 0}, 3), 1.5, {1, 2, 8});

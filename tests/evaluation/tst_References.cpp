@@ -59,7 +59,7 @@ class References : public QObject
         QTest::newRow("product") << "product" << 1e-6;
     }
 
-  private slots:
+  private Q_SLOTS:
     void boxHoldsAtFaceAndLetsGoRoundItsEdge_data() { solvers(); }
     void boxHoldsAtFaceAndLetsGoRoundItsEdge()
     {

@@ -65,7 +65,7 @@ class Report : public QObject
 
     Evaluation m_evaluation;
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         const auto subject = subjectOf("ball <& co>", shapes::bumpySphere(10, 60.0, 0.01));

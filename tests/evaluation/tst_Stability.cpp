@@ -34,7 +34,7 @@ class Stability : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void everyPresetHoldsItsStatedStiffnessOnEveryShape_data()
     {
         QTest::addColumn<QByteArray>("id");

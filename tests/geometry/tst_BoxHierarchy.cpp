@@ -61,7 +61,7 @@ class BoxHierarchyTest : public QObject
         return enter <= leave;
     }
 
-  private slots:
+  private Q_SLOTS:
     void everyQueryFindsWhatBruteForceFinds_data()
     {
         QTest::addColumn<int>("count");

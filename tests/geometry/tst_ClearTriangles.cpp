@@ -205,7 +205,7 @@ class ClearTriangles : public QObject
         QTest::newRow("one turned over") << turned;
     }
 
-  private slots:
+  private Q_SLOTS:
     void neighboursAreThoseOfTheEdges_data() { addShapes(); }
     void neighboursAreThoseOfTheEdges()
     {

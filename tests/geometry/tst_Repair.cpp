@@ -14,7 +14,7 @@ class Repair : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void weldsASoupIntoAClosedSurface()
     {
         const RepairedMesh r = repair(soup(box(Vec3(0, 0, 0), Vec3(1, 2, 3), 4)));

@@ -22,7 +22,7 @@ class SurfaceExamination : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void cleanSurfaceCrossesNowhere();
     void crossingSheetsAreCountedByHand();
     void overlappingBallsCrossWhereBruteForceSays();

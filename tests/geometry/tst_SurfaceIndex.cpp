@@ -12,7 +12,7 @@ class SurfaceIndexTest : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void holdsEveryTriangleOnceWithItsWinding()
     {
         const RepairedMesh r = geometry::repair(bumpySphere(12, 40.0, 0.05));

@@ -11,7 +11,7 @@ class Anatomy : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void everyMeshHasItsTriangles_data();
     void everyMeshHasItsTriangles();
     void namesTheFaceThatVtkCannotRead();

@@ -74,7 +74,7 @@ class HostileFiles : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void sharedFilesAreDecided();
     void ownFilesAreRefused_data();
     void ownFilesAreRefused();
@@ -199,6 +199,10 @@ void HostileFiles::ownFilesAreRefused_data()
     row("vtp offsets fall", "a.vtp",
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"3\"", "3 1 3"),
         "line 5: array \"offsets\": value 1 is 1; expected 3 to 3");
+    row("vtp numbers behind a tag", "a.vtp", test::asciiVtp("<Key/>0 0 0 1 0 0 0 1 0"),
+        "line 4: array \"Points\": 0 values; expected 9");
+    row("vtp numbers around a comment", "a.vtp", test::asciiVtp("0 0 0 1 0 <!-- 2 -->0 0 1 0"),
+        "line 4: array \"Points\": 5 values; expected 9");
     row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "none of 1 triangle");
     const auto withText = [](const char* tuples, const char* characters) {
         return test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",

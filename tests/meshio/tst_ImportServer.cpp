@@ -126,7 +126,7 @@ class ImportServer : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void readsWhatThisProcessReads();
     void readerThatEndsBadlyIsOneError_data();
     void readerThatEndsBadlyIsOneError();

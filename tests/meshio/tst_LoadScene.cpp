@@ -39,7 +39,7 @@ class LoadScene : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void meshFileBecomesAScene();
     void coloursFollowTheNames_data();
     void coloursFollowTheNames();

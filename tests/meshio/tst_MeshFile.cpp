@@ -10,7 +10,7 @@ class MeshFile : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void vtpGivesBackEveryBit();
     void stlGivesBackTrianglesInLps();
     void writingNothingIsAnError();

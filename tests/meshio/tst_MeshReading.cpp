@@ -60,7 +60,7 @@ class MeshReading : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void readsEachFormat_data();
     void readsEachFormat();
     void kindComesFromContent_data() { readsEachFormat_data(); }

@@ -10,7 +10,7 @@ class SceneFile : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void givesBackWhatWasWritten();
     void meshPathsAreRelative();
     void keepsFieldsThatItDoesNotKnow();
@@ -42,7 +42,7 @@ void SceneFile::givesBackWhatWasWritten()
              Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
     scene.structures = {s};
     scene.camera = meshio::SceneCamera{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0};
-    scene.findings = {{"lump", {7, 8, 9.25}, "hard"}};
+    scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
     const auto back = meshio::readScene(path);
@@ -58,8 +58,12 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera.has_value());
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
-    QCOMPARE(back.value().findings.size(), std::size_t{1});
-    QVERIFY(back.value().findings[0].p_W == core::Vec3(7, 8, 9.25) && back.value().findings[0].note == "hard");
+    QCOMPARE(back.value().findings.size(), std::size_t{2});
+    const meshio::SceneFinding& found = back.value().findings[0];
+    QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
+    QVERIFY(found.structure == "left lobe" && found.force_N == 1.75 && found.depth_mm == 0.0);
+    const meshio::SceneFinding& bare = back.value().findings[1];
+    QVERIFY(bare.structure.empty() && !bare.force_N && !bare.depth_mm);
 }
 
 void SceneFile::meshPathsAreRelative()
@@ -136,6 +140,8 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     whole(R"({"version": 1, "structures": {}})", "a.json: structures: found an object, expected an array");
     whole(R"({"version": 1, "camera": {"position": [0, 0]}})", "a.json: camera.position: found an array of 2");
     whole(R"({"version": 1, "findings": [{"position": [0, 0, "x"]}]})", "a.json: findings[0].position[2]: found \"x\"");
+    whole(R"({"version": 1, "findings": [{"position": [0, 0, 0], "force_N": -1}]})",
+          "a.json: findings[0].force_N: found -1");
     whole(R"({"structures": []})", "a.json: version: found nothing");
     whole(R"({"version": 1, )", "a.json: byte ");
     whole("", "a.json: byte 0: the file is empty");

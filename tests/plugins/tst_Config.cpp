@@ -9,7 +9,7 @@ class Config : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void takesAnOwnersFileAsItIs()
     {
         // With spaces, whole numbers, a field that is not ours and the comma that some shipped files end with.

@@ -42,7 +42,7 @@ class Conversation : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void answersByteForByte()
     {
         std::int64_t now_ns = kMs;

@@ -78,7 +78,7 @@ class Kinematics : public QObject
         return poses;
     }
 
-  private slots:
+  private Q_SLOTS:
     void calibrationPoseIsTheKits()
     {
         // Link b upright, link c level: by hand from the lengths, less the workspace's origin.

@@ -25,7 +25,7 @@ class Puck : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void readsBothLayouts()
     {
         spacemouse::Puck seven;

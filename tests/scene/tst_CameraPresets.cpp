@@ -17,7 +17,7 @@ Q_DECLARE_METATYPE(palpate::scene::ViewFrom)
 class CameraPresets : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void standsWhereThePatientSideIs_data()
     {
         QTest::addColumn<ViewFrom>("from");

@@ -10,7 +10,7 @@ using namespace palpate::scene;
 class ColourMap : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void lightnessRisesWithForce()
     {
         double before = -1.0;

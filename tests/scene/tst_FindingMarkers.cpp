@@ -32,7 +32,7 @@ int drawn(vtkRenderer& renderer)
 class FindingMarkers : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void thereIsOneForEachFindingAndNoneWithout()
     {
         vtkNew<vtkRenderer> overlay;

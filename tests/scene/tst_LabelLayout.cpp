@@ -49,7 +49,7 @@ QString whatIsCovered(const std::vector<scene::DiscLabel>& labels)
 class LabelLayout : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void aloneItIsUpAndRightWithoutALine()
     {
         auto labels = labelsAt({Point(0, 0), Point(200, 50)});

@@ -31,7 +31,7 @@ scene::ViewStructure makeStructure(const geometry::TriangleMesh& mesh, const sce
 class SceneView : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         if (std::getenv("DISPLAY") == nullptr) {

@@ -12,7 +12,7 @@ using namespace palpate;
 class SurfaceMesh : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void smoothSurfaceKeepsItsPoints()
     {
         const auto ball = geometry::repair(test::ball(20.0, 3));

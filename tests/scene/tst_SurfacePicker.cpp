@@ -42,7 +42,7 @@ double bruteForce(const geometry::TriangleMesh& mesh, const scene::Ray& ray)
 class SurfacePicker : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void findsTheNearSideOfASphere()
     {
         const auto ball = geometry::SurfaceIndex::build(geometry::repair(test::ball(20.0, 5)));

@@ -35,7 +35,7 @@ scene::TouchState contact(const Vec3& f_W)
 class TouchCursor : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void nothingIsDrawnWithoutAHand()
     {
         scene::TouchCursor cursor;

@@ -30,7 +30,7 @@ class MotionTrack : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void anExactSensorIsBelieved()
     {
         Track track(0.0);

@@ -51,7 +51,7 @@ class PassivityController : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void countsWhatSamplingMakesOfASpring_data()
     {
         QTest::addColumn<int>("delay");

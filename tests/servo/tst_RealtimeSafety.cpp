@@ -75,7 +75,7 @@ class RealtimeSafety : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         if (!RealtimeGuard::isAvailable()) {

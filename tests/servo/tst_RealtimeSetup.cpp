@@ -42,7 +42,7 @@ class RealtimeSetup : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void saysOfEachItemWhatItGotOrWhyNot()
     {
         RealtimeReport report;

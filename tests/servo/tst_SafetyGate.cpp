@@ -109,7 +109,7 @@ class SafetyGate : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void takesLimitsFromTheDevice()
     {
         const GateLimits touch = limitsOf("touch");

@@ -50,7 +50,7 @@ class SceneChanges : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     /// However the scene changes under a pressing hand, no tick's force steps by more than the bound.
     void neverStepTheForce_data()
     {

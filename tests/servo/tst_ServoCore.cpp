@@ -46,7 +46,7 @@ class ServoCore : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void withoutASceneEverythingIsFreeSpace()
     {
         Core core(limitsOf("touch"), 1000.0);

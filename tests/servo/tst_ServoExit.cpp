@@ -120,7 +120,7 @@ class ServoExit : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void aProgramThatEndsTakesTheForceAwayFirst_data()
     {
         QTest::addColumn<int>("end");

@@ -140,7 +140,7 @@ class ServoLoop : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void refusesOptionsOutOfRange_data()
     {
         QTest::addColumn<double>("rate");

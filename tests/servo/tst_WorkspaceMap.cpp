@@ -76,7 +76,7 @@ class WorkspaceMap : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void directIsTheSameBits()
     {
         Map map;

@@ -87,7 +87,7 @@ class CrashSafety : public QObject
 
     std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
 
-  private slots:
+  private Q_SLOTS:
     /// Killed at different moments, also in the middle of a transaction.
     void aKilledProgramLosesAtMostTheLastSecond()
     {

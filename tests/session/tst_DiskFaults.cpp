@@ -97,7 +97,7 @@ class DiskFaults : public QObject
         return loop.timing().ticks >= goal;
     }
 
-  private slots:
+  private Q_SLOTS:
     /// The power goes after each operation; what was not synced is lost, kept, torn or reordered.
     void powerLossLeavesACleanPrefix()
     {

@@ -30,7 +30,7 @@ class Measures : public QObject
         return record;
     }
 
-  private slots:
+  private Q_SLOTS:
     /// Down 1 mm a tick from 2 mm above to 3 mm below a plane at 0, with 0.5 N/mm: worked out by hand.
     void agreeWithASessionWorkedOutByHand()
     {

@@ -20,7 +20,7 @@ class MotionFile : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void readsColumnsInAnyOrder()
     {
         const auto motion = session::parseMotion("note,z,x,time_s,y\na,3,1,0,2\nb,-3.5,1e1,0.00025,+2\n", "m.csv");

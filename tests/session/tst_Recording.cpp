@@ -35,7 +35,7 @@ class Recording : public QObject
         return status.isOk() ? ticks : std::vector<servo::TickRecord>();
     }
 
-  private slots:
+  private Q_SLOTS:
     void givesBackEveryBit()
     {
         auto ticks = test::palpationTicks(2000);

@@ -65,7 +65,7 @@ class Recovery : public QObject
         return foreign;
     }
 
-  private slots:
+  private Q_SLOTS:
     void ofASoundRecordingLosesNothing()
     {
         const auto ticks = test::palpationTicks(1100);

@@ -49,7 +49,7 @@ class Replay : public QObject
         return reader.isOk() ? session::resimulate(*reader.value(), test::boxSurfaces()) : reader.status();
     }
 
-  private slots:
+  private Q_SLOTS:
     void givesOneTickARow()
     {
         const auto motion = pressing(10000); // more than a batch
@@ -147,6 +147,95 @@ class Replay : public QObject
         QCOMPARE(*result.value().firstDifference, std::int64_t{tick});
     }
 
+    void tellsRoundingFromAnotherWay_data()
+    {
+        QTest::addColumn<double>("skins");  // that the god-object is moved by
+        QTest::addColumn<double>("pushed"); // that the force is, times the stiffness
+        QTest::addColumn<int>("structure");
+        QTest::addColumn<int>("triangle"); // added to its number
+        QTest::addColumn<bool>("isRounding");
+        QTest::newRow("a tenth of a skin") << 0.1 << 0.0 << 0 << 0 << true;
+        QTest::newRow("15 skins") << 15.0 << 0.0 << 0 << 0 << true;
+        QTest::newRow("17 skins") << 17.0 << 0.0 << 0 << 0 << false;
+        QTest::newRow("a force as of 15 skins") << 0.0 << 15.0 << 0 << 0 << true;
+        QTest::newRow("a force as of 17 skins") << 0.0 << 17.0 << 0 << 0 << false;
+        QTest::newRow("the triangle alone") << 0.0 << 0.0 << 0 << 1 << true;
+        QTest::newRow("a skin, and a force as of 17") << 1.0 << 17.0 << 0 << 0 << false;
+        QTest::newRow("a skin, and another structure") << 1.0 << 0.0 << 1 << 0 << false;
+        QTest::newRow("another structure") << 0.0 << 0.0 << 1 << 0 << false;
+        QTest::newRow("not a number") << std::nan("") << 0.0 << 0 << 0 << false;
+    }
+
+    void tellsRoundingFromAnotherWay()
+    {
+        QFETCH(double, skins);
+        QFETCH(double, pushed);
+        QFETCH(int, structure);
+        QFETCH(int, triangle);
+        QFETCH(bool, isRounding);
+        auto ticks = test::palpationTicks(2000);
+        std::size_t at = 600; // on the second scene
+        while (ticks[at].structure < 0) {
+            ++at;
+        }
+        const auto scene = session::rebuildScene(test::palpationScenes()[1], test::boxSurfaces());
+        const double skin_mm = scene.value()->layer(0).skin_mm;
+        QVERIFY(skin_mm > 0.0);
+        ticks[at].p_WG.y() += skins * skin_mm;
+        ticks[at].f_W.y() += pushed * skin_mm * scene.value()->structures()[0].tissue.stiffness_N_per_mm;
+        ticks[at].structure = structure;
+        ticks[at].triangle += static_cast<std::uint32_t>(triangle);
+        QVERIFY(test::writeRecording(path("r.palpate"), ticks));
+        const auto result = again("r.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        const session::Resimulation& it = result.value();
+        QVERIFY(!it.isSame());
+        QCOMPARE(it.differing, std::int64_t{1});
+        QCOMPARE(*it.firstDifference, ticks[at].tick);
+        QCOMPARE(it.rounding_mm, 16.0 * skin_mm);
+        QVERIFY2(it.isWithinRounding() == isRounding, it.beyond.c_str());
+        if (!isRounding) {
+            QCOMPARE(*it.firstBeyond, ticks[at].tick);
+            const std::string what = pushed != 0.0 ? "force" : structure != 0 ? "structure" : "god-object";
+            QVERIFY2(it.beyond.starts_with("tick " + std::to_string(ticks[at].tick) + ": " + what), it.beyond.c_str());
+        }
+        if (skins > 0.0) {
+            QVERIFY(std::abs(it.farthest_mm - skins * skin_mm) < 0.1 * skin_mm);
+            QVERIFY2(it.difference.ends_with(" mm apart"), it.difference.c_str());
+        }
+    }
+
+    void oneBuildMayTouchWhatAnotherJustMisses()
+    {
+        auto ticks = test::palpationTicks(2000);
+        std::size_t at = 600;
+        while (ticks[at].structure < 0) {
+            ++at;
+        }
+        ticks[at].structure = -1; // but pressed: no rounding takes that away
+        ticks[at].p_WG = ticks[at].p_WH;
+        ticks[at].f_W = Vec3::Zero();
+        QVERIFY(test::writeRecording(path("m.palpate"), ticks));
+        const auto pressed = again("m.palpate");
+        QVERIFY2(pressed.isOk(), pressed.status().message().c_str());
+        QCOMPARE(*pressed.value().firstBeyond, ticks[at].tick);
+
+        ticks = test::palpationTicks(2000);
+        ticks[at].structure = -1; // the same place and force
+        QVERIFY(test::writeRecording(path("m.palpate"), ticks));
+        const auto grazed = again("m.palpate");
+        QVERIFY2(grazed.isOk(), grazed.status().message().c_str());
+        QCOMPARE(grazed.value().differing, std::int64_t{1});
+        QVERIFY2(grazed.value().isWithinRounding(), grazed.value().beyond.c_str());
+    }
+
+    void aBuildWithChangesOfItsOwnIsNoExactOne()
+    {
+        QVERIFY(session::isExactBuild("aafc4961234a GNU 12.2.0 Release"));
+        QVERIFY(!session::isExactBuild("aafc4961234a-dirty GNU 12.2.0 Release"));
+        QVERIFY(!session::isExactBuild("unknown GNU 12.2.0 Release"));
+    }
+
     void startsInTheMiddleOfATouch()
     {
         // A recording that begins while the box is pressed: its start state is what the ticks before left.
@@ -170,6 +259,7 @@ class Replay : public QObject
             tick.p_WG = result.p_WG;
             tick.f_W = result.f_W;
             tick.structure = result.structure;
+            tick.triangle = result.triangle;
             tick.constraints = result.constraints;
             if (i >= 400) {
                 ticks.push_back(tick);

@@ -22,7 +22,7 @@ class TickCsv : public QObject
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
     }
 
-  private slots:
+  private Q_SLOTS:
     void writesTheColumnsOfTheDesign()
     {
         const QTemporaryDir folder;

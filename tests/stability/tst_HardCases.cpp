@@ -6,7 +6,7 @@ class HardCases : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void holds_data() { palpate::test::addHardCaseRows(false); }
     void holds() { palpate::test::checkHardCase(); }
 };

@@ -6,7 +6,7 @@ class LongHardCases : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void holds_data() { palpate::test::addHardCaseRows(true); }
     void holds() { palpate::test::checkHardCase(); }
 };

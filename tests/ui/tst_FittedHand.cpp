@@ -44,7 +44,7 @@ class FittedHand : public QObject
         return m_model.hapticScene(greatest);
     }
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase()
     {
         auto loaded = meshio::loadScene(PALPATE_PHANTOM);

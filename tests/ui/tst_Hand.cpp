@@ -57,7 +57,7 @@ class Hand : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void settingsAreKeptForEachDeviceByItself()
@@ -209,7 +209,7 @@ class Hand : public QObject
         QSignalSpy changed(&panel, &ui::HandPanel::settingsChanged);
         auto* turn = panel.findChildren<QComboBox*>().front();
         turn->setCurrentIndex(1);
-        emit turn->activated(1);
+        Q_EMIT turn->activated(1);
         QCOMPARE(changed.count(), 1);
         QVERIFY(panel.settings().turn == MapTurn::Patient);
         panel.findChild<QDoubleSpinBox*>()->setValue(0.5);
@@ -230,8 +230,8 @@ class Hand : public QObject
         QSignalSpy clutch(&panel, &ui::HandPanel::clutchWanted);
         for (QPushButton* button : buttons) {
             if (button->text() == QStringLiteral("Clutch")) {
-                emit button->pressed();
-                emit button->released();
+                Q_EMIT button->pressed();
+                Q_EMIT button->released();
             }
         }
         QCOMPARE(clutch.count(), 2);

@@ -17,7 +17,7 @@ using namespace palpate;
 class Palpation : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         m_model = std::make_unique<ui::StructureModel>();

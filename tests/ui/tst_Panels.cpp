@@ -50,7 +50,7 @@ double contrast(const QColor& a, const QColor& b)
 class Panels : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void forceHasSensibleDigits()
@@ -132,7 +132,7 @@ class Panels : public QObject
         QVERIFY(refusal->isHidden());
         auto* presets = panel.findChild<QComboBox*>();
         presets->setCurrentIndex(6); // bone
-        emit presets->activated(6);
+        Q_EMIT presets->activated(6);
         QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
         QCOMPARE(presets->currentIndex(), 0);
         QVERIFY(!refusal->isHidden());
@@ -156,7 +156,7 @@ class Panels : public QObject
         panel.select(0);
         auto* presets = panel.findChild<QComboBox*>();
         presets->setCurrentIndex(5);
-        emit presets->activated(5);
+        Q_EMIT presets->activated(5);
         QCOMPARE(model.structure(0).stiffness_N_per_mm, ui::tissuePresets()[4].tissue.stiffness_N_per_mm);
         QCOMPARE(presets->currentIndex(), 5);
         panel.findChildren<QDoubleSpinBox*>().first()->setValue(0.77);

@@ -24,7 +24,7 @@ ui::PointerHand over(const Vec3& surface_W)
 class PointerHand : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void isAwayUntilItPointsAtSomething()
     {
         ui::PointerHand hand;

@@ -13,7 +13,7 @@ using namespace palpate;
 class SceneLoader : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         QVERIFY(m_folder.isValid());

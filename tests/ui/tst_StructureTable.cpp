@@ -14,7 +14,7 @@ const haptics::Tissue kGreatest{5.0, 0.02};
 class StructureTable : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void namesReadAsAPersonWritesThem()
     {
         QCOMPARE(ui::readableName("VH_F_liver_capsule"), QStringLiteral("liver capsule"));

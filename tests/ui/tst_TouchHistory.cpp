@@ -8,7 +8,7 @@ using namespace palpate;
 class TouchHistory : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void keepsTheLastTenSeconds()
     {
         ui::TouchHistory history;

@@ -11,7 +11,7 @@ using namespace palpate;
 class Transport : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void nothingPlaysWithoutARecording()
     {
         ui::Transport transport;

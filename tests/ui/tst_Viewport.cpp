@@ -13,7 +13,7 @@ using namespace palpate;
 class Viewport : public QObject
 {
     Q_OBJECT
-  private slots:
+  private Q_SLOTS:
     void init()
     {
         if (QGuiApplication::platformName() != QStringLiteral("xcb")) {

@@ -3,6 +3,8 @@
 
 #include "ChartAxis.h"
 
+#include <palpate/core/Text.h>
+
 #include <algorithm>
 
 namespace palpate::evaluation {
@@ -121,7 +123,7 @@ std::vector<Advice> adviceFor(const Evaluation& evaluation)
         const Trial& full = *found.full;
         Advice a;
         a.subject = subject.name;
-        a.setting = "All " + groupedNumber(full.triangles) + " triangles, 1 kHz, converged within the tick";
+        a.setting = "All " + core::grouped(full.triangles) + " triangles, 1 kHz, converged within the tick";
         a.why.push_back("A tick costs " + shortNumber(full.time_us.p50) + " µs, 99.9 % of them at most " +
                         shortNumber(full.time_us.p999) + " µs: " + shortNumber(full.time_us.p999 / 10.0) +
                         " % of the 1 ms there is. " + shortNumber(static_cast<double>(subject.bytes) / 1e6) +

@@ -68,16 +68,6 @@ std::string shortNumber(double value)
     return std::abs(mantissa - 1.0) < 0.05 ? power : formatted("%.1f·", mantissa) + power;
 }
 
-std::string groupedNumber(std::size_t value)
-{
-    std::string text = std::to_string(value);
-    for (std::size_t at = text.size(); at > 3;) {
-        at -= 3;
-        text.insert(at, 1, ',');
-    }
-    return text;
-}
-
 ChartAxis ChartAxis::decades(const std::vector<double>& values, std::string title)
 {
     double low = std::numeric_limits<double>::infinity(), high = 0.0;

@@ -12,9 +12,6 @@ namespace palpate::evaluation {
 /// A number in three digits at most, with powers of ten as superscripts where they are shorter: 0.35, 12, 2·10⁻⁹.
 [[nodiscard]] std::string shortNumber(double value);
 
-/// A whole number with a comma every three digits.
-[[nodiscard]] std::string groupedNumber(std::size_t value);
-
 /// Range of one axis of a chart.
 struct ChartAxis
 {

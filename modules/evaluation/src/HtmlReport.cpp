@@ -6,6 +6,8 @@
 #include "palpate/evaluation/LagrangeElimination.h"
 #include "palpate/evaluation/Report.h"
 
+#include <palpate/core/Text.h>
+
 #include <algorithm>
 #include <map>
 
@@ -51,7 +53,7 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
         }
         const bool isSampled = t.ticks + 200 < t.wanted;
         std::string row = cell(escaped(t.solver + (t.setting.empty() ? "" : ", " + t.setting)), true) +
-                          cell(groupedNumber(t.triangles)) + cell(t.time_us.count > 0 ? number(t.time_us.p50) : "–") +
+                          cell(core::grouped(t.triangles)) + cell(t.time_us.count > 0 ? number(t.time_us.p50) : "–") +
                           cell(t.time_us.count > 0 ? number(t.time_us.p999) : "–") +
                           cell(t.freeTime_us.count > 0 ? number(t.freeTime_us.p50) : "–");
         if (t.isReference) {
@@ -66,7 +68,7 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
         }
         row += cell(t.isReference ? "" : std::to_string(t.otherMinimum)) +
                cell(t.isReference ? "" : std::to_string(t.interrupted)) +
-               cell(groupedNumber(t.ticks) + (isSampled ? " of " + groupedNumber(t.wanted) : ""));
+               cell(core::grouped(t.ticks) + (isSampled ? " of " + core::grouped(t.wanted) : ""));
         rows += tag("tr", row, t.knob == Knob::Solver && t.solver == "Palpate" ? "class='strong'" : "");
     }
     return tag("table",
@@ -104,8 +106,8 @@ std::string hardCaseSection(const Evaluation& evaluation)
         }
         rows += tag("tr", "<td class='left case'>" + name + "</td>" +
                               cell(r->passed() ? "<span class='pass'>pass</span>" : "<span class='fail'>FAIL</span>") +
-                              figures + cell(groupedNumber(r->triangles)) +
-                              cell(groupedNumber(static_cast<std::size_t>(r->ticks))));
+                              figures + cell(core::grouped(r->triangles)) +
+                              cell(core::grouped(static_cast<std::size_t>(r->ticks))));
     }
     return tag("h2", "Hard cases: " + std::to_string(passed) + " of " + std::to_string(order.size()) + " pass") +
            "<p class='soft'>Each requires as well: nothing non-finite, bad input without effect, every tick converged, "
@@ -148,7 +150,7 @@ std::string methodSection(const Evaluation& evaluation)
     }
     std::string hashes;
     for (const SubjectInfo& s : evaluation.subjects) {
-        hashes += tag("tr", cell(escaped(s.name), true) + cell(tissuesOf(s), true) + cell(groupedNumber(s.triangles)) +
+        hashes += tag("tr", cell(escaped(s.name), true) + cell(tissuesOf(s), true) + cell(core::grouped(s.triangles)) +
                                 cell(number(s.extent_mm)) + cell(number(static_cast<double>(s.bytes) / 1e6)) +
                                 cell(number(static_cast<double>(s.bytes) / static_cast<double>(s.triangles))) +
                                 cell(number(s.build_ms)) + cell("<code>" + s.hash + "</code>", true));
@@ -203,7 +205,7 @@ std::string ratioCard(const Evaluation& evaluation)
     std::string rows;
     for (const Ratio& r : evaluation.ratios) {
         const char* style = r.wanted <= 0.0 ? "" : r.times >= r.wanted ? "class='good'" : "class='missed'";
-        rows += tag("tr", cell(groupedNumber(r.triangles)) + cell(escaped(r.solver), true) +
+        rows += tag("tr", cell(core::grouped(r.triangles)) + cell(escaped(r.solver), true) +
                               cell(tag("span", number(r.times) + " ×", style)) +
                               cell(r.wanted > 0.0 ? "≥ " + number(r.wanted) + " ×" : ""));
     }
@@ -271,7 +273,7 @@ std::string reportHtml(const Evaluation& evaluation)
                        (evaluation.isCancelled ? " <b>Cancelled: not all was measured.</b>" : "") + "</p>";
     body += advice + notes(evaluation);
     for (const SubjectInfo& s : evaluation.subjects) {
-        body += card(s.name + ", " + groupedNumber(s.triangles) + " triangles",
+        body += card(s.name + ", " + core::grouped(s.triangles) + " triangles",
                      speedAgainstErrorChart(evaluation, s.name) + legend());
         body += "<details" + std::string(evaluation.subjects.size() == 1 ? " open" : "") + "><summary>All figures of " +
                 escaped(s.name) + "</summary><div class='card' style='overflow-x:auto'>" +

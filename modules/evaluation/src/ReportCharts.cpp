@@ -4,6 +4,8 @@
 #include "Advice.h"
 #include "SvgChart.h"
 
+#include <palpate/core/Text.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -36,7 +38,7 @@ std::string labelOf(const Trial& t)
 {
     switch (t.knob) {
     case Knob::Solver:
-        return t.solver + (2 * t.ticks < t.wanted ? ", " + groupedNumber(t.ticks) + " ticks only" : "");
+        return t.solver + (2 * t.ticks < t.wanted ? ", " + core::grouped(t.ticks) + " ticks only" : "");
     case Knob::Decimated:
         return shortNumber(100.0 * t.knobValue) + " %";
     case Knob::OnePass:

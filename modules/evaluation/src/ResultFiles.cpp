@@ -267,12 +267,7 @@ core::Status writeReport(const std::filesystem::path& folder, const Evaluation& 
                                                       {"chart.svg", chartSvg(evaluation)},
                                                       {"report.html", reportHtml(evaluation)}};
     for (const auto& [name, content] : files) {
-        auto file = session::AtomicFile::create(folder / name);
-        if (!file.isOk()) {
-            return file.status();
-        }
-        file.value().write(content);
-        if (core::Status status = file.value().finish(); !status.isOk()) {
+        if (core::Status status = session::writeAtomically(folder / name, content); !status.isOk()) {
             return status;
         }
     }

@@ -167,12 +167,7 @@ core::Status writeReport(const std::filesystem::path& folder, const Result& resu
 {
     const std::pair<const char*, std::string> files[]{{"stability.csv", csv(result)}, {"stability.html", html(result)}};
     for (const auto& [name, content] : files) {
-        auto file = session::AtomicFile::create(folder / name);
-        if (!file.isOk()) {
-            return file.status();
-        }
-        file.value().write(content);
-        if (core::Status status = file.value().finish(); !status.isOk()) {
+        if (core::Status status = session::writeAtomically(folder / name, content); !status.isOk()) {
             return status;
         }
     }

@@ -3,56 +3,28 @@
 
 #include "Fault.h"
 
-#include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <string>
-#include <unistd.h>
+#include <QSaveFile>
 
 namespace palpate::meshio::internal {
 
 core::Status writeAtomically(const std::filesystem::path& path, std::string_view bytes)
 {
-    static std::atomic<unsigned> count{0};
-    const std::string temporary =
-        path.string() + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count.fetch_add(1));
-    const auto failed = [&](std::string_view what, int error) {
-        return fault(error == ENOENT ? core::StatusCode::NotFound : core::StatusCode::Unreadable,
-                     path.filename().string(), "", std::string(what) + ": " + std::strerror(error),
-                     "a place that can be written");
+    const QString name = QString::fromStdString(path.string());
+    const auto failed = [&](std::string_view why) {
+        const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        std::error_code ignored;
+        return fault(
+            std::filesystem::exists(folder, ignored) ? core::StatusCode::Unreadable : core::StatusCode::NotFound,
+            path.filename().string(), "", "cannot be written: " + std::string(why), "a place that can be written");
     };
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-        return failed("cannot be written", errno);
+    if (name.toStdString() != path.string()) { // Qt would write to another one
+        return failed("its name is not UTF-8");
     }
-    int error = 0;
-    while (error == 0 && !bytes.empty()) {
-        const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
-        if (done >= 0) {
-            bytes.remove_prefix(static_cast<std::size_t>(done));
-        } else if (errno != EINTR) {
-            error = errno;
-        }
-    }
-    if (error == 0 && ::fsync(descriptor) != 0) {
-        error = errno;
-    }
-    if (::close(descriptor) != 0 && error == 0) {
-        error = errno;
-    }
-    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) {
-        error = errno;
-    }
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        return failed("cannot be written", error);
-    }
-    // The rename itself is on disk once its folder is.
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (const int parent = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); parent >= 0) {
-        (void)::fsync(parent);
-        ::close(parent);
+    QSaveFile file(name);
+    if (!file.open(QIODevice::WriteOnly) ||
+        file.write(bytes.data(), static_cast<qint64>(bytes.size())) != static_cast<qint64>(bytes.size()) ||
+        !file.commit()) {
+        return failed(file.errorString().toStdString());
     }
     return {};
 }

@@ -8,7 +8,7 @@
 
 namespace palpate::meshio::internal {
 
-/// Writes a file whole or not at all: a temporary one beside it, synced, then renamed over it.
+/// Writes a file whole or not at all, as QSaveFile does.
 [[nodiscard]] core::Status writeAtomically(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace palpate::meshio::internal

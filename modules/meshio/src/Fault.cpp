@@ -27,16 +27,6 @@ std::string atByte(std::uint64_t byte)
     return "byte " + std::to_string(byte);
 }
 
-std::string grouped(std::uint64_t value)
-{
-    std::string digits = std::to_string(value);
-    for (std::size_t i = digits.size(); i > 3;) {
-        i -= 3;
-        digits.insert(i, 1, ',');
-    }
-    return digits;
-}
-
 std::string counted(std::uint64_t value, std::string_view noun)
 {
     std::string text = grouped(value).append(" ").append(noun);
@@ -44,18 +34,6 @@ std::string counted(std::uint64_t value, std::string_view noun)
         text += 's';
     }
     return text;
-}
-
-std::string inQuotes(std::string_view text)
-{
-    constexpr std::size_t kMost = 40;
-    std::string out = "\"";
-    for (const char c : text.substr(0, kMost)) {
-        const auto byte = static_cast<unsigned char>(c);
-        out += byte < 0x20 || byte == 0x7f ? '?' : c;
-    }
-    out += text.size() > kMost ? "…\"" : "\"";
-    return out;
 }
 
 } // namespace palpate::meshio::internal

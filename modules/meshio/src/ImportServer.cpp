@@ -143,7 +143,7 @@ void prepareHeap(const ImportTask& task)
 
 void serveImports(int socket, ReaderHook hook)
 {
-    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // what libraries say there is nobody's
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // what libraries print there is dropped
         const int nothing = ::open("/dev/null", O_RDWR);
         ::dup2(nothing, standard);
         ::close(nothing);

@@ -174,7 +174,6 @@ void Loader::expandFiles()
     }
 }
 
-/// A scene file's structures: the part that each names, or all parts of its file.
 /// Names each mesh file that is not the one the scene was saved with.
 void Loader::findChanged()
 {
@@ -193,6 +192,7 @@ void Loader::findChanged()
     }
 }
 
+/// A scene file's structures: the part that each names, or all parts of its file.
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {

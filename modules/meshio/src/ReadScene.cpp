@@ -28,6 +28,14 @@ std::optional<Vec3> point(JsonFields& fields, const char* name)
     return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
 }
 
+/// A number from 0; nothing when the field is absent.
+void readIfThere(JsonFields& fields, const char* name, std::optional<double>& value)
+{
+    if (fields.has(name)) {
+        fields.read(name, value.emplace(), 0.0, kMostMm);
+    }
+}
+
 /// Row by row, the last one 0 0 0 1; must be a rotation and a translation.
 void readPose(JsonFields& fields, const char* name, core::Transform& pose)
 {
@@ -152,6 +160,9 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         SceneFinding finding;
         entry.read("name", finding.name);
         entry.read("note", finding.note);
+        entry.read("structure", finding.structure);
+        readIfThere(entry, "force_N", finding.force_N);
+        readIfThere(entry, "depth_mm", finding.depth_mm);
         finding.p_W = point(entry, "position").value_or(finding.p_W);
         finding.extra = entry.unknown();
         scene.findings.push_back(std::move(finding));

@@ -203,6 +203,7 @@ Status HeaderReader::run(VtpHeader& header)
         case QXmlStreamReader::EntityReference:
             return wrong(StatusCode::BadFormat, "a document type or an entity", "none in a VTP file");
         case QXmlStreamReader::StartElement:
+            m_array = nullptr; // VTK's reader takes an array's text to the first tag: information keys are none of it
             m_path.push_back(m_xml.name().toString().toStdString());
             if (m_path.size() > kDeepest) {
                 return wrong(StatusCode::BadFormat, "elements nested more than 32 deep", "at most 6");
@@ -213,9 +214,15 @@ Status HeaderReader::run(VtpHeader& header)
             }
             break;
         case QXmlStreamReader::Characters:
-            if (m_array != nullptr) {
+            if (m_xml.isCDATA()) {
+                m_array = nullptr;
+            } else if (m_array != nullptr) {
                 m_array->text.append(m_xml.text().toLatin1());
             }
+            break;
+        case QXmlStreamReader::Comment:
+        case QXmlStreamReader::ProcessingInstruction:
+            m_array = nullptr;
             break;
         case QXmlStreamReader::EndElement:
             m_path.pop_back();

@@ -272,8 +272,11 @@ Status VtpScan::checkFieldData() const
 void VtpScan::noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples)
 {
     for (const VtpArray& array : arrays) {
-        if (array.name != "StructureId" && array.components <= kMostElements &&
-            !checkCount(array, tuples * array.components).isOk()) {
+        if (array.name == "StructureId" || array.components > kMostElements) {
+            continue;
+        }
+        const Result<std::uint64_t> held = array.type == "String" ? countStrings(array) : countValues(array);
+        if (!held.isOk() || held.value() != tuples * array.components) {
             m_scan.notes.push_back("the array " + inQuotes(array.name) + " is damaged; it is not used");
         }
     }

@@ -91,6 +91,15 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         one["name"] = text(finding.name);
         one["position"] = triple(finding.p_W);
         one["note"] = text(finding.note);
+        if (!finding.structure.empty()) {
+            one["structure"] = text(finding.structure);
+        }
+        if (finding.force_N) {
+            one["force_N"] = *finding.force_N;
+        }
+        if (finding.depth_mm) {
+            one["depth_mm"] = *finding.depth_mm;
+        }
         findings.append(one);
     }
     out["findings"] = findings;

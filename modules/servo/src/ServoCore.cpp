@@ -5,9 +5,6 @@
 
 #include <palpate/core/Clock.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace palpate::servo {
 
 haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
@@ -70,8 +67,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     const haptics::TickResult felt = feelTick(m_palpator, mapped.p_W, static_cast<std::uint16_t>(flags), m_dt_s);
     const std::int64_t solve_ns = core::monotonicNow_ns() - begin_ns;
     if (input.isPresent) {
-        record.solve_ns = static_cast<std::uint32_t>(
-            std::clamp<std::int64_t>(solve_ns, 0, std::numeric_limits<std::uint32_t>::max()));
+        record.solve_ns = core::shortDuration_ns(solve_ns);
     }
     record.p_WG = felt.p_WG;
     record.n_W = felt.n_W;

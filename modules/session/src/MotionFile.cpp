@@ -2,6 +2,7 @@
 #include "palpate/session/MotionFile.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/core/Text.h>
 
 #include <algorithm>
 #include <array>
@@ -20,17 +21,6 @@ using core::StatusCode;
 constexpr std::array<std::string_view, 4> kColumns{"x", "y", "z", "time_s"};
 constexpr std::size_t kTimeColumn = 3;
 constexpr double kLargest_mm = 1e9; // beyond it the squares of distances lose what a hand can feel
-
-/// What was found, fit for a one-line message: short, quoted, without control characters.
-std::string quoted(std::string_view text)
-{
-    constexpr std::size_t kMost = 40;
-    std::string out = "\"";
-    for (const char c : text.substr(0, kMost)) {
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    }
-    return out + (text.size() > kMost ? "...\"" : "\"");
-}
 
 std::string_view trimmed(std::string_view text)
 {
@@ -118,7 +108,7 @@ class MotionParser
         for (std::size_t c = 0; c < kTimeColumn; ++c) {
             if (m_place[c] == m_fields) {
                 return wrong(StatusCode::BadFormat, "found no column " + std::string(kColumns[c]) + " in " +
-                                                        quoted(trimmed(header)) +
+                                                        core::inQuotes(trimmed(header)) +
                                                         ", expected a header with x, y and z");
             }
         }
@@ -143,16 +133,17 @@ class MotionParser
             }
             const auto value = core::parseNumber(field);
             if (!value) {
-                return wrong(StatusCode::BadFormat, "found " + quoted(trimmed(field)) + ", expected a number",
+                return wrong(StatusCode::BadFormat, "found " + core::inQuotes(trimmed(field)) + ", expected a number",
                              kColumns[c]);
             }
             if (!std::isfinite(*value)) {
-                return wrong(StatusCode::NonFinite, "found " + quoted(trimmed(field)) + ", expected a finite number",
-                             kColumns[c]);
+                return wrong(StatusCode::NonFinite,
+                             "found " + core::inQuotes(trimmed(field)) + ", expected a finite number", kColumns[c]);
             }
             if (c != kTimeColumn && std::abs(*value) > kLargest_mm) {
                 return wrong(StatusCode::OutOfRange,
-                             "found " + quoted(trimmed(field)) + ", expected a coordinate within 1e9 mm", kColumns[c]);
+                             "found " + core::inQuotes(trimmed(field)) + ", expected a coordinate within 1e9 mm",
+                             kColumns[c]);
             }
             values[c] = *value;
         }

@@ -15,6 +15,12 @@ std::string buildId()
     return internal::kBuildId;
 }
 
+bool isExactBuild(std::string_view id)
+{
+    const std::string_view commit = id.substr(0, id.find(' '));
+    return commit != "unknown" && !commit.ends_with("-dirty");
+}
+
 SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
                           std::span<const StructureSource> sources)
 {

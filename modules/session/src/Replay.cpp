@@ -6,17 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace palpate::session {
 
 namespace {
-
-std::uint32_t elapsed_ns(std::int64_t start_ns, std::int64_t end_ns)
-{
-    return static_cast<std::uint32_t>(
-        std::clamp<std::int64_t>(end_ns - start_ns, 0, std::numeric_limits<std::uint32_t>::max()));
-}
 
 servo::TickRecord feel(haptics::Palpator& palpator, const Motion& motion, std::size_t tick)
 {
@@ -37,7 +30,7 @@ servo::TickRecord feel(haptics::Palpator& palpator, const Motion& motion, std::s
     record.fSent_W = result.f_W;
     record.structure = result.structure;
     record.triangle = result.triangle;
-    record.solve_ns = elapsed_ns(start_ns, end_ns);
+    record.solve_ns = core::shortDuration_ns(end_ns - start_ns);
     record.iterations = result.iterations;
     record.constraints = result.constraints;
     record.flags = flags;

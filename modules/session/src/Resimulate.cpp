@@ -7,6 +7,7 @@
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -75,6 +76,7 @@ class Resimulator
             scene = std::move(built).value();
         }
         m_palpator.setScene(scene.get());
+        boundRounding(scene.get());
         m_generation = generation;
         return {};
     }
@@ -106,8 +108,7 @@ class Resimulator
         servo::TickRecord now = row;
         const std::int64_t start_ns = core::monotonicNow_ns();
         const haptics::TickResult felt = servo::feelTick(m_palpator, row.p_WH, flags, m_recording.info().dt_s);
-        now.solve_ns = static_cast<std::uint32_t>(
-            std::clamp<std::int64_t>(core::monotonicNow_ns() - start_ns, 0, std::numeric_limits<std::uint32_t>::max()));
+        now.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - start_ns);
         ++m_result.compared;
         if ((flags & servo::kNoHand) == 0) {
             now.p_WG = felt.p_WG;
@@ -124,21 +125,78 @@ class Resimulator
 
     void compare(const servo::TickRecord& row, const servo::TickRecord& now)
     {
-        if (m_result.firstDifference) {
+        const bool isSamePlace = internal::sameBits(row.p_WG, now.p_WG);
+        const bool isSameForce = internal::sameBits(row.f_W, now.f_W);
+        const bool isSameTouch =
+            row.structure == now.structure && row.constraints == now.constraints && row.triangle == now.triangle;
+        if (isSamePlace && isSameForce && isSameTouch) {
             return;
         }
-        const auto report = [&](const std::string& what) {
-            m_result.firstDifference = row.tick;
-            m_result.difference = "tick " + std::to_string(row.tick) + ": " + what;
+        ++m_result.differing;
+        const double apart_mm = (row.p_WG - now.p_WG).norm();
+        const double apart_N = (row.f_W - now.f_W).norm();
+        m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
+        m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
+        const std::string tick = "tick " + std::to_string(row.tick) + ": ";
+        const auto places = [&] {
+            return tick + "god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG) +
+                   apart(apart_mm, " mm");
         };
-        if (!internal::sameBits(row.p_WG, now.p_WG)) {
-            report("god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG));
-        } else if (!internal::sameBits(row.f_W, now.f_W)) {
-            report("force recorded as " + text(row.f_W) + ", now " + text(now.f_W));
-        } else if (row.structure != now.structure || row.constraints != now.constraints) {
-            report("touched structure or number of constraints");
+        const auto forces = [&] {
+            return tick + "force recorded as " + text(row.f_W) + ", now " + text(now.f_W) + apart(apart_N, " N");
+        };
+        const auto touches = [&] {
+            return tick + "structure, triangle and constraints recorded as " + touch(row) + ", now " + touch(now);
+        };
+        if (!m_result.firstDifference) {
+            m_result.firstDifference = row.tick;
+            m_result.difference = !isSamePlace ? places() : !isSameForce ? forces() : touches();
+        }
+        // Not comparisons that a NaN passes.
+        const bool isNear = apart_mm <= m_rounding_mm;
+        const bool isAlike = apart_N <= m_rounding_N + kForceRounding * row.f_W.norm();
+        // Where it touches next to nothing, one build may touch what the other just misses.
+        const bool isSameStructure = row.structure == now.structure || row.structure < 0 || now.structure < 0;
+        if (!(isNear && isAlike && isSameStructure) && !m_result.firstBeyond) {
+            m_result.firstBeyond = row.tick;
+            m_result.beyond = !isNear ? places() : !isAlike ? forces() : touches();
         }
     }
+
+    static std::string apart(double value, const char* unit)
+    {
+        char digits[32];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3);
+        return ", " + std::string(digits, end.ptr) + unit + " apart";
+    }
+
+    static std::string touch(const servo::TickRecord& tick)
+    {
+        std::string out(1, '(');
+        out += std::to_string(tick.structure) + ' ' + std::to_string(tick.triangle) + ' ';
+        return out + std::to_string(tick.constraints) + ')';
+    }
+
+    /// How far rounding can bring what is felt on a scene apart.
+    void boundRounding(const haptics::HapticScene* scene)
+    {
+        m_rounding_mm = 0.0;
+        m_rounding_N = 0.0;
+        for (std::size_t i = 0; scene != nullptr && i < scene->layerCount(); ++i) {
+            const double layer_mm = kSkinsOfRounding * scene->layer(i).skin_mm;
+            double stiffest = 0.0;
+            for (const std::uint32_t number : scene->layer(i).structures) {
+                stiffest = std::max(stiffest, scene->structures()[number].tissue.stiffness_N_per_mm);
+            }
+            m_rounding_mm = std::max(m_rounding_mm, layer_mm);
+            m_rounding_N += stiffest * layer_mm;
+        }
+        m_result.rounding_mm = std::max(m_result.rounding_mm, m_rounding_mm);
+    }
+
+    /// Of a force itself, in shares of it: two products and a sum for each of up to four layers, each to half an eps.
+    static constexpr double kForceRounding =
+        1.5 * static_cast<double>(haptics::HapticScene::kMaxLayers) * std::numeric_limits<double>::epsilon();
 
     const RecordingReader& m_recording;
     const SurfacesByHash& m_surfaces;
@@ -147,6 +205,8 @@ class Resimulator
     std::map<std::uint32_t, std::shared_ptr<const haptics::HapticScene>> m_scenes;
     std::uint32_t m_generation = 0;
     std::int64_t m_nextTick = 0;
+    double m_rounding_mm = 0.0; ///< of the scene that is felt
+    double m_rounding_N = 0.0;
     bool m_isLost = false; ///< ticks are missing and the state is not known again yet
     Status m_status;
     Resimulation m_result;

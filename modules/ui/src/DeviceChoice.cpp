@@ -77,7 +77,7 @@ void DeviceChoice::fill(QMenu& menu)
         m_group->addAction(action);
         connect(action, &QAction::triggered, this, [this, id] {
             if (const Status status = choose(id); !status.isOk()) {
-                emit refused(QString::fromStdString(status.message()));
+                Q_EMIT refused(QString::fromStdString(status.message()));
             }
         });
     };
@@ -108,7 +108,7 @@ void DeviceChoice::fill(QMenu& menu)
     menu.addSeparator();
     QAction* calibrate = menu.addAction(tr("Calibrate"), this, [this] {
         if (const Status status = m_live.calibrate(); !status.isOk()) {
-            emit refused(QString::fromStdString(status.message()));
+            Q_EMIT refused(QString::fromStdString(status.message()));
         }
     });
     calibrate->setToolTip(tr("Takes the pose that the device is in now as its calibration pose"));
@@ -128,7 +128,7 @@ void DeviceChoice::movePicture(bool isWanted, QAction& action)
     }
     action.setChecked(m_puck.isOn());
     if (!status.isOk()) {
-        emit refused(QString::fromStdString(status.message()));
+        Q_EMIT refused(QString::fromStdString(status.message()));
     }
 }
 
@@ -149,7 +149,7 @@ Status DeviceChoice::choose(const std::string& id)
             action->setChecked(action->data().toString().toStdString() == m_chosen);
         }
     }
-    emit changed();
+    Q_EMIT changed();
     return status;
 }
 

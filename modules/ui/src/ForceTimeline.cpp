@@ -170,7 +170,7 @@ void ForceTimeline::mousePressEvent(QMouseEvent* event)
 void ForceTimeline::mouseMoveEvent(QMouseEvent* event)
 {
     if (event->buttons().testFlag(Qt::LeftButton) && m_duration_s > 0.0 && !m_isLive) {
-        emit seekWanted(timeAt(event->position().x()));
+        Q_EMIT seekWanted(timeAt(event->position().x()));
     }
 }
 
@@ -179,16 +179,16 @@ void ForceTimeline::keyPressEvent(QKeyEvent* event)
     const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1;
     switch (event->key()) {
     case Qt::Key_Left:
-        emit seekWanted(m_position_s - step);
+        Q_EMIT seekWanted(m_position_s - step);
         break;
     case Qt::Key_Right:
-        emit seekWanted(m_position_s + step);
+        Q_EMIT seekWanted(m_position_s + step);
         break;
     case Qt::Key_Home:
-        emit seekWanted(0.0);
+        Q_EMIT seekWanted(0.0);
         break;
     case Qt::Key_End:
-        emit seekWanted(m_duration_s);
+        Q_EMIT seekWanted(m_duration_s);
         break;
     default:
         QWidget::keyPressEvent(event);

@@ -63,14 +63,14 @@ void HandControl::takeLoop()
         // After what else is said of a device just chosen.
         QMetaObject::invokeMethod(
             this,
-            [this, line = tr("%1; any is used").arg(QString::fromStdString(allowed.message()))] { emit said(line); },
+            [this, line = tr("%1; any is used").arg(QString::fromStdString(allowed.message()))] { Q_EMIT said(line); },
             Qt::QueuedConnection);
     }
     if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
         settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
         settings.cpu = m_live.cpu();
         m_panel.setSettings(settings);
-        emit said(QString::fromStdString(status.message()));
+        Q_EMIT said(QString::fromStdString(status.message()));
     }
 }
 
@@ -104,8 +104,8 @@ void HandControl::fit(MapFill fill)
 {
     const auto found = fill == MapFill::Scene ? scene() : fill == MapFill::Organ ? organ() : lump();
     if (!found) {
-        emit said(fill == MapFill::Lump ? tr("Touch the place, point at it or mark it as a finding (M) first.")
-                                        : tr("Nothing is shown that could fill the device's workspace."));
+        Q_EMIT said(fill == MapFill::Lump ? tr("Touch the place, point at it or mark it as a finding (M) first.")
+                                          : tr("Nothing is shown that could fill the device's workspace."));
         return;
     }
     m_filled = *found;
@@ -118,9 +118,10 @@ void HandControl::fit(MapFill fill)
     if (!isStaying) {
         centre();
     }
-    emit said(isStaying ? tr("%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.")
-                              .arg(m_filled.name)
-                        : tr("%1 fills the workspace.").arg(m_filled.name));
+    Q_EMIT said(isStaying
+                    ? tr("%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.")
+                          .arg(m_filled.name)
+                    : tr("%1 fills the workspace.").arg(m_filled.name));
 }
 
 bool HandControl::isTouching() const

@@ -153,7 +153,7 @@ QWidget* HandPanel::makeFits()
         button->setMinimumWidth(40); // three fit into a narrow panel
         button->setToolTip(tip);
         row->addWidget(button);
-        connect(button, &QPushButton::clicked, this, [this, fill] { emit fitWanted(fill); });
+        connect(button, &QPushButton::clicked, this, [this, fill] { Q_EMIT fitWanted(fill); });
     };
     add(tr("Fit all"), MapFill::Scene, tr("All that is shown fills the device's workspace (W)"));
     add(tr("Fit organ"), MapFill::Organ,
@@ -234,12 +234,12 @@ QWidget* HandPanel::makeMapping()
         if (!m_isShowing) {
             m_settings.fill = MapFill::Scale;
             m_settings.scale = m_scale->value();
-            emit settingsChanged();
+            Q_EMIT settingsChanged();
         }
     });
     connect(m_leftHanded, &QCheckBox::toggled, this, &HandPanel::edit);
-    connect(m_clutch, &QPushButton::pressed, this, [this] { emit clutchWanted(true); });
-    connect(m_clutch, &QPushButton::released, this, [this] { emit clutchWanted(false); });
+    connect(m_clutch, &QPushButton::pressed, this, [this] { Q_EMIT clutchWanted(true); });
+    connect(m_clutch, &QPushButton::released, this, [this] { Q_EMIT clutchWanted(false); });
     connect(m_centre, &QPushButton::clicked, this, &HandPanel::centreWanted);
     return mapping;
 }
@@ -285,7 +285,7 @@ void HandPanel::edit()
         m_settings.buttons[i] = static_cast<ButtonUse>(m_buttons[i]->currentIndex());
     }
     m_scale->setEnabled(m_settings.turn != MapTurn::None);
-    emit settingsChanged();
+    Q_EMIT settingsChanged();
 }
 
 void HandPanel::show(const HandStatus& status)

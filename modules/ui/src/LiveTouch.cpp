@@ -104,7 +104,7 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
         }
     }
     m_handOver.start(); // what may be held is another
-    emit greatestChanged();
+    Q_EMIT greatestChanged();
     return status;
 }
 
@@ -115,7 +115,7 @@ void LiveTouch::setMap(const servo::MapSettings& map)
     m_loop.setMap(map);
     if (isScaled) {
         m_handOver.start();
-        emit greatestChanged();
+        Q_EMIT greatestChanged();
     }
 }
 
@@ -149,7 +149,7 @@ core::Status LiveTouch::start()
         m_info = m_pointer.info();
         handOverScene();
         (void)m_loop.start(m_pointer, m_options); // the first reason is the one to tell
-        emit deviceChanged();
+        Q_EMIT deviceChanged();
     }
     m_ticks = 0;
     m_measured_ns = core::monotonicNow_ns();
@@ -172,7 +172,7 @@ core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
     m_delayTicks = 1;
     m_wasFaulted = false;
     core::Status status = wasRunning ? start() : core::Status();
-    emit deviceChanged();
+    Q_EMIT deviceChanged();
     return status;
 }
 
@@ -222,7 +222,7 @@ void LiveTouch::tellRefused()
     if (line != m_refused) {
         m_refused = line;
         if (!line.isEmpty()) {
-            emit stiffnessRefused(line);
+            Q_EMIT stiffnessRefused(line);
         }
     }
 }
@@ -247,13 +247,13 @@ void LiveTouch::measure()
             fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
         const QJsonObject what{{"what", QString::fromUtf8(fault.message)}};
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
-        emit faulted(QString::fromUtf8(fault.message));
+        Q_EMIT faulted(QString::fromUtf8(fault.message));
         if (m_info.actuatedAxes == 0) {
-            m_loop.rearm(); // it pushes nobody: touch goes on, eased in
+            m_loop.rearm(); // it has no motors: touch goes on, eased in
         }
     }
     m_wasFaulted = fault.isFaulted();
-    emit statusChanged();
+    Q_EMIT statusChanged();
 }
 
 void LiveTouch::setDelay(int ticks)
@@ -264,7 +264,7 @@ void LiveTouch::setDelay(int ticks)
     m_delayTicks = ticks;
     m_loop.setDelay(ticks);
     m_handOver.start();
-    emit greatestChanged();
+    Q_EMIT greatestChanged();
 }
 
 core::Status LiveTouch::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene,

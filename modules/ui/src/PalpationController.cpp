@@ -43,7 +43,7 @@ PalpationController::PalpationController(VtkViewport& viewport, LiveTouch& live,
     });
     connect(&viewport, &VtkViewport::depthTurned, this, [this](double steps) {
         m_hand.turnDepth(steps);
-        emit depthChanged(depth_mm());
+        Q_EMIT depthChanged(depth_mm());
         run();
     });
 }
@@ -73,7 +73,7 @@ void PalpationController::setSceneSize(double diagonal_mm)
 {
     m_hand.goAway();
     m_hand.setSettings(settingsForSize(diagonal_mm));
-    emit depthChanged(depth_mm());
+    Q_EMIT depthChanged(depth_mm());
     run();
 }
 
@@ -133,7 +133,7 @@ void PalpationController::step()
         m_shown = {};
         m_viewport.view().cursor().setState(m_shown);
         m_viewport.update();
-        emit handGone();
+        Q_EMIT handGone();
         return;
     }
     if (phase == PointerHand::Phase::Hovering) {
@@ -160,7 +160,7 @@ void PalpationController::showDevice(std::int64_t now_ns)
         m_shown = {};
         m_viewport.view().cursor().setState(m_shown);
         m_viewport.update();
-        emit handGone();
+        Q_EMIT handGone();
     }
 }
 
@@ -195,7 +195,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
         reading.constraints = tick.constraints;
     }
-    emit touched(reading);
+    Q_EMIT touched(reading);
 }
 
 } // namespace palpate::ui

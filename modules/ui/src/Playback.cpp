@@ -35,7 +35,7 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
     if (m_recording == nullptr) {
         m_panel.showTitle({});
         m_panel.refresh();
-        emit stateChanged();
+        Q_EMIT stateChanged();
         return;
     }
     m_panel.showTitle(QString::fromStdString(m_recording->path().filename().string()));
@@ -47,12 +47,12 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
                    m_recording->duration_s();
         m_panel.timeline().setPeaks(peaks_N, m_recording->duration_s());
         m_panel.refresh();
-        emit overviewReady();
+        Q_EMIT overviewReady();
     });
     m_recording->startOverview();
     m_panel.refresh();
     showMoment(0.0);
-    emit stateChanged();
+    Q_EMIT stateChanged();
 }
 
 bool Playback::isPlaying() const
@@ -68,14 +68,14 @@ void Playback::play()
     m_panel.transport().play();
     m_clock.start();
     m_timer.start();
-    emit stateChanged();
+    Q_EMIT stateChanged();
 }
 
 void Playback::pause()
 {
     m_panel.transport().pause();
     m_timer.stop();
-    emit stateChanged();
+    Q_EMIT stateChanged();
 }
 
 void Playback::toStart()

@@ -119,7 +119,7 @@ void RecordedTouch::startOverview()
             });
         if (status.isOk() && !m_isClosing) {
             QMetaObject::invokeMethod(
-                this, [this, peaks = std::move(peaks)] { emit overviewReady(peaks); }, Qt::QueuedConnection);
+                this, [this, peaks = std::move(peaks)] { Q_EMIT overviewReady(peaks); }, Qt::QueuedConnection);
         }
     });
 }

@@ -74,7 +74,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
         const auto progress = [&](const QString& what, double share) {
             if (share - lastTold >= 0.01 || share < lastTold) {
                 lastTold = share;
-                tell([this, what, share] { emit progressed(what, share); });
+                tell([this, what, share] { Q_EMIT progressed(what, share); });
             }
             return !job->isCancelled;
         };
@@ -138,12 +138,12 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
         tell([this, opened, problems, isCancelled] {
             m_isBusy = false;
             if (isCancelled) {
-                emit cancelled();
+                Q_EMIT cancelled();
             } else if (opened->rows.empty()) {
-                emit failed(problems.isEmpty() ? tr("Nothing to open.") : problems.join(QLatin1Char('\n')));
+                Q_EMIT failed(problems.isEmpty() ? tr("Nothing to open.") : problems.join(QLatin1Char('\n')));
             } else {
                 opened->problems = problems;
-                emit this->opened(opened);
+                Q_EMIT this->opened(opened);
             }
         });
     });
@@ -158,7 +158,7 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
             this,
             [this, row, touch, hash, job] {
                 if (job == m_job) { // the row is of the scene that is still open
-                    emit touchBuilt(row, touch, hash);
+                    Q_EMIT touchBuilt(row, touch, hash);
                 }
             },
             Qt::QueuedConnection);

@@ -64,7 +64,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     connect(m_timeline, &ForceTimeline::seekWanted, this, [this](double position_s) {
         m_transport.seek(position_s);
         refresh();
-        emit sought();
+        Q_EMIT sought();
     });
     showTitle({});
     refresh();

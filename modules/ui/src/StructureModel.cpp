@@ -113,13 +113,13 @@ void StructureModel::apply(int row, const meshio::SceneStructure& description)
     meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(row)].loaded.description;
     const meshio::SceneStructure before = now;
     now = description;
-    emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
-        emit edited(row, Change::Look);
+        Q_EMIT edited(row, Change::Look);
     }
     if (isFelt(before) != isFelt(now) || before.stiffness_N_per_mm != now.stiffness_N_per_mm ||
         before.damping_Ns_per_mm != now.damping_Ns_per_mm || before.layer != now.layer) {
-        emit edited(row, Change::Touch);
+        Q_EMIT edited(row, Change::Touch);
     }
 }
 
@@ -128,8 +128,8 @@ void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIn
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     one.touch = std::move(touch);
     one.sha256 = std::move(sha256);
-    emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
-    emit edited(row, Change::Touch);
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    Q_EMIT edited(row, Change::Touch);
 }
 
 QStringList StructureModel::findings(int row) const

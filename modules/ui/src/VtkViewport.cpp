@@ -217,8 +217,8 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
     m_isPointerInside = true;
     if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
         m_isPressed = true;
-        emit pointerMoved();
-        emit pointerPressed();
+        Q_EMIT pointerMoved();
+        Q_EMIT pointerPressed();
         return;
     }
     if (m_cameraButton != Qt::NoButton) {
@@ -239,7 +239,7 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
     m_pointer = event->position();
     if (m_isPressed && event->button() == Qt::LeftButton) {
         m_isPressed = false;
-        emit pointerReleased();
+        Q_EMIT pointerReleased();
         return;
     }
     if (event->button() != m_cameraButton) {
@@ -261,14 +261,14 @@ void VtkViewport::mouseMoveEvent(QMouseEvent* event)
         moveCamera(m_pointer, vtkCommand::MouseMoveEvent, event->modifiers());
     }
     if (m_mode == Mode::Palpate) {
-        emit pointerMoved();
+        Q_EMIT pointerMoved();
     }
 }
 
 void VtkViewport::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && m_mode == Mode::Camera) {
-        emit centreWanted(event->position());
+        Q_EMIT centreWanted(event->position());
         return;
     }
     mousePressEvent(event);
@@ -278,12 +278,12 @@ void VtkViewport::wheelEvent(QWheelEvent* event)
 {
     const double steps = event->angleDelta().y() / 120.0;
     if (m_mode == Mode::Palpate && !event->modifiers().testFlag(Qt::ControlModifier)) {
-        emit depthTurned(steps);
+        Q_EMIT depthTurned(steps);
     } else if (steps != 0.0) {
         m_view.camera().Dolly(std::pow(1.12, steps));
         update();
         if (m_mode == Mode::Palpate) {
-            emit pointerMoved();
+            Q_EMIT pointerMoved();
         }
     }
     event->accept();
@@ -296,13 +296,13 @@ bool VtkViewport::event(QEvent* event)
         const bool isDown = event->type() == QEvent::KeyPress;
         if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
             if (!key->isAutoRepeat()) {
-                emit spaceHeld(isDown);
+                Q_EMIT spaceHeld(isDown);
             }
             return true;
         }
         if (key->key() == Qt::Key_Tab && key->modifiers() == Qt::NoModifier) {
             if (isDown) {
-                emit panelsToggled();
+                Q_EMIT panelsToggled();
             }
             return true;
         }
@@ -314,7 +314,7 @@ void VtkViewport::leaveEvent(QEvent* event)
 {
     m_isPointerInside = m_isPressed;
     if (m_mode == Mode::Palpate && !m_isPressed) {
-        emit pointerLeft();
+        Q_EMIT pointerLeft();
         update();
     }
     QOpenGLWidget::leaveEvent(event);

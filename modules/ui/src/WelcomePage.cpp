@@ -95,7 +95,7 @@ void WelcomePage::setChoices(bool hasPhantom, const QStringList& recent)
         link->setFlat(true);
         link->setStyleSheet(QStringLiteral("text-align: left; padding: 5px 6px;"));
         link->setToolTip(path);
-        connect(link, &QPushButton::clicked, this, [this, path] { emit recentWanted(path); });
+        connect(link, &QPushButton::clicked, this, [this, path] { Q_EMIT recentWanted(path); });
         m_recent->addWidget(link);
     }
 }

@@ -3,9 +3,7 @@
 
 #include <palpate/core/Clock.h>
 
-#include <algorithm>
 #include <array>
-#include <new>
 #include <pthread.h>
 
 namespace palpate::spacemouse {
@@ -16,7 +14,7 @@ using core::StatusCode;
 namespace {
 
 constexpr int kReadTimeout_ms = 50; // how long `stop` may wait
-constexpr std::int64_t kFindEvery_ns = 250'000'000;
+constexpr hid::HidDriver::Kind kKind{"spacemouse", "no 6-axis mouse is on the bus; plug one in", 250'000'000};
 constexpr std::array<std::uint8_t, 2> kLightOn{4, 1};
 constexpr std::array<std::uint8_t, 2> kLightOff{4, 0};
 constexpr std::uint16_t kDesktopPage = 1;
@@ -35,9 +33,8 @@ std::vector<hid::HidEntry> listMice(std::mutex& bus)
 }
 
 Driver::Driver(const device::PluginServices& services, const RateSettings& settings, std::string address)
-    : m_bus(services.bus)
+    : HidDriver(services, kKind, std::move(address))
     , m_settings(settings)
-    , m_address(std::move(address))
     , m_hand(settings)
 {
 }
@@ -65,86 +62,38 @@ device::DeviceInfo Driver::info() const
     return info;
 }
 
-std::optional<hid::HidDevice> Driver::find() noexcept
-{
-    try {
-        for (const hid::HidEntry& entry : listMice(m_bus)) {
-            auto opened = hid::HidDevice::open(m_bus, entry.path);
-            if (opened.isOk()) {
-                return std::move(opened).value();
-            }
-        }
-    } catch (const std::bad_alloc&) { // tried again later
-    }
-    return std::nullopt;
-}
-
 Status Driver::start()
 {
-    if (m_thread.joinable()) {
-        return {StatusCode::Internal, "spacemouse: already started"};
-    }
-    const std::vector<hid::HidEntry> mice = listMice(m_bus);
-    const auto mouse = std::find_if(mice.begin(), mice.end(), [this](const hid::HidEntry& entry) {
-        return m_address.empty() || entry.path == m_address;
-    });
-    if (mouse == mice.end()) {
-        return {StatusCode::NotFound, "spacemouse: no 6-axis mouse is on the bus; plug one in"};
-    }
-    auto opened = hid::HidDevice::open(m_bus, mouse->path);
+    auto opened = open();
     if (!opened.isOk()) {
         return opened.status();
     }
-    m_isStopRequested = false;
     m_isLost = false;
     m_isRecentreWanted = false;
-    m_states = 0;
-    m_refused = 0;
-    m_losses = 0;
     m_heard.write(Heard{});
     m_hand = RateHand(m_settings);
-    m_thread = std::thread([this, device = std::move(opened).value()]() mutable { run(std::move(device)); });
+    run(std::move(opened).value());
     return {};
 }
 
-void Driver::stop() noexcept
-{
-    if (m_thread.joinable()) {
-        m_isStopRequested = true;
-        m_thread.join();
-    }
-}
-
-void Driver::run(hid::HidDevice first) noexcept
+void Driver::makeThreadReady() noexcept
 {
     pthread_setname_np(pthread_self(), "palpate-puck");
-    std::optional<hid::HidDevice> mouse(std::move(first));
-    while (!m_isStopRequested) {
-        if (mouse) {
-            m_isLost = false;
-            serve(*mouse);
-            mouse.reset();
-            if (m_isStopRequested) {
-                return;
-            }
-            m_heard.write(Heard{}); // an unplugged puck leaves its last way: nobody holds it any more
-            m_isLost = true;
-            ++m_losses;
-        }
-        core::sleepUntil_ns(core::monotonicNow_ns() + kFindEvery_ns);
-        std::optional<hid::HidDevice> found = find();
-        if (found) {
-            mouse.emplace(*std::move(found));
-        }
-    }
+}
+
+void Driver::tellLost() noexcept
+{
+    m_heard.write(Heard{}); // an unplugged puck leaves its last way: nobody holds it any more
+    m_isLost = true;
 }
 
 void Driver::serve(hid::HidDevice& mouse) noexcept
 {
+    m_isLost = false;
     Puck puck;
     std::array<std::uint8_t, 64> buffer{};
     (void)mouse.write(kLightOn); // models without a light refuse; one that is lost shows in the next read
-    while (!m_isStopRequested) {
+    while (!isStopWanted()) {
         const int length = mouse.read(buffer, kReadTimeout_ms);
         if (length < 0) {
             return;

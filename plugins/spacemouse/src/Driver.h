@@ -4,15 +4,12 @@
 #include "Models.h"
 #include "RateHand.h"
 
-#include <hid/HidBus.h>
+#include <hid/HidDriver.h>
 #include <palpate/core/TripleBuffer.h>
-#include <palpate/device/DevicePlugin.h>
 #include <palpate/device/DevicePresets.h>
 #include <palpate/device/PlainCopy.h>
 
 #include <atomic>
-#include <optional>
-#include <thread>
 
 namespace palpate::spacemouse {
 
@@ -21,7 +18,7 @@ namespace palpate::spacemouse {
 
 /// A 6-axis mouse as a device, "spacemouse": its pose follows the puck as a rate. It feels nothing. While it is
 /// unplugged the pose stands still; it is looked for until it is back.
-class Driver final : public device::HapticDevice
+class Driver final : public hid::HidDriver
 {
   public:
     Driver(const device::PluginServices& services, const RateSettings& settings, std::string address);
@@ -29,7 +26,6 @@ class Driver final : public device::HapticDevice
 
     [[nodiscard]] device::DeviceInfo info() const override;
     core::Status start() override;
-    void stop() noexcept override;
     [[nodiscard]] device::DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING override;
     void write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
     [[nodiscard]] device::DeviceReport report() const override;
@@ -42,23 +38,17 @@ class Driver final : public device::HapticDevice
         std::int64_t time_ns = 0;
     };
 
-    void run(hid::HidDevice first) noexcept;
-    void serve(hid::HidDevice& mouse) noexcept;
-    [[nodiscard]] std::optional<hid::HidDevice> find() noexcept;
+    void makeThreadReady() noexcept override;
+    void serve(hid::HidDevice& mouse) noexcept override;
+    void tellLost() noexcept override;
+    [[nodiscard]] std::vector<hid::HidEntry> list(std::mutex& bus) const override { return listMice(bus); }
 
-    std::mutex& m_bus;
     RateSettings m_settings;
-    std::string m_address;
-    std::thread m_thread;
-    std::atomic<bool> m_isStopRequested{false};
     core::TripleBuffer<device::PlainCopy<Heard>> m_heard; // I/O thread -> servo thread
     RateHand m_hand;                                      // servo thread's
 
     std::atomic<bool> m_isRecentreWanted{false};
     std::atomic<bool> m_isLost{false};
-    std::atomic<std::uint64_t> m_states{0};
-    std::atomic<std::uint64_t> m_refused{0};
-    std::atomic<std::uint64_t> m_losses{0};
 };
 
 } // namespace palpate::spacemouse

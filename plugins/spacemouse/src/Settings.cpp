@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
+#include <hid/NumberFields.h>
+
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <cmath>
 #include <system_error>
 
 namespace palpate::spacemouse {
@@ -16,17 +17,11 @@ using core::StatusCode;
 core::Result<RateSettings> readSettings(const std::vector<std::filesystem::path>& folders)
 {
     RateSettings settings;
-    const struct
-    {
-        const char* name;
-        double* value;
-        double least;
-        double most;
-    } fields[] = {{"speed_mm_per_s", &settings.speed_mm_per_s, 0.0, 1000.0},
-                  {"turn_rad_per_s", &settings.turn_rad_per_s, 0.0, 20.0},
-                  {"dead_zone", &settings.deadZone, 0.0, 0.9},
-                  {"stale_after_s", &settings.staleAfter_s, 0.02, 1.0},
-                  {"reach_mm", &settings.reach_mm, 1.0, 10'000.0}};
+    const hid::NumberField fields[] = {{"speed_mm_per_s", &settings.speed_mm_per_s, 0.0, 1000.0},
+                                       {"turn_rad_per_s", &settings.turn_rad_per_s, 0.0, 20.0},
+                                       {"dead_zone", &settings.deadZone, 0.0, 0.9},
+                                       {"stale_after_s", &settings.staleAfter_s, 0.02, 1.0},
+                                       {"reach_mm", &settings.reach_mm, 1.0, 10'000.0}};
     for (const std::filesystem::path& folder : folders) {
         const std::filesystem::path path = folder / "spacemouse.json";
         std::error_code error;
@@ -42,18 +37,8 @@ core::Result<RateSettings> readSettings(const std::vector<std::filesystem::path>
         if (!document.isObject()) {
             return Status(StatusCode::BadFormat, path.string() + ": expected an object, as {\"dead_zone\": 0.06}");
         }
-        for (const auto& field : fields) {
-            const QJsonValue value = document.object().value(QLatin1String(field.name));
-            const double found = value.toDouble(std::nan(""));
-            if (value.isUndefined()) {
-                continue;
-            }
-            if (!(found >= field.least && found <= field.most)) {
-                return Status(StatusCode::OutOfRange, path.string() + ": " + field.name + ": expected a number from " +
-                                                          QByteArray::number(field.least).toStdString() + " to " +
-                                                          QByteArray::number(field.most).toStdString());
-            }
-            *field.value = found;
+        if (Status status = hid::readNumbers(document.object(), fields, path.string()); !status.isOk()) {
+            return status;
         }
         break;
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Config.h"
 
+#include <hid/NumberFields.h>
+
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -16,14 +17,6 @@ using core::StatusCode;
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 64 * 1024;
-
-struct Field
-{
-    const char* name;
-    double* value;
-    double least;
-    double most;
-};
 
 /// Blanks a comma before a closing brace; the file holds no text in which one could be meant.
 QByteArray withoutLastComma(std::string_view text)
@@ -43,11 +36,6 @@ QByteArray withoutLastComma(std::string_view text)
     return out;
 }
 
-std::string number(double value)
-{
-    return QByteArray::number(value, 'g', 6).toStdString();
-}
-
 } // namespace
 
 core::Result<Config> parseConfig(std::string_view text, const std::string& name)
@@ -62,7 +50,7 @@ core::Result<Config> parseConfig(std::string_view text, const std::string& name)
     Config c;
     double variant = 0.0;
     constexpr double kSmall = 1e-4; // of a length that something is divided by
-    const Field fields[] = {
+    const hid::NumberField fields[] = {
         {"variant", &variant, 0, 1},
         {"diameter_capstan_a", &c.capstanDiameter_m[0], kSmall, 0.2},
         {"diameter_capstan_b", &c.capstanDiameter_m[1], kSmall, 0.2},
@@ -99,19 +87,8 @@ core::Result<Config> parseConfig(std::string_view text, const std::string& name)
         {"calibrate_enc_e", &c.calibrationCounts[4], -32768, 32767},
         {"calibrate_enc_f", &c.calibrationCounts[5], -32768, 32767},
     };
-    const QJsonObject object = document.object();
-    for (const Field& field : fields) {
-        const QJsonValue value = object.value(QLatin1String(field.name));
-        if (value.isUndefined()) {
-            continue;
-        }
-        const double found = value.toDouble(std::nan(""));
-        if (!(found >= field.least && found <= field.most)) {
-            return Status(StatusCode::OutOfRange, name + ": " + field.name + ": found " +
-                                                      (value.isDouble() ? number(found) : "no number") + ", expected " +
-                                                      number(field.least) + " to " + number(field.most));
-        }
-        *field.value = found;
+    if (Status status = hid::readNumbers(document.object(), fields, name); !status.isOk()) {
+        return status;
     }
     c.variant = static_cast<int>(variant);
     return c;

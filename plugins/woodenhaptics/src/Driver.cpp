@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <new>
 #include <pthread.h>
 #include <sched.h>
+#include <utility>
 
 namespace palpate::woodenhaptics {
 
@@ -22,18 +22,11 @@ constexpr std::uint16_t kProduct = 0x0006;
 constexpr int kReadTimeout_ms = 10;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr std::int64_t kStartTimeout_ns = 1500 * kMillisecond_ns;
-constexpr std::int64_t kFindEvery_ns = 100 * kMillisecond_ns;
+constexpr hid::HidDriver::Kind kKind{
+    "woodenhaptics", "no arm is on the bus (USB 1234:0006); plug it in and switch it on", 100 * kMillisecond_ns};
 // A force that the servo thread does not renew is not wanted any more.
 constexpr std::int64_t kPushEnds_ns = 20 * kMillisecond_ns;
 constexpr int kPriority = 75; // above the servo thread's, which waits for nobody; each turn is short
-
-void makeThreadReady() noexcept
-{
-    pthread_setname_np(pthread_self(), "palpate-arm");
-    sched_param param{};
-    param.sched_priority = kPriority;
-    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); // without permission it stays as it is
-}
 
 } // namespace
 
@@ -53,9 +46,8 @@ std::vector<hid::HidEntry> listArms(std::mutex& bus)
 }
 
 Driver::Driver(const device::PluginServices& services, const Config& config, std::string address)
-    : m_bus(services.bus)
+    : HidDriver(services, kKind, std::move(address))
     , m_config(config)
-    , m_address(std::move(address))
 {
 }
 
@@ -82,51 +74,22 @@ device::DeviceInfo Driver::info() const
     return info;
 }
 
-std::optional<hid::HidDevice> Driver::find() noexcept
-{
-    try {
-        for (const hid::HidEntry& entry : listArms(m_bus)) {
-            // An arm that was named keeps its name only while it stays plugged in: afterwards any is taken.
-            auto opened = hid::HidDevice::open(m_bus, entry.path);
-            if (opened.isOk()) {
-                return std::move(opened).value();
-            }
-        }
-    } catch (const std::bad_alloc&) { // tried again later
-    }
-    return std::nullopt;
-}
-
 Status Driver::start()
 {
-    if (m_thread.joinable()) {
-        return {StatusCode::Internal, "woodenhaptics: already started"};
-    }
-    const std::vector<hid::HidEntry> arms = listArms(m_bus);
-    const auto arm = std::find_if(arms.begin(), arms.end(), [this](const hid::HidEntry& entry) {
-        return m_address.empty() || entry.path == m_address;
-    });
-    if (arm == arms.end()) {
-        return {StatusCode::NotFound,
-                "woodenhaptics: no arm is on the bus (USB 1234:0006); plug it in and switch it on"};
-    }
-    auto opened = hid::HidDevice::open(m_bus, arm->path);
+    auto opened = open();
     if (!opened.isOk()) {
         return opened.status();
     }
-    m_isStopRequested = false;
     m_isCalibrationWanted = false;
     m_condition = DeviceCondition::Working;
     m_protocol = 0;
     m_strangeLength = 0;
-    m_states = 0;
-    m_refused = 0;
-    m_losses = 0;
+    m_isTrusted = true;
     m_latency.clear();
     m_answers_ns = 0;
     m_push.write(Push{});
     m_state.write(device::DeviceState{});
-    m_thread = std::thread([this, device = std::move(opened).value()]() mutable { run(std::move(device)); });
+    run(std::move(opened).value());
     const std::int64_t deadline_ns = core::monotonicNow_ns() + kStartTimeout_ns;
     while (m_protocol == 0 && core::monotonicNow_ns() < deadline_ns) {
         core::sleepUntil_ns(core::monotonicNow_ns() + kMillisecond_ns);
@@ -136,55 +99,35 @@ Status Driver::start()
     }
     stop();
     if (const std::size_t length = m_strangeLength; length != 0) {
-        return {StatusCode::Unsupported, "woodenhaptics: " + arm->path + ": its reports have " +
-                                             std::to_string(length) +
+        return {StatusCode::Unsupported, "woodenhaptics: " + path() + ": its reports have " + std::to_string(length) +
                                              " bytes, expected 14 or 8: another device with mbed's ids"};
     }
-    return {StatusCode::DeviceLost, "woodenhaptics: " + arm->path + ": it does not answer; is it switched on?"};
+    return {StatusCode::DeviceLost, "woodenhaptics: " + path() + ": it does not answer; is it switched on?"};
 }
 
-void Driver::stop() noexcept
+void Driver::makeThreadReady() noexcept
 {
-    if (m_thread.joinable()) {
-        m_isStopRequested = true;
-        m_thread.join();
-    }
+    pthread_setname_np(pthread_self(), "palpate-arm");
+    sched_param param{};
+    param.sched_priority = kPriority;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); // without permission it stays as it is
 }
 
-void Driver::run(hid::HidDevice first) noexcept
+void Driver::tellLost() noexcept
 {
-    makeThreadReady();
-    std::optional<hid::HidDevice> arm(std::move(first));
-    bool isTrusted = true; // it was switched on in its calibration pose, as its makers ask
-    while (!m_isStopRequested) {
-        if (arm) {
-            serve(*arm, isTrusted);
-            isTrusted = false;
-            arm.reset();
-            if (m_isStopRequested) {
-                return;
-            }
-            device::DeviceState lost;
-            lost.isLost = true;
-            m_state.write(lost);
-            m_condition = DeviceCondition::Lost;
-            ++m_losses;
-        }
-        core::sleepUntil_ns(core::monotonicNow_ns() + kFindEvery_ns);
-        std::optional<hid::HidDevice> found = find();
-        if (found) {
-            arm.emplace(*std::move(found));
-        }
-    }
+    device::DeviceState lost;
+    lost.isLost = true;
+    m_state.write(lost);
+    m_condition = DeviceCondition::Lost;
 }
 
-void Driver::serve(hid::HidDevice& arm, bool isTrusted) noexcept
+void Driver::serve(hid::HidDevice& arm) noexcept
 {
-    Conversation talk(m_config, isTrusted);
+    Conversation talk(m_config, std::exchange(m_isTrusted, false));
     const std::uint64_t refusedBefore = m_refused;
     std::array<std::uint8_t, 64> buffer{};
     std::int64_t answered_ns = 0;
-    while (!m_isStopRequested) {
+    while (!isStopWanted()) {
         int length = arm.read(buffer, kReadTimeout_ms);
         if (length == 0 && !arm.write(talk.zero())) { // it waits for us: nothing came from it, so nothing is due
             return;

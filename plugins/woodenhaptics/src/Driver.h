@@ -3,14 +3,11 @@
 
 #include "Conversation.h"
 
-#include <hid/HidBus.h>
+#include <hid/HidDriver.h>
 #include <palpate/core/TripleBuffer.h>
-#include <palpate/device/DevicePlugin.h>
 #include <palpate/device/PlainCopy.h>
 
 #include <atomic>
-#include <optional>
-#include <thread>
 
 namespace palpate::woodenhaptics {
 
@@ -19,7 +16,7 @@ namespace palpate::woodenhaptics {
 
 /// The arm as a device, "woodenhaptics". A thread of its own talks to it and only exchanges newest state and newest
 /// force with the servo thread. A lost arm is looked for until it is back; after that it has to be calibrated.
-class Driver final : public device::HapticDevice
+class Driver final : public hid::HidDriver
 {
   public:
     Driver(const device::PluginServices& services, const Config& config, std::string address);
@@ -28,7 +25,6 @@ class Driver final : public device::HapticDevice
     [[nodiscard]] device::DeviceInfo info() const override;
     /// Opens the arm and waits until it talks.
     core::Status start() override;
-    void stop() noexcept override;
     [[nodiscard]] device::DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING override;
     void write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
     [[nodiscard]] device::DeviceReport report() const override;
@@ -43,16 +39,14 @@ class Driver final : public device::HapticDevice
         std::int64_t time_ns = 0;
     };
 
-    void run(hid::HidDevice first) noexcept;
-    void serve(hid::HidDevice& arm, bool isTrusted) noexcept;
-    [[nodiscard]] std::optional<hid::HidDevice> find() noexcept;
+    void makeThreadReady() noexcept override;
+    void serve(hid::HidDevice& arm) noexcept override;
+    void tellLost() noexcept override;
+    [[nodiscard]] std::vector<hid::HidEntry> list(std::mutex& bus) const override { return listArms(bus); }
     void publish(const Conversation& talk) noexcept;
 
-    std::mutex& m_bus;
     Config m_config;
-    std::string m_address;
-    std::thread m_thread;
-    std::atomic<bool> m_isStopRequested{false};
+    bool m_isTrusted = true; ///< I/O thread's: it was switched on in its calibration pose, as its makers ask
     std::atomic<bool> m_isCalibrationWanted{false};
 
     core::TripleBuffer<device::PlainCopy<device::DeviceState>> m_state; // I/O thread -> servo thread
@@ -63,9 +57,6 @@ class Driver final : public device::HapticDevice
     std::atomic<device::DeviceCondition> m_condition{device::DeviceCondition::Working};
     std::atomic<int> m_protocol{0};
     std::atomic<std::size_t> m_strangeLength{0};
-    std::atomic<std::uint64_t> m_states{0};
-    std::atomic<std::uint64_t> m_refused{0};
-    std::atomic<std::uint64_t> m_losses{0};
     core::TimingHistogram m_latency;
 };
 

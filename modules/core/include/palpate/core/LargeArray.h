@@ -39,7 +39,7 @@ struct LargeAllocator
             throw std::bad_alloc();
         }
 #if defined(__linux__)
-        (void)::madvise(p, bytes, MADV_HUGEPAGE); // a wish: without it all is only slower
+        (void)::madvise(p, bytes, MADV_HUGEPAGE); // may be refused: then it is only slower
 #endif
         return static_cast<T*>(p);
     }

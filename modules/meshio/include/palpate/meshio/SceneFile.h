@@ -48,8 +48,11 @@ struct SceneFinding
 {
     std::string name;
     core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
-    std::string note;
-    std::string extra{}; ///< fields that this version does not know, as a JSON object
+    std::string note{};
+    std::string structure{};          ///< that was touched there, may be empty
+    std::optional<double> force_N{};  ///< with which it was touched
+    std::optional<double> depth_mm{}; ///< to which
+    std::string extra{};              ///< fields that this version does not know, as a JSON object
 };
 
 /// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are

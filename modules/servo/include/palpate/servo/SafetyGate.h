@@ -35,7 +35,7 @@ struct GateLimits
     double workspaceRadius_mm = 0.0;   ///< about the origin of D; farther away is refused; 0: not limited
 
     /// Limits for a device: its force; its force within 5 ms; its force at 1 m/s; half again its workspace. A device
-    /// without motors hurts nobody, so its jumps are followed and overruns make no fault.
+    /// without motors cannot push, so its jumps are followed and overruns make no fault.
     [[nodiscard]] static GateLimits forDevice(const device::DeviceInfo& info);
 };
 

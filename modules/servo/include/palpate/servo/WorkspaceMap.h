@@ -22,8 +22,8 @@ struct MapSettings
     std::uint32_t centreRequest = 0; ///< another value than before: centre now, the hand jumps and begins anew
     bool isClutched = false;         ///< by a key: the device moves, the HIP stays
     std::uint32_t clutchButtons = 0; ///< while one of these is down: the same
-    /// Who goes farther from the device's origin is clutched, until half of it; 0: never. Who comes from farther is
-    /// not.
+    /// Distance of the device from its origin beyond which it is clutched; it stays so until it is back within half of
+    /// that. A device that starts out there is not clutched before it has been inside once. 0: no such clutch. [mm]
     double edge_mm = 0.0;
 };
 static_assert(std::is_trivially_destructible_v<MapSettings>); // crosses threads in a PlainCopy

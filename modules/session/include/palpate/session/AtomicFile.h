@@ -3,43 +3,40 @@
 
 #include <palpate/core/Status.h>
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
+#include <memory>
 #include <string_view>
+
+class QFileDevice;
 
 namespace palpate::session {
 
-/// Writes a file that appears under its name only when it is whole: a temporary file beside it, then a rename. What was
-/// there before stays until then; destroyed without `finish`, it leaves nothing.
+/// Writes a file that appears under its name only when it is whole, as QSaveFile does. What was there before stays
+/// until then; destroyed without `finish`, it leaves nothing. A pipe, a terminal or another device is written straight
+/// to.
 class AtomicFile
 {
   public:
-    /// Opens the temporary file.
     /// @return Unreadable with one line that names `path` when it could not be written in the end
     [[nodiscard]] static core::Result<AtomicFile> create(const std::filesystem::path& path);
 
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
-    AtomicFile(const AtomicFile&) = delete;
-    AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile();
 
     /// Appends; an error is kept and reported by `finish`.
     void write(std::string_view text);
-    /// Syncs and renames. Once.
+    /// Brings it to the disk and under its name. Once.
     [[nodiscard]] core::Status finish();
 
   private:
-    AtomicFile() = default;
-    void discard() noexcept;
-    void flush();
+    AtomicFile(std::filesystem::path path, std::unique_ptr<QFileDevice> file);
 
     std::filesystem::path m_path;
-    std::filesystem::path m_temporary;
-    int m_file = -1;
-    int m_error = 0; ///< first errno
-    std::string m_buffer;
+    std::unique_ptr<QFileDevice> m_file;
 };
+
+/// Writes all of an AtomicFile at once.
+[[nodiscard]] core::Status writeAtomically(const std::filesystem::path& path, std::string_view text);
 
 } // namespace palpate::session

@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palpate::session {
@@ -24,6 +25,8 @@ inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 [[nodiscard]] std::string palpateVersion();
 /// @return what this build was made from: a commit and compiler, "unknown" without version control.
 [[nodiscard]] std::string buildId();
+/// @return true when a build id stands for one source: not one with changes that no commit has, nor an unknown one.
+[[nodiscard]] bool isExactBuild(std::string_view id);
 
 /// Where the surface of a structure came from; what a HapticScene does not know about itself.
 struct StructureSource

@@ -44,7 +44,7 @@ class DeviceChoice : public QObject
     /// It cannot be felt with now.
     [[nodiscard]] bool isTroubled() const;
 
-  signals:
+  Q_SIGNALS:
     void changed();
     /// A choice that could not be followed. @param line  why
     void refused(const QString& line);

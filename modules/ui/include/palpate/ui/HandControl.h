@@ -40,7 +40,7 @@ class HandControl : public QObject
     /// Places that a lump may be, the newest last.
     void setFindings(std::vector<core::Vec3> places) { m_findings = std::move(places); }
 
-  signals:
+  Q_SIGNALS:
     /// What was done, or why it was not.
     void said(const QString& line);
 

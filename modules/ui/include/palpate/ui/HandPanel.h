@@ -56,7 +56,7 @@ class HandPanel : public QWidget
     void setSettings(const HandSettings& settings);
     void show(const HandStatus& status);
 
-  signals:
+  Q_SIGNALS:
     void settingsChanged();
     void centreWanted();
     void fitWanted(palpate::ui::MapFill fill);

@@ -82,7 +82,7 @@ class LiveTouch : public QObject
     core::Status stopRecording();
     [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
 
-  signals:
+  Q_SIGNALS:
     /// Twice a second: rate, timing and recording are worth showing anew.
     void statusChanged();
     /// The servo took the force away. @param line  what happened and what to do

@@ -35,7 +35,7 @@ class PalpationController : public QObject
     /// Moves the pressed or hovering hand.
     void moveTo(const QPointF& place);
 
-  signals:
+  Q_SIGNALS:
     /// A newer moment of touch, at most at display rate.
     void touched(const palpate::ui::TouchReading& reading);
     void handGone();

@@ -61,7 +61,7 @@ class WelcomePage : public QWidget
     /// @param hasPhantom  false hides its button
     void setChoices(bool hasPhantom, const QStringList& recent);
 
-  signals:
+  Q_SIGNALS:
     void openWanted();
     void phantomWanted();
     void recentWanted(const QString& path);

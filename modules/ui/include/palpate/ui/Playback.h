@@ -33,7 +33,7 @@ class Playback : public QObject
     /// The moment of greatest force. [s]
     [[nodiscard]] double peakTime_s() const noexcept { return m_peak_s; }
 
-  signals:
+  Q_SIGNALS:
     void stateChanged();
     void overviewReady();
 

@@ -43,7 +43,7 @@ class RecordedTouch : public QObject
     /// Reads the greatest force in each of `kBins` equal spans, on a thread of its own.
     void startOverview();
 
-  signals:
+  Q_SIGNALS:
     void overviewReady(const std::vector<float>& peaks_N);
 
   private:

@@ -49,7 +49,7 @@ class SceneLoader : public QObject
     void cancel();
     [[nodiscard]] bool isBusy() const noexcept { return m_isBusy; }
 
-  signals:
+  Q_SIGNALS:
     /// @param share  0 … 1
     void progressed(const QString& what, double share);
     void opened(const std::shared_ptr<palpate::ui::OpenedScene>& scene);

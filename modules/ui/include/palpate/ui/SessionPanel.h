@@ -32,7 +32,7 @@ class ForceTimeline : public QWidget
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
     [[nodiscard]] QSize sizeHint() const override { return {500, 64}; }
 
-  signals:
+  Q_SIGNALS:
     void seekWanted(double position_s);
 
   protected:
@@ -68,7 +68,7 @@ class SessionPanel : public QWidget
     /// Shows a recording in progress. @param dropped  ticks lost so far
     void showRecording(double duration_s, qulonglong dropped);
 
-  signals:
+  Q_SIGNALS:
     void sought();
 
   private:

@@ -82,7 +82,7 @@ class StructureModel : public QAbstractTableModel
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-  signals:
+  Q_SIGNALS:
     void edited(int row, palpate::ui::StructureModel::Change change);
 
   private:

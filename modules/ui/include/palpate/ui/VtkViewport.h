@@ -48,7 +48,7 @@ class VtkViewport : public QOpenGLWidget
     /// Time that the newest frame took to draw. [ms]
     [[nodiscard]] double frame_ms() const noexcept { return m_frame_ms; }
 
-  signals:
+  Q_SIGNALS:
     /// The pointer moved over the view, or the view under the pointer. Palpate mode only, as the following.
     void pointerMoved();
     void pointerPressed();
