@@ -240,21 +240,31 @@ class Tick
                (m_count == 2 && isConcaveEdge());
     }
 
+    /// Both rise towards each other from a common edge, and the god-object stands between its ends: at an end a third may
+    /// fall away.
     [[nodiscard]] bool isConcaveEdge() const noexcept
     {
         const Contact &p = m_contacts[0], &q = m_contacts[1];
         if (p.foot == Foot::Away || q.foot == Foot::Away) {
             return false;
         }
-        int shared = 0;
+        std::array<const Vec3*, 2> end{};
+        std::size_t shared = 0;
         for (const Vec3* v : {&p.facet.a, &p.facet.b, &p.facet.c}) {
-            if (*v == q.facet.a || *v == q.facet.b || *v == q.facet.c) {
-                ++shared;
-            } else if (q.gap(*v) < 0.0) {
-                return false;
+            if (*v != q.facet.a && *v != q.facet.b && *v != q.facet.c) {
+                if (q.gap(*v) < 0.0) {
+                    return false;
+                }
+            } else if (shared++ < end.size()) {
+                end[shared - 1] = v;
             }
         }
-        return shared == 2;
+        if (shared != end.size()) {
+            return false;
+        }
+        const Vec3 along = *end[1] - *end[0];
+        const double margin = kTouched * m_skin_mm * along.norm();
+        return along.dot(m_god - *end[0]) > margin && along.dot(*end[1] - m_god) > margin;
     }
 
     /// At a vertex the surface may fall away on one side although the planes around it leave no room: the free space
