@@ -53,7 +53,7 @@ class ClosedForms : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void freeSpaceFollowsTheHipWithoutForce()
     {
         Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0)));

@@ -37,7 +37,7 @@ class ConstrainedPointTest : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void withoutPlanesIsTheWantedPoint()
     {
         const ConstrainedPoint p = constrainedPoint(Vec3(1, 2, 3), {}, 1e-12);

@@ -76,7 +76,7 @@ class Filters : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void noBlockingFacetIsToldOff()
     {
         std::mt19937_64 random(3);

@@ -78,7 +78,7 @@ class Fingertip : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void restsOnAPlaneByItsRadius()
     {
         Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 1.5);

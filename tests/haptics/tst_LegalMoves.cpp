@@ -81,7 +81,7 @@ class LegalMoves : public QObject
         return mesh;
     }
 
-  private slots:
+  private Q_SLOTS:
     void noLegalMoveComesCloserAndNothingPopsThrough_data()
     {
         QTest::addColumn<geometry::TriangleMesh>("mesh");

@@ -53,7 +53,7 @@ class PalpatorTest : public QObject
 
     const HapticScene m_scene{{HapticStructure{"bumps", indexed(bumpySphere(40, 40.0, 0.04)), {0.5, 0.001}, 0}}};
 
-  private slots:
+  private Q_SLOTS:
     void givesTheSameBitsTwice()
     {
         Palpator one, two;

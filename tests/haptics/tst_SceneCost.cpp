@@ -42,7 +42,7 @@ class SceneCost : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void theHapticCopyIsAsLargeAsItSays()
     {
         if (kIsSanitized) {

@@ -49,7 +49,7 @@ class SurfaceWalk : public QObject
         return direction * (55.0 - (5.0 + depth_mm) * std::min(1.0, tick / 500.0));
     }
 
-  private slots:
+  private Q_SLOTS:
     void findsWhatAskingFinds_data()
     {
         QTest::addColumn<TriangleMesh>("mesh");

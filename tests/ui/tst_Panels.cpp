@@ -70,6 +70,17 @@ class Panels : public QObject
         QVERIFY(says(panel, QStringLiteral("constraints 1 · solver 0.3 µs p99")));
         QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
     }
+    void aTickThatStoppedAtItsBoundSaysSo()
+    {
+        ui::TouchPanel panel;
+        ui::TouchReading reading{1.0, 2.3, 4.6, QStringLiteral("fan"), 0.5, 1, 0.3};
+        reading.isAtBound = true;
+        panel.show(reading);
+        QVERIFY(says(panel, QStringLiteral("too many facets in this place: the force follows late")));
+        reading.isAtBound = false;
+        panel.show(reading);
+        QVERIFY(!says(panel, QStringLiteral("too many facets in this place: the force follows late")));
+    }
     void freeSpaceSaysSo()
     {
         ui::TouchPanel panel;

@@ -187,6 +187,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     TouchReading reading;
     reading.time_s = seconds(now_ns);
     reading.solveP99_us = m_live.solveP99_us();
+    reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.structure < m_model.rowCount()) {
         const meshio::SceneStructure& structure = m_model.structure(tick.structure);
         reading.structure = readableName(structure.name);

@@ -117,6 +117,7 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
 {
     TouchReading reading;
     reading.time_s = time_s;
+    reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (tick.structure >= 0) {
         reading.structure = m_recording->structureName(tick);
         if (reading.structure.isEmpty()) {

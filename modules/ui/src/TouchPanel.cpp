@@ -57,7 +57,9 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_detail->setAccessibleName(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the surface to the hand [mm]; stiffness as felt [N/mm]"));
     m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
-                            "Solver: time of one tick, not exceeded by 99 of 100 [µs]"));
+                            "Solver: time of one tick, not exceeded by 99 of 100 [µs].\n"
+                            "Where more facets lie in one place than a tick has time for, it goes on from where it got "
+                            "to with the next."));
 
     auto* number = new QHBoxLayout;
     number->setSpacing(6);
@@ -103,7 +105,8 @@ void TouchPanel::show(const TouchReading& reading)
     m_bar->setForce(reading.force_N);
     setLine(isTouching ? reading.structure : tr("Free space"),
             isTouching ? detailText(reading) : tr("nothing is touched"));
-    m_solver->setText(reading.solveP99_us >= 0.0
+    m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
+                      : reading.solveP99_us >= 0.0
                           ? tr("constraints %1 · solver %2 µs p99")
                                 .arg(reading.constraints)
                                 .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))

@@ -35,7 +35,7 @@ class Adversary : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void closed() { checkFamily(Family::Closed, 1, 300000); }
     void open() { checkFamily(Family::Open, 1, 300000); }
     void layers() { checkFamily(Family::Layers, 1, 200000); }
@@ -47,7 +47,7 @@ class LongAdversary : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void closed() { checkFamily(Family::Closed, 1000001, 30000000); }
     void open() { checkFamily(Family::Open, 1000001, 30000000); }
     void layers() { checkFamily(Family::Layers, 1000001, 20000000); }
@@ -59,7 +59,7 @@ class ShortAdversary : public QObject
 {
     Q_OBJECT
 
-  private slots:
+  private Q_SLOTS:
     void runs()
     {
         for (int family = 0; family < kFamilies; ++family) {

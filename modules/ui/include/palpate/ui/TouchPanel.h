@@ -23,6 +23,7 @@ struct TouchReading
     double stiffness_N_per_mm = 0.0;
     int constraints = 0;
     double solveP99_us = -1.0; ///< < 0: not known
+    bool isAtBound = false;    ///< the solver stopped at its bound: the force is that of where it got to
 };
 
 /// What the hand feels, in numbers large enough for arm's length, and its last ten seconds.
