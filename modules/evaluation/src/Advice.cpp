@@ -147,8 +147,8 @@ std::vector<Advice> adviceFor(const Evaluation& evaluation)
             const Trial& ball = *found.ball;
             a.why.push_back("A fingertip of " + shortNumber(ball.fingertip_mm) +
                             " mm radius instead of a point costs " + shortNumber(ball.time_us.p50) +
-                            " µs a tick, 99.9 % of them at most " + shortNumber(ball.time_us.p999) +
-                            " µs, and is at most " + shortNumber(ball.position_mm.p99) +
+                            " µs a tick, 99.9 % of them at most " + shortNumber(ball.time_us.p999) + " µs, the worst " +
+                            shortNumber(ball.time_us.max) + " µs, and is at most " + shortNumber(ball.position_mm.p99) +
                             " mm from the exact ball in 99 % of them.");
         }
         if (subject.extent_mm < kTiny_mm) {

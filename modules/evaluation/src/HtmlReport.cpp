@@ -55,6 +55,7 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
         std::string row = cell(escaped(t.solver + (t.setting.empty() ? "" : ", " + t.setting)), true) +
                           cell(core::grouped(t.triangles)) + cell(t.time_us.count > 0 ? number(t.time_us.p50) : "–") +
                           cell(t.time_us.count > 0 ? number(t.time_us.p999) : "–") +
+                          cell(t.time_us.count > 0 ? number(t.time_us.max) : "–") +
                           cell(t.freeTime_us.count > 0 ? number(t.freeTime_us.p50) : "–");
         if (t.isReference) {
             row += "<td colspan='6' class='left soft'>the truth: what the others are compared with</td>";
@@ -72,7 +73,7 @@ std::string trialTable(const Evaluation& evaluation, const std::string& subject)
         rows += tag("tr", row, t.knob == Knob::Solver && t.solver == "Palpate" ? "class='strong'" : "");
     }
     return tag("table",
-               head({"Solver", "triangles", "time [µs]<br>median", "<br>99.9 %", "<br>in free<br>space",
+               head({"Solver", "triangles", "time [µs]<br>median", "<br>99.9 %", "<br>worst", "<br>in free<br>space",
                      "error [mm]<br>mean", "<br>99 %", "force error<br>[%], 99 %", "direction<br>[°], 99 %",
                      "residual<br>[mm], max", "pop-<br>throughs", "other<br>minimum", "inter-<br>rupted", "ticks"}) +
                    tag("tbody", rows));
