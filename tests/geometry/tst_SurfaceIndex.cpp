@@ -13,6 +13,19 @@ class SurfaceIndexTest : public QObject
     Q_OBJECT
 
   private Q_SLOTS:
+    void refusesWhatFloatsCannotHold()
+    {
+        for (const double radius_mm : {1e37, 1e38, 1e150}) {
+            const geometry::SurfaceIndex index = geometry::SurfaceIndex::build(geometry::repair(sphere(6, radius_mm)));
+            QCOMPARE(index.triangleCount(), 0u);
+            QCOMPARE(index.status().code(), core::StatusCode::OutOfRange);
+            QVERIFY(index.status().message().find("expected at most 1e+36 mm") != std::string::npos);
+        }
+        const geometry::SurfaceIndex large = geometry::SurfaceIndex::build(geometry::repair(sphere(6, 9e35)));
+        QVERIFY(large.status().isOk());
+        QCOMPARE(large.triangleCount(), 720u);
+    }
+
     void holdsEveryTriangleOnceWithItsWinding()
     {
         const RepairedMesh r = geometry::repair(bumpySphere(12, 40.0, 0.05));

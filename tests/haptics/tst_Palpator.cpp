@@ -65,6 +65,83 @@ class PalpatorTest : public QObject
         }
     }
 
+    void aHiddenLayerThatIsShownLeavesTheOthersAsTheyWere()
+    {
+        const auto organ = indexed(sphere(8, 30.0)), lump = indexed(sphere(8, 10.0));
+        const HapticStructure outer{"organ", organ, {0.2, 0.0}, 3}, inner{"lump", lump, {0.5, 0.0}, 7};
+        const HapticScene both({outer, inner}), alone({inner});
+        Palpator palpator;
+        palpator.setScene(&alone);
+        const Vec3 hip(0.0, 0.0, 7.0);
+        (void)palpator.step(Vec3(0.0, 0.0, 12.0), 1e-3);
+        const TickResult before = palpator.step(hip, 1e-3);
+        QVERIFY(before.f_W.z() > 1.0);
+        palpator.setScene(&both);
+        const TickResult shown = palpator.step(hip, 1e-3);
+        QVERIFY(isSameBits(before.f_W, shown.f_W)); // the organ lets go what is inside it
+        QVERIFY(isSameBits(before.p_WG, shown.p_WG));
+        palpator.setScene(&alone);
+        QVERIFY(isSameBits(before.f_W, palpator.step(hip, 1e-3).f_W));
+    }
+
+    void aHipTooFarAwayMovesNothing()
+    {
+        Palpator palpator;
+        palpator.setScene(&m_scene);
+        (void)palpator.step(Vec3(46, 0, 0), 1e-3);
+        const TickResult pressed = palpator.step(Vec3(36, 0, 0), 1e-3);
+        QCOMPARE(pressed.constraints > 0, true);
+        for (const double far_mm : {2e6, 1e9, 1e100, 1.7e308}) {
+            const TickResult refused = palpator.step(Vec3(-far_mm, 0, 0), 1e-3);
+            QCOMPARE(refused.status, TickStatus::InvalidInput);
+            QVERIFY(refused.f_W == Vec3::Zero());
+            const TickResult back = palpator.step(Vec3(36, 0, 0), 1e-3);
+            QVERIFY((back.p_WG - pressed.p_WG).norm() < 1e-9);
+        }
+        QCOMPARE(palpator.step(Vec3(-1e5, 0, 0), 1e-3).status, TickStatus::Converged);
+    }
+
+    void noInfiniteForceLeaves()
+    {
+        for (const double dt_s : {5e-324, 1e-310, 1e-300}) {
+            Palpator palpator;
+            palpator.setScene(&m_scene);
+            (void)palpator.step(Vec3(46, 0, 0), 1e-3);
+            const TickResult pressed = palpator.step(Vec3(36, 0, 0), dt_s);
+            QVERIFY(pressed.constraints > 0);
+            QVERIFY(pressed.f_W.allFinite());
+        }
+    }
+
+    void theWorkOfAPointsTickIsBounded()
+    {
+        // 60,000 facets at one vertex: none of the sweeps along them ends, and the god-object stays in front of them.
+        geometry::TriangleMesh fan;
+        constexpr std::uint32_t kFacets = 60000;
+        fan.vertices.push_back(Vec3(0.0, 0.0, 5.0));
+        for (std::uint32_t i = 0; i < kFacets; ++i) {
+            const double a = 2.0 * 3.14159265358979 * i / kFacets;
+            fan.vertices.push_back(Vec3(20.0 * std::cos(a), 20.0 * std::sin(a), 0.0));
+            fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % kFacets});
+        }
+        const HapticScene scene{{HapticStructure{"fan", indexed(fan), {0.5, 0.0}, 0}}};
+        Palpator warm, cold;
+        warm.setScene(&scene);
+        cold.setScene(&scene);
+        int bounded = 0;
+        for (int i = 0; i < 60; ++i) {
+            const Vec3 hip(1e-3 * i, 2e-3 * i, 6.0 - 0.1 * i);
+            cold.restore(warm.state());
+            const TickResult one = warm.step(hip, 1e-3), other = cold.step(hip, 1e-3);
+            QVERIFY(isSameBits(one.p_WG, other.p_WG) && isSameBits(one.f_W, other.f_W));
+            QVERIFY(one.status == other.status);
+            QVERIFY(one.p_WG.z() > 5.0 - 0.26 * one.p_WG.head<2>().norm() - 1e-6);
+            QVERIFY((one.p_WG - hip).norm() < 1e-6 || (one.constraints > 0 && one.f_W.norm() > 0.0));
+            bounded += one.status == TickStatus::IterationLimit ? 1 : 0;
+        }
+        QVERIFY(bounded > 0);
+    }
+
     void goesOnFromASavedStateBitForBit()
     {
         // The second one also loses its gathered facets in every tick: they must never change a result.
