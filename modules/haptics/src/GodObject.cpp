@@ -240,8 +240,8 @@ class Tick
                (m_count == 2 && isConcaveEdge());
     }
 
-    /// Both rise towards each other from a common edge, and the god-object stands between its ends: at an end a third may
-    /// fall away.
+    /// Both rise towards each other from a common edge, and the god-object stands between its ends: at an end a third
+    /// may fall away.
     [[nodiscard]] bool isConcaveEdge() const noexcept
     {
         const Contact &p = m_contacts[0], &q = m_contacts[1];
@@ -325,17 +325,18 @@ class Tick
         if (swept == Sweep::Blocked) {
             from = m_god + above.stop * (from - m_god);
         }
-        if (follow(from, {}, enough)) {
+        const std::span<const Facet> all = std::span<const Facet>(touched).first(n);
+        if (follow(from, {}, all, enough)) {
             return true;
         }
         for (std::size_t i = 0; i < n; ++i) {
-            if (follow(from, std::array{Contact{touched[i], side[i]}}, enough)) {
+            if (follow(from, std::array{Contact{touched[i], side[i]}}, all, enough)) {
                 return true;
             }
         }
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = i + 1; j < n; ++j) {
-                if (follow(from, std::array{Contact{touched[i], side[i]}, Contact{touched[j], side[j]}}, enough)) {
+                if (follow(from, std::array{Contact{touched[i], side[i]}, Contact{touched[j], side[j]}}, all, enough)) {
                     return true;
                 }
             }
@@ -343,9 +344,9 @@ class Tick
         return false;
     }
 
-    /// Moves from `from` along the given planes alone. @return false, unmoved, when that leads no nearer to the HIP
-    /// than `enough` [mm].
-    bool follow(Vec3 from, std::span<const Contact> along, double enough) noexcept
+    /// Moves from `from` along the given planes alone, of those that are touched. @return false, unmoved, when that
+    /// leads no nearer to the HIP than `enough` [mm].
+    bool follow(Vec3 from, std::span<const Contact> along, std::span<const Facet> touched, double enough) noexcept
     {
         std::array<HalfSpace, 2> planes;
         const auto setPlanes = [&] {
@@ -373,6 +374,11 @@ class Tick
             return false;
         }
         Vec3 u = point.u;
+        // What is touched stands in most ways: that needs no sweep.
+        if (std::any_of(touched.begin(), touched.end(),
+                        [&](const Facet& facet) { return internal::blocks(facet, from, from + u, 0.0, crossing); })) {
+            return false;
+        }
         const Sweep swept = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
         const bool isBlocked = swept == Sweep::Blocked;
         if (swept == Sweep::Unknown) {

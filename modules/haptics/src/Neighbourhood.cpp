@@ -16,9 +16,9 @@ constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move
 // In units of TickWork: what a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets,
 // rule them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that
 // the price does not tell whether it was needed.
-constexpr std::uint32_t kSweepPrice = 160;
+constexpr std::uint32_t kSweepPrice = 64;
 constexpr std::uint32_t kSpared = 128; // facets
-constexpr std::uint32_t kAsked = 3;    // of each facet beyond them
+constexpr std::uint32_t kAsked = 1;    // of each facet beyond them
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
