@@ -37,6 +37,9 @@ struct HardCase
     /// empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> other;
     std::int64_t otherEvery = 0;
+    /// More facets meet in one place than a tick has work for: it may stop at its bound, where only its place is
+    /// judged.
+    bool mayReachBound = false;
     bool isLong = false; ///< left to the nightly run
 };
 
