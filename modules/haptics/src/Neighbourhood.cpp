@@ -17,8 +17,8 @@ constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move
 // rule them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that
 // the price does not tell whether it was needed.
 constexpr std::uint32_t kSweepPrice = 64;
-constexpr std::uint32_t kSpared = 128; // facets
-constexpr std::uint32_t kAsked = 1;    // of each facet beyond them
+constexpr std::uint32_t kExact = 4;                  // of an exact test, beside 1 for each facet that is asked
+constexpr std::uint32_t kSpared = 128 + 64 * kExact; // of a traversal, that costs no more
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
@@ -75,9 +75,11 @@ struct Neighbourhood::First
     std::span<const FacetNumber> walked;
     double limit;
     bool found = false;
+    std::uint32_t cost = 0; ///< of what was offered
 
     void offer(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
+        ++cost;
         // Most offers end here.
         if (!surface.isTwoSided(triangle)) {
             const geometry::Triangle t = surface.triangle(triangle);
@@ -90,6 +92,7 @@ struct Neighbourhood::First
         if (isAmong(walked, structure, triangle)) {
             return;
         }
+        cost += kExact;
         const Facet facet = Facet::of(surface, structure, triangle);
         Crossing crossing;
         if (blocks(facet, x, y, limit, crossing) && (!found || isBefore(crossing, best))) {
@@ -301,31 +304,30 @@ Sweep Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, c
 Sweep Neighbourhood::sweepAll(const HapticScene& scene, const HapticLayer& layer, First nearest) noexcept
 {
     constexpr double kEnd = -1.0;
-    const std::uint32_t most = kSpared + m_work.left() / kAsked;
-    std::uint32_t asked = 0;
+    const std::uint32_t most = kSpared + m_work.left();
+    const auto isSpent = [&] { return nearest.cost >= most; };
     layer.hierarchy.visitSegment(nearest.x, nearest.y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
-        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount && asked < most; ++s) {
+        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount && !isSpent(); ++s) {
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
             surface.hierarchy().visitSegment(
                 nearest.x, nearest.y,
                 [&](std::uint32_t i, std::uint32_t n) {
-                    asked += n;
                     for (const std::uint32_t end = i + n; i < end; ++i) {
                         nearest.offer(surface, number, i);
                     }
-                    if (asked >= most && !nearest.found) {
+                    if (isSpent() && !nearest.found) {
                         nearest.best.facet = Facet::of(surface, number, i - 1);
                         nearest.best.side = 1;
                     }
-                    return asked < most ? nearest.limit : kEnd;
+                    return isSpent() ? kEnd : nearest.limit;
                 },
                 layer.skin_mm);
         }
-        return asked < most ? nearest.limit : kEnd;
+        return isSpent() ? kEnd : nearest.limit;
     });
-    m_work.spend(asked >= most ? m_work.left() : asked > kSpared ? kAsked * (asked - kSpared) : 0);
-    return asked >= most ? Sweep::Unknown : nearest.found ? Sweep::Blocked : Sweep::Free;
+    m_work.spend(nearest.cost > kSpared ? nearest.cost - kSpared : 0);
+    return isSpent() ? Sweep::Unknown : nearest.found ? Sweep::Blocked : Sweep::Free;
 }
 
 } // namespace palpate::haptics::internal
