@@ -56,6 +56,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_detail->setFont(medium);
     m_detail->setAccessibleName(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the surface to the hand [mm]; stiffness as felt [N/mm]"));
+    m_solver->setWordWrap(true);
     m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
                             "Solver: time of one tick, not exceeded by 99 of 100 [µs].\n"
                             "Where more facets lie in one place than a tick has time for, it goes on from where it got "
