@@ -193,7 +193,8 @@ class Fingertip : public QObject
             double lowest = height;
             for (int i = 0; i < 3000; ++i) {
                 const double deeper = std::abs(normal(random)) * (i % 2 == 0 ? 1.0 : 1e-12);
-                lowest = std::min(lowest, feel.at(Vec3(0.3 + normal(random), 0.2 + normal(random), height - deeper)).p_WG.z());
+                lowest = std::min(lowest,
+                                  feel.at(Vec3(0.3 + normal(random), 0.2 + normal(random), height - deeper)).p_WG.z());
             }
             QVERIFY2(lowest > height - 1e-9, qPrintable(QString::number(lowest)));
         }
@@ -229,8 +230,8 @@ class Fingertip : public QObject
         for (int i = 0; i < 4000; ++i) {
             const geometry::Triangle& t = mesh.triangles[any(random)];
             const double away = i % 7 == 0 ? 1e3 : i % 7 == 3 ? 2.0 : 1.0;
-            const Vec3 hip = away * (i % 2 == 0 ? mesh.vertices[t[0]]
-                                                : Vec3(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]])));
+            const Vec3 hip =
+                away * (i % 2 == 0 ? mesh.vertices[t[0]] : Vec3(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]])));
             const TickResult r = feel.at(hip);
             QVERIFY2(r.constraints > 0 || r.p_WG == hip, qPrintable(QString("tick %1").arg(i)));
         }
@@ -247,8 +248,10 @@ class Fingertip : public QObject
             (void)feel.at(Vec3(90, 1, 2));
             std::uint64_t moves = 0;
             for (int i = 0; i < 1000; ++i) {
-                const geometry::Triangle& t = mesh.triangles[static_cast<std::size_t>(i / 5) * 37 % mesh.triangles.size()];
-                const TickResult r = feel.at(mesh.vertices[t[0]] + 1e-5 * Vec3(normal(random), normal(random), normal(random)));
+                const geometry::Triangle& t =
+                    mesh.triangles[static_cast<std::size_t>(i / 5) * 37 % mesh.triangles.size()];
+                const TickResult r =
+                    feel.at(mesh.vertices[t[0]] + 1e-5 * Vec3(normal(random), normal(random), normal(random)));
                 QVERIFY(std::abs((r.p_WG - mesh.vertices[t[0]]).norm() - radius) < 1e-4);
                 moves += r.iterations;
             }

@@ -173,8 +173,8 @@ const BallCell& BallCells::at(const HapticScene& scene, const HapticLayer& layer
             return m_cells[i];
         }
     }
-    const auto oldest = static_cast<std::size_t>(std::min_element(m_lastUse.begin(), m_lastUse.end()) -
-                                                 m_lastUse.begin());
+    const auto oldest =
+        static_cast<std::size_t>(std::min_element(m_lastUse.begin(), m_lastUse.end()) - m_lastUse.begin());
     BallCell& cell = m_cells[oldest];
     m_lastUse[oldest] = m_clock;
     m_price[oldest] = 0;

@@ -14,7 +14,7 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr double kNever = 2.0;
-constexpr double kShort = 0.5;     // radii: a move that is ruled out as a whole, from its middle
+constexpr double kShort = 0.5; // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
 constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells is asked of the whole hierarchy
 
@@ -144,12 +144,13 @@ class BallNeighbourhood::Traversal
     void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
     {
         std::uint32_t nodes = m_work.left() / kNode, before = nodes;
-        const double free = hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
-            m_work.spend(kNode * (before - nodes));
-            leaf(i, n);
-            nodes = before = m_work.left() / kNode;
-            return m_work.isSpent() ? -1.0 : (m_first.limit - m_begin) / (1.0 - m_begin);
-        });
+        const double free =
+            hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
+                m_work.spend(kNode * (before - nodes));
+                leaf(i, n);
+                nodes = before = m_work.left() / kNode;
+                return m_work.isSpent() ? -1.0 : (m_first.limit - m_begin) / (1.0 - m_begin);
+            });
         m_work.spend(kNode * (before - nodes));
         if (free < m_free_mm) {
             m_free_mm = free;
@@ -190,8 +191,7 @@ class BallNeighbourhood::Traversal
         (void)asFloats(half, Vec3::Zero(), along);
         alignas(32) float distance_mm[kLanes];
         distances(&group, m_batch.count(), at, along, distance_mm);
-        const double touching =
-            m_first.radius_mm + leastDistanceRounding(coordinate, half.norm(), m_first.radius_mm);
+        const double touching = m_first.radius_mm + leastDistanceRounding(coordinate, half.norm(), m_first.radius_mm);
         forEachBetween(distance_mm, m_batch.count(), kAnyDistance, touching,
                        [&](int i) { m_first.offer(m_scene, m_batch.structure(i), m_batch.triangle(i)); });
         m_work.spend(kBatch + std::exchange(m_first.price, 0u));
@@ -201,10 +201,10 @@ class BallNeighbourhood::Traversal
     const HapticScene& m_scene;
     const HapticLayer& m_layer;
     double m_begin;
-    double m_whole; ///< length of the move [mm]
+    double m_whole;                                             ///< length of the move [mm]
     double m_free_mm = std::numeric_limits<double>::infinity(); ///< of the rest, before what was not asked
-    Vec3 m_u;       ///< its direction
-    Vec3 m_from; ///< where the rest begins [mm]
+    Vec3 m_u;                                                   ///< its direction
+    Vec3 m_from;                                                ///< where the rest begins [mm]
     double m_from4[4]{};
     TickWork& m_work;
     First& m_first;

@@ -170,7 +170,8 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
         return u;
     }
     const double shrunk = moved.dot(m_last.u - u);
-    const double most = std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * std::max(length, m_kept_mm)});
+    const double most =
+        std::min({m_longest_mm, kLongest * m_scene.fingertip_mm(), kGrowth * std::max(length, m_kept_mm)});
     const double whole = length * length * step < most * shrunk ? length * length * step / shrunk : most;
     if (whole <= kLonger * step) {
         return u;
