@@ -24,6 +24,8 @@ const std::vector<HardCase>& hardCases()
         addContactRows(all);
         addTransformRows(all);
         addHandRows(all);
+        addTieRows(all);
+        addLayerRows(all);
         addFingertipRows(all);
         return all;
     }();

@@ -13,7 +13,9 @@ void addMeshFaultRows(std::vector<HardCase>& rows); ///< zero-area, duplicate, f
 void addContactRows(std::vector<HardCase>& rows);   ///< creases, fans, grooves, pockets, plates, edges, vertices
 void addTransformRows(std::vector<HardCase>& rows); ///< moved, scaled and turned scenes
 void addHandRows(std::vector<HardCase>& rows);      ///< noise, teleports, stillness, bad numbers, long random motion
-void addFingertipRows(std::vector<HardCase>& rows); ///< those there are, felt with a ball
+void addTieRows(std::vector<HardCase>& rows);       ///< HIPs on vertices, on edges, in planes and within the skin
+void addLayerRows(std::vector<HardCase>& rows);     ///< a layer around that comes and goes
+void addFingertipRows(std::vector<HardCase>& rows); ///< those there are, felt with a ball; large balls on fine meshes
 
 /// @return a row that plays `path` on `mesh`.
 [[nodiscard]] HardCase row(std::string name, std::function<geometry::TriangleMesh()> mesh, const HandPath& path);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "JudgedProduct.h"
 #include "palpate/evaluation/Evaluation.h"
 #include "palpate/evaluation/ExactSolver.h"
-#include "palpate/evaluation/HardCases.h"
-#include "palpate/evaluation/ProductSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,9 @@ constexpr std::size_t kHistogram = 33; // 0 … 31 iterations, and more
 // On a surface, in a scene of some 10 mm: a hundred skins, far below any device's step.
 constexpr double kOnSurface_mm = 1e-8;
 // A ball parts at every edge and corner that it rolls over.
+// A force is a difference times a number, summed with zero: an ulp.
+constexpr double kForceRounding = 1e-15;
+constexpr double kLayersRounding_N = 1e-9;
 constexpr double kMostElsewhere_percent = 0.1, kMostElsewhereOfBall_percent = 1.0;
 
 /// Keeps the worst of what is measured.
@@ -49,7 +51,7 @@ class Run
         : m_case(hardCase)
         , m_map(std::move(map))
         , m_surface(geometry::repair(mesh))
-        , m_product(sceneOf(m_surface.repaired(), hardCase.fingertip_mm), "product")
+        , m_product(hardCase, m_surface.repaired())
         , m_straight(m_surface, 1, hardCase.fingertip_mm)
         , m_fine(m_surface, 8, hardCase.fingertip_mm)
         , m_next(hardCase.motion())
@@ -77,23 +79,32 @@ class Run
             m_windingAtStart = m_surface.winding(hip);
             m_intrusion_mm = m_straight.intrusion_mm(hip);
         }
-        const SolverStep step = m_product.step(hip);
+        const JudgedTick judged = m_product.step(hip);
+        const haptics::TickResult& step = judged.tick;
         ++m_result.ticks;
-        if (!step.p_WG.allFinite() || !step.spring_mm.allFinite()) {
+        if (!step.p_WG.allFinite() || !step.f_W.allFinite()) {
             m_nonFinite.count(number);
             return;
         }
+        if (judged.isRestoredApart) {
+            m_restoredApart.count(number);
+        }
         if (!hip.allFinite()) {
-            if (step.p_WG != m_god || step.spring_mm != Vec3::Zero()) {
+            if (step.p_WG != m_god || step.f_W != Vec3::Zero()) {
                 m_nonFinite.count(number); // bad input must move nothing and push nothing
             }
             return;
         }
         ++m_result.iterations[std::min<std::size_t>(step.iterations, kHistogram - 1)];
         m_iterations.see(step.iterations, number);
-        if (!step.isConverged) {
+        if (step.status != haptics::TickStatus::Converged) {
             m_stopped.count(number);
         }
+        if (judged.isForceless) {
+            m_forceless.count(number);
+        }
+        m_forceError.see(judged.forceError, number);
+        m_layersError.see(judged.layersError_N, number);
         if (number % m_case.checkEvery == 0) {
             check(step.p_WG, hip, number);
         }
@@ -105,9 +116,23 @@ class Run
     {
         const HardCaseFigure elsewhere{
             "at rest elsewhere than the exact one [% of ticks]", m_checked > 0 ? 100.0 * m_elsewhere / m_checked : 0.0,
-            m_case.fingertip_mm > 0.0 ? kMostElsewhereOfBall_percent : kMostElsewhere_percent, -1};
-        m_result.figures = {m_popThrough.figure(), m_nonFinite.figure(), m_stopped.figure(), m_iterations.figure(),
-                            m_spring.figure(),     m_residual.figure(),  m_jump.figure(),    elsewhere};
+            std::max(m_case.mostElsewhere_percent,
+                     m_case.fingertip_mm > 0.0 ? kMostElsewhereOfBall_percent : kMostElsewhere_percent),
+            -1};
+        m_result.figures = {m_popThrough.figure(),
+                            m_nonFinite.figure(),
+                            m_stopped.figure(),
+                            m_iterations.figure(),
+                            m_forceless.figure(),
+                            m_forceError.figure(),
+                            m_restoredApart.figure(),
+                            m_spring.figure(),
+                            m_residual.figure(),
+                            m_jump.figure(),
+                            elsewhere};
+        if (m_case.other) {
+            m_result.figures.push_back(m_layersError.figure());
+        }
     }
 
   private:
@@ -177,7 +202,7 @@ class Run
     const HardCase& m_case;
     std::function<Vec3(const Vec3&)> m_map;
     Surface m_surface;
-    ProductSolver m_product;
+    JudgedProduct m_product;
     ExactSolver m_straight, m_fine;
     std::function<Vec3()> m_next;
     Vec3 m_god = Vec3::Zero(), m_hip = Vec3::Zero();
@@ -188,6 +213,10 @@ class Run
     Worst m_nonFinite{"non-finite or moved by bad input [ticks]", 0.0};
     Worst m_stopped{"stopped before rest [ticks]", 0.0};
     Worst m_iterations{"most iterations in a tick", haptics::GodObjectLimits{}.iterations - 1.0};
+    Worst m_forceless{"no force away from the HIP [ticks]", 0.0};
+    Worst m_forceError{"force other than k (g - p) [share]", kForceRounding};
+    Worst m_restoredApart{"restored, not the same [ticks]", 0.0};
+    Worst m_layersError{"force other than that of the layers alone [N]", kLayersRounding_N};
     Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0};
 };
 

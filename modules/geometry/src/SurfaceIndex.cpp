@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace palpate::geometry {
@@ -53,6 +54,14 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
     SurfaceIndex index;
     index.m_bounds = mesh.bounds();
     if (mesh.triangles.empty()) {
+        return index;
+    }
+    if (const double half = 0.5 * index.m_bounds.sizes().maxCoeff(); !(half <= kLargest_mm)) {
+        char text[160];
+        std::snprintf(text, sizeof text, "a mesh of %.3g mm from its middle to its side; expected at most %.0e mm",
+                      half, kLargest_mm);
+        index.m_status = {core::StatusCode::OutOfRange, text};
+        index.m_bounds.setEmpty();
         return index;
     }
     const Vec3 origin = index.m_bounds.center();

@@ -125,9 +125,9 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, FacetGroup& group) noexc
 }
 
 PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float* x, const float* y,
-                                              float coordinates_mm) noexcept
+                                              float coordinates_mm, float around_mm) noexcept
 {
-    const float rounding = kRounding * coordinates_mm;
+    const float rounding = kRounding * coordinates_mm + around_mm;
     const float passing = kPassing * coordinates_mm * coordinates_mm * coordinates_mm;
     std::uint64_t all = 0;
     for (int first = 0; first < count; first += kLanes) {
@@ -167,9 +167,9 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
 }
 
 PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float (*path)[3], int points,
-                                              float coordinates_mm) noexcept
+                                              float coordinates_mm, float around_mm) noexcept
 {
-    const float rounding = kRounding * coordinates_mm;
+    const float rounding = kRounding * coordinates_mm + around_mm;
     const float passing = kPassing * coordinates_mm * coordinates_mm * coordinates_mm;
     float low[3], high[3];
     for (int axis = 0; axis < 3; ++axis) {

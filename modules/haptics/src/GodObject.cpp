@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace palpate::haptics {
@@ -20,6 +21,7 @@ using internal::Foot;
 using internal::HalfSpace;
 using internal::kTouched;
 using internal::Neighbourhood;
+using internal::Sweep;
 
 /// A facet that the god-object touches, and from which side.
 struct Contact
@@ -64,8 +66,25 @@ class Tick
     /// @return how many moves were tried, `limit` when it was not enough.
     std::uint32_t converge(std::uint32_t limit) noexcept
     {
+        const std::uint32_t moves = moveUntilDone(limit);
+        if (m_count == 0 && m_lastMet && (m_hip - m_god).cwiseAbs().maxCoeff() > m_lastMet->facet.skin_mm) {
+            // What stood in the way last: no god-object is held by nothing.
+            m_contacts[0] = *m_lastMet;
+            m_count = 1;
+        }
+        return moves;
+    }
+
+    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
+    [[nodiscard]] int count() const noexcept { return m_count; }
+    [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
+
+  private:
+    std::uint32_t moveUntilDone(std::uint32_t limit) noexcept
+    {
         double spring = std::numeric_limits<double>::infinity();
-        for (std::uint32_t i = 0; i + m_walked < limit; ++i) {
+        std::uint32_t i = 0;
+        for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
             if (i % kPatience == kPatience - 1) {
                 // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
                 // many moves has arrived.
@@ -77,13 +96,21 @@ class Tick
             if (m_count == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
                 return i + m_walked;
             }
-            if (i + m_walked >= limit) {
+            if (i + m_walked >= limit || m_near.work().isSpent()) {
                 break;
             }
             const Vec3 target = nextTarget();
             Crossing crossing;
-            if (m_near.sweep(m_scene, m_layer, m_god, target, crossing)) {
-                if (!stopAt(target, crossing) && !escape()) {
+            const Sweep swept = m_near.sweep(m_scene, m_layer, m_god, target, crossing);
+            if (swept != Sweep::Free) {
+                m_lastMet = {crossing.facet, crossing.side};
+            }
+            if (swept == Sweep::Unknown) {
+                break;
+            }
+            if (swept == Sweep::Blocked) {
+                const bool isOnEdge = m_count == 0 && turnsRound();
+                if ((!stopAt(target, crossing) || isOnEdge) && !escape()) {
                     return i + 1 + m_walked;
                 }
                 continue;
@@ -95,14 +122,9 @@ class Tick
                 return i + 1 + m_walked;
             }
         }
-        return limit;
+        return i + m_walked;
     }
 
-    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
-    [[nodiscard]] int count() const noexcept { return m_count; }
-    [[nodiscard]] const Contact& contact(int i) const noexcept { return m_contacts[static_cast<std::size_t>(i)]; }
-
-  private:
     /// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
     bool hasWalkedHome(std::uint32_t most) noexcept
     {
@@ -115,6 +137,20 @@ class Tick
         }
         m_mayWalk = false; // again from the next facet that is met
         return walk.hasArrived;
+    }
+
+    /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and
+    /// the other is met by the straight way.
+    /// @return true when that has come round a few times without gaining a skin.
+    bool turnsRound() noexcept
+    {
+        const double spring = (m_hip - m_god).norm();
+        if (spring < m_letGo_mm - m_skin_mm) {
+            m_letGo_mm = spring;
+            m_rounds = 0;
+            return false;
+        }
+        return ++m_rounds >= kRounds;
     }
 
     /// The constrained point of the present contacts; those with no part in it are released.
@@ -168,25 +204,30 @@ class Tick
     /// @return false, unmoved, for less than rounding: a thousandth of the skin.
     bool moveTo(const Vec3& p) noexcept
     {
-        if ((p - m_god).cwiseAbs().maxCoeff() <= 1e-3 * m_skin_mm) {
+        const double most = (p - m_god).cwiseAbs().maxCoeff();
+        if (most <= 1e-3 * m_skin_mm) {
             return false;
         }
         m_god = p;
-        for (int i = 0; i < m_count; ++i) {
+        // Within a skin it is the same place: planes that are one to rounding are that far apart.
+        for (int i = 0; i < m_count && most > m_skin_mm; ++i) {
             m_contacts[static_cast<std::size_t>(i)].isInTheWay = false;
         }
         return true;
     }
 
-    /// Drops the contacts whose triangle is no longer below the god-object. One that stood in the way of a move from
-    /// here may lie beside it, met at a shallow angle: it holds as long as another contact holds too.
+    /// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from
+    /// here: with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and what blocks
+    /// is not let go of.
     void keepSupporting() noexcept
     {
         // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
         const double slack = m_count > 1 ? m_skin_mm : 0.0;
         const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](Contact& c) {
-            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, slack, kTouched * c.facet.skin_mm);
-            return c.foot == Foot::Away && !(c.isInTheWay && m_count > 1);
+            const double plate = c.facet.isTwoSided ? internal::kPlate * c.facet.skin_mm : 0.0;
+            c.foot = internal::footOn(c.facet, c.side, m_god, 2.0 * c.facet.skin_mm, std::max(slack, plate),
+                                      kTouched * c.facet.skin_mm);
+            return c.foot == Foot::Away && !c.isInTheWay;
         });
         m_count = static_cast<int>(end - m_contacts.begin());
     }
@@ -267,7 +308,11 @@ class Tick
             return false;
         }
         Crossing above;
-        if (m_near.sweep(m_scene, m_layer, m_god, from, above)) {
+        const Sweep swept = m_near.sweep(m_scene, m_layer, m_god, from, above);
+        if (swept == Sweep::Unknown) {
+            return false;
+        }
+        if (swept == Sweep::Blocked) {
             from = m_god + above.stop * (from - m_god);
         }
         if (follow(from, {}, enough)) {
@@ -299,11 +344,16 @@ class Tick
             }
             return std::span<const HalfSpace>(planes).first(along.size());
         };
+        const Vec3 pull = m_hip - from;
+        if ((pull - internal::constrainedPoint(pull, setPlanes(), internal::allowance(m_skin_mm, pull)).u).norm() >
+            enough) {
+            return false; // as most: nothing needs to be asked
+        }
         // First up to a skin above the planes themselves, where that is free: their edges are no longer in the way
         // then.
         Crossing crossing;
         const Vec3 up = internal::constrainedPoint(Vec3::Zero(), setPlanes(), 0.0).u;
-        if (!along.empty() && !m_near.sweep(m_scene, m_layer, from, from + up, crossing)) {
+        if (!along.empty() && m_near.sweep(m_scene, m_layer, from, from + up, crossing) == Sweep::Free) {
             from += up;
         }
         const Vec3 wanted = m_hip - from;
@@ -313,7 +363,11 @@ class Tick
             return false;
         }
         Vec3 u = point.u;
-        const bool isBlocked = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
+        const Sweep swept = m_near.sweep(m_scene, m_layer, from, from + u, crossing);
+        const bool isBlocked = swept == Sweep::Blocked;
+        if (swept == Sweep::Unknown) {
+            return false;
+        }
         if (isBlocked) {
             u *= crossing.stop;
             if ((wanted - u).norm() > enough) {
@@ -336,6 +390,7 @@ class Tick
     static constexpr std::size_t kMost = 4;         // three constraints and the plane just met
     static constexpr std::size_t kMostTouched = 16; // facets around a vertex that `escape` considers
     static constexpr std::uint32_t kPatience = 32;
+    static constexpr int kRounds = 3;
 
     const Vec3& m_hip;
     const HapticScene& m_scene;
@@ -347,6 +402,9 @@ class Tick
     bool m_mayWalk = false;
     std::uint32_t m_walked; ///< moves made by walking
     double m_skin_mm = 0.0;
+    double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
+    int m_rounds = 0;                                            ///< in which that fell by less than a skin
+    std::optional<Contact> m_lastMet;                            ///< the last facet in the way
 };
 
 } // namespace
@@ -355,7 +413,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
                               const GodObjectLimits& limits) noexcept
 {
     GodObjectStep result;
-    if (!p_WH.allFinite()) {
+    if (!scene.reaches(p_WH)) {
         result.p_WG = m_state.p_WG;
         result.status = TickStatus::InvalidInput;
         return result;
@@ -382,6 +440,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
         result.iterations = 1;
         m_neighbourhood.endFreeTick(scene, layer, p_WH);
     } else {
+        m_neighbourhood.beginTick(work);
         // Most ticks: all there is to do is to walk on over the surface.
         internal::SurfaceWalk walk;
         const bool isInCrease = m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] &&
@@ -408,6 +467,9 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticScene& scene, std::s
             m_hasFacets = true;
         } else {
             run(Tick(p_WH, scene, layer, m_neighbourhood, m_state.p_WG, walk.moves), limits, result);
+            if (m_neighbourhood.work().isSpent()) {
+                result.status = TickStatus::IterationLimit;
+            }
         }
         m_hasWalked = walk.hasArrived && !walk.isInCrease;
         if (walk.hasArrived && walk.isClear) {

@@ -17,20 +17,23 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
             byNumber[m_structures[i].layer].push_back(i);
         }
     }
-    std::vector<std::vector<std::uint32_t>> layers;
     for (const auto& [number, members] : byNumber) {
-        if (layers.size() == kMaxLayers) {
-            layers.back().insert(layers.back().end(), members.begin(), members.end());
-        } else {
-            layers.push_back(members);
+        if (m_layers.size() < kMaxLayers) {
+            m_layers.emplace_back().number = number;
         }
+        HapticLayer& layer = m_layers.back();
+        layer.lastNumber = number;
+        layer.structures.insert(layer.structures.end(), members.begin(), members.end());
     }
-    for (const std::vector<std::uint32_t>& members : layers) {
-        HapticLayer layer;
+    core::Box all;
+    for (HapticLayer& layer : m_layers) {
+        const std::vector<std::uint32_t> members = std::move(layer.structures);
+        layer.structures.clear();
         core::Box bounds;
         for (const std::uint32_t i : members) {
             bounds.extend(m_structures[i].surface->bounds());
         }
+        all.extend(bounds);
         std::vector<geometry::BoxedItem> items;
         for (const std::uint32_t i : members) {
             const geometry::SurfaceIndex& surface = *m_structures[i].surface;
@@ -46,7 +49,10 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         for (const geometry::BoxedItem& item : items) {
             layer.structures.push_back(item.number);
         }
-        m_layers.push_back(std::move(layer));
+    }
+    if (!m_layers.empty()) {
+        m_middle = all.center();
+        m_farthest_mm = kFarthest * all.diagonal().norm();
     }
 }
 

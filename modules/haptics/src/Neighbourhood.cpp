@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move is not worth it
 
+// In units of TickWork: what a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets,
+// rule them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that
+// the price does not tell whether it was needed.
+constexpr std::uint32_t kSweepPrice = 160;
+constexpr std::uint32_t kSpared = 128; // facets
+constexpr std::uint32_t kAsked = 3;    // of each facet beyond them
+
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
     return {.few = 16,
@@ -20,6 +27,28 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .narrowest_mm = 0.2 * layer.facetSize_mm,
             .widest_mm = 16.0 * layer.facetSize_mm,
             .around_mm = Neighbourhood::kNearby * layer.skin_mm};
+}
+
+bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::uint32_t triangle) noexcept
+{
+    return std::any_of(facets.begin(), facets.end(), [&](const FacetNumber& facet) {
+        return facet.triangle == triangle && facet.structure == structure;
+    });
+}
+
+/// @return true when a move ends in front of a plane that has only one side, and not at it.
+/// @param n    normal, of any length
+/// @param end  distance in front of the plane at the move's end, times that length
+bool endsInFront(const Vec3& n, double end, double skin_mm) noexcept
+{
+    return end > 0.0 && end * end >= kOnPlane * kOnPlane * skin_mm * skin_mm * n.squaredNorm();
+}
+
+/// @return of the facets that a path goes over, those that can't block its move i.
+std::span<const FacetNumber> aroundMove(std::span<const FacetNumber> walked, std::size_t i) noexcept
+{
+    const std::span<const FacetNumber> left = walked.subspan(std::min(i, walked.size()));
+    return left.first(std::min<std::size_t>(3, left.size()));
 }
 
 bool isBefore(const Crossing& a, const Crossing& b) noexcept
@@ -41,21 +70,25 @@ struct Neighbourhood::First
 {
     const Vec3& x;
     const Vec3& y;
+    double skin_mm; ///< of the layer
     Crossing& best;
+    std::span<const FacetNumber> walked;
     double limit;
     bool found = false;
 
     void offer(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
-        // Most offers end here: a move that ends in front of a plane with only one side, or leaves it.
+        // Most offers end here.
         if (!surface.isTwoSided(triangle)) {
             const geometry::Triangle t = surface.triangle(triangle);
             const Vec3& a = surface.vertex(t[0]);
             const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
-            const double end = n.dot(y - a);
-            if (end >= 0.0 || end >= n.dot(x - a)) {
+            if (endsInFront(n, n.dot(y - a), skin_mm)) {
                 return;
             }
+        }
+        if (isAmong(walked, structure, triangle)) {
+            return;
         }
         const Facet facet = Facet::of(surface, structure, triangle);
         Crossing crossing;
@@ -135,7 +168,8 @@ void Neighbourhood::offerHeld(const HapticScene& scene, First& first) const noex
     const Cache::Facets& held = m_cache.held();
     float x[3], y[3];
     const float start = asFloats(first.x, held.origin(), x), end = asFloats(first.y, held.origin(), y);
-    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm());
+    for (std::uint64_t lanes = crossedLanes(held.groups(), held.count(), x, y, start + end + held.reach_mm(),
+                                            static_cast<float>(first.skin_mm));
          lanes != 0; lanes &= lanes - 1) {
         const int i = std::countr_zero(lanes);
         first.offer(*scene.structures()[held.structure(i)].surface, held.structure(i), held.triangle(i));
@@ -157,7 +191,7 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
     Crossing crossing;
     if (!std::all_of(path.begin(), path.end(), [this](const Vec3& p) { return holds(p); })) {
         for (std::size_t i = 0; i < moves; ++i) {
-            if (sweep(scene, layer, path[i], path[i + 1], crossing)) {
+            if (sweep(scene, layer, path[i], path[i + 1], crossing, aroundMove(walked, i)) != Sweep::Free) {
                 return i;
             }
         }
@@ -170,23 +204,24 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
         coordinate = std::max(coordinate, asFloats(path[i], held.origin(), points[i]));
     }
     std::uint64_t lanes = crossedLanes(held.groups(), held.count(), points, static_cast<int>(path.size()),
-                                       2.0f * coordinate + held.reach_mm());
-    for (const FacetNumber& facet : walked) {
-        lanes &= ~laneOf(facet);
-    }
+                                       2.0f * coordinate + held.reach_mm(), static_cast<float>(layer.skin_mm));
     for (; lanes != 0; lanes &= lanes - 1) {
         const int k = std::countr_zero(lanes);
+        const bool isWalked = isAmong(walked, held.structure(k), held.triangle(k));
+        if (isWalked && walked.size() <= 3 &&
+            isAmong(walked.last(walked.size() - 1), held.structure(k), held.triangle(k))) {
+            continue; // at most two moves: none is blocked by either's facet
+        }
         const geometry::SurfaceIndex& surface = *scene.structures()[held.structure(k)].surface;
         const geometry::Triangle t = surface.triangle(held.triangle(k));
         const Vec3& a = surface.vertex(t[0]);
         const Vec3 n = (surface.vertex(t[1]) - a).cross(surface.vertex(t[2]) - a);
         const bool isTwoSided = surface.isTwoSided(held.triangle(k));
-        double from = n.dot(path[0] - a);
         for (std::size_t i = 0; i < moves; ++i) {
-            const double start = from;
-            from = n.dot(path[i + 1] - a);
-            // Most end here: a move that ends in front of a plane with only one side, or leaves it.
-            if (!isTwoSided && (from >= 0.0 || from >= start)) {
+            if (!isTwoSided && endsInFront(n, n.dot(path[i + 1] - a), layer.skin_mm)) {
+                continue; // most
+            }
+            if (isWalked && isAmong(aroundMove(walked, i), held.structure(k), held.triangle(k))) {
                 continue;
             }
             if (blocks(facet(scene, k), path[i], path[i + 1], 1.0, crossing)) {
@@ -197,29 +232,15 @@ std::size_t Neighbourhood::freeMoves(const HapticScene& scene, const HapticLayer
     return moves;
 }
 
-std::uint64_t Neighbourhood::laneOf(const FacetNumber& facet) noexcept
-{
-    const Cache::Facets& held = m_cache.held();
-    const auto isAt = [&](int i) { return held.triangle(i) == facet.triangle && held.structure(i) == facet.structure; };
-    for (const int i : m_lastLanes) {
-        if (i < held.count() && isAt(i)) {
-            return std::uint64_t{1} << i;
-        }
-    }
-    for (int i = 0; i < held.count(); ++i) {
-        if (isAt(i)) {
-            m_lastLanes = {m_lastLanes[1], i};
-            return std::uint64_t{1} << i;
-        }
-    }
-    return 0;
-}
-
 /// Numbers of the facets held that come near, in the order of structures and triangles: which are gathered first
 /// depends on the region.
 int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm,
                         std::array<int, kHeld>& found) noexcept
 {
+    if (m_work.isSpent()) {
+        return 0;
+    }
+    m_work.spend(2 * kSweepPrice);
     // A region that holds too many is halved with each attempt. The last is for what is asked alone: whether that can
     // be held does not depend on what was tried before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
@@ -246,18 +267,22 @@ int Neighbourhood::near(const HapticScene& scene, const HapticLayer& layer, cons
     return count;
 }
 
-bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                          Crossing& first) noexcept
+Sweep Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
+                           Crossing& first, std::span<const FacetNumber> walked) noexcept
 {
+    if (m_work.isSpent()) {
+        return Sweep::Unknown;
+    }
+    m_work.spend(kSweepPrice);
     // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (holds(x)) {
             const double share = insideShare(m_cache.held().region(), x, y);
-            First nearest{x, y, first, share};
+            First nearest{x, y, layer.skin_mm, first, walked, share};
             offerHeld(scene, nearest);
             if (nearest.found || share >= 1.0) {
-                return nearest.found;
+                return nearest.found ? Sweep::Blocked : Sweep::Free;
             }
         }
         if (attempt == 0 && !m_cache.takePrepared(scene, x, x)) {
@@ -270,21 +295,37 @@ bool Neighbourhood::sweep(const HapticScene& scene, const HapticLayer& layer, co
             (void)m_cache.gather(scene, layer, planFor(layer), x, y);
         }
     }
-    First nearest{x, y, first, 1.0};
-    layer.hierarchy.visitSegment(x, y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
-        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount; ++s) {
+    return sweepAll(scene, layer, First{x, y, layer.skin_mm, first, walked, 1.0});
+}
+
+Sweep Neighbourhood::sweepAll(const HapticScene& scene, const HapticLayer& layer, First nearest) noexcept
+{
+    constexpr double kEnd = -1.0;
+    const std::uint32_t most = kSpared + m_work.left() / kAsked;
+    std::uint32_t asked = 0;
+    layer.hierarchy.visitSegment(nearest.x, nearest.y, [&](std::uint32_t firstStructure, std::uint32_t structureCount) {
+        for (std::uint32_t s = firstStructure; s < firstStructure + structureCount && asked < most; ++s) {
             const std::uint32_t number = layer.structures[s];
             const geometry::SurfaceIndex& surface = *scene.structures()[number].surface;
-            surface.hierarchy().visitSegment(x, y, [&](std::uint32_t i, std::uint32_t n) {
-                for (const std::uint32_t end = i + n; i < end; ++i) {
-                    nearest.offer(surface, number, i);
-                }
-                return nearest.limit;
-            });
+            surface.hierarchy().visitSegment(
+                nearest.x, nearest.y,
+                [&](std::uint32_t i, std::uint32_t n) {
+                    asked += n;
+                    for (const std::uint32_t end = i + n; i < end; ++i) {
+                        nearest.offer(surface, number, i);
+                    }
+                    if (asked >= most && !nearest.found) {
+                        nearest.best.facet = Facet::of(surface, number, i - 1);
+                        nearest.best.side = 1;
+                    }
+                    return asked < most ? nearest.limit : kEnd;
+                },
+                layer.skin_mm);
         }
-        return nearest.limit;
+        return asked < most ? nearest.limit : kEnd;
     });
-    return nearest.found;
+    m_work.spend(asked >= most ? m_work.left() : asked > kSpared ? kAsked * (asked - kSpared) : 0);
+    return asked >= most ? Sweep::Unknown : nearest.found ? Sweep::Blocked : Sweep::Free;
 }
 
 } // namespace palpate::haptics::internal

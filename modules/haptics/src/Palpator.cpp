@@ -2,20 +2,44 @@
 #include "palpate/haptics/Palpator.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate::haptics {
+
+namespace {
+
+/// A damper that no number can hold, after a time too short to divide by, is left out; and so is a spring.
+Vec3 finiteForce(const Tissue& tissue, const Vec3& p_WG, const Vec3& p_WH, const Vec3& v_WH) noexcept
+{
+    Vec3 f_W = springDamperForce(tissue, p_WG, p_WH, v_WH);
+    if (!f_W.allFinite()) {
+        f_W = tissue.stiffness_N_per_mm * (p_WG - p_WH);
+    }
+    return f_W.allFinite() ? f_W : Vec3::Zero();
+}
+
+} // namespace
 
 Palpator::Palpator() = default;
 
 void Palpator::setScene(const HapticScene* scene) noexcept
 {
     m_scene = scene;
-    const std::size_t used = scene == nullptr ? 0 : scene->layerCount();
+    const PalpatorState before = state();
+    const std::array<Numbers, HapticScene::kMaxLayers> numbers = std::exchange(m_numbers, {});
     for (std::size_t i = 0; i < m_layers.size(); ++i) {
-        m_layers[i].forgetContacts();
-        if (i >= used) {
-            m_layers[i].restore({});
+        GodObjectState kept;
+        if (scene != nullptr && i < scene->layerCount()) {
+            const HapticLayer& layer = scene->layer(i);
+            m_numbers[i] = {layer.number, layer.lastNumber};
+            for (std::size_t j = 0; j < numbers.size(); ++j) {
+                if (numbers[j].first <= layer.number && layer.number <= numbers[j].last) {
+                    kept = before.layers[j];
+                }
+            }
         }
+        m_layers[i].restore(kept);
+        m_layers[i].forgetContacts();
     }
 }
 
@@ -30,7 +54,7 @@ void Palpator::reset() noexcept
 TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
 {
     TickResult result;
-    if (!p_WH.allFinite()) {
+    if (m_scene != nullptr ? !m_scene->reaches(p_WH) : !p_WH.allFinite()) {
         result.p_WG = m_layers[0].state().p_WG;
         result.status = TickStatus::InvalidInput;
         return result;
@@ -62,8 +86,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             }
         }
         const HapticStructure& structure = m_scene->structures()[step.active[touched].structure];
-        const Vec3 f_W = springDamperForce(structure.tissue, step.p_WG, p_WH, v_WH);
-        result.f_W += f_W;
+        result.f_W += finiteForce(structure.tissue, step.p_WG, p_WH, v_WH);
         if (result.structure < 0) {
             result.p_WG = step.p_WG;
             result.active = step.active;

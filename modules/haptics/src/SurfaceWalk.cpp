@@ -11,8 +11,11 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr double kFar = 16.0;     // facet sizes
-constexpr double kSharpest = 0.5; // cosine of the angle between two facets' normals
+constexpr std::uint32_t kStepPrice = 12; // of going over to the next facet, in units of TickWork
+constexpr double kFar = 16.0;            // facet sizes
+constexpr double kSharpest = 0.5;        // cosine of the angle between two facets' normals
+constexpr double kLifted = 0.5;          // skins above the next facet from which on it is walked on
+constexpr double kBesideEdge = 8.0;      // skins beyond an edge that still are at it
 
 /// Where the way to a place in a facet's plane leaves the facet.
 struct Exit
@@ -68,6 +71,27 @@ bool isOn(const Facet& facet, int side, const Vec3& g) noexcept
                Foot::Away;
 }
 
+/// Where the surface falls away beyond an edge, the foot on the facet before it can leave that facet too early by its
+/// height above it: goes on until the god-object is half a skin above the next facet's plane. From there the way along
+/// that one passes the plane of the one before half a skin or more beyond their edge, as far as they turn by 60
+/// degrees.
+/// @param share  of the way from → target at which it leaves the facet before
+/// @return false when that place is not at the edge
+bool liftOver(const Facet& next, int side, const Vec3& from, const Vec3& target, double share, Vec3& to) noexcept
+{
+    const double least = kLifted * next.skin_mm;
+    if (side * next.n.dot(to - next.a) >= least) {
+        return true;
+    }
+    const double begin = side * next.n.dot(from - next.a), end = side * next.n.dot(target - next.a);
+    const double lifted = (least - begin) / (end - begin);
+    if (!(end > begin) || lifted > 1.0 || (lifted - share) * (target - from).norm() > kBesideEdge * next.skin_mm) {
+        return false;
+    }
+    to = from + lifted * (target - from);
+    return side * next.n.dot(to - next.a) > 0.0;
+}
+
 /// @return true when `p` is at least `least_mm` away from each corner.
 bool isOffCorners(const Facet& facet, const Vec3& p, double least_mm) noexcept
 {
@@ -113,10 +137,10 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
 {
     SurfaceWalk result;
     const geometry::SurfaceIndex& surface = *scene.structures()[facet.structure].surface;
-    std::array<Vec3, Neighbourhood::kMostPoints> path;          // moves that are still to be asked for
-    std::array<FacetNumber, Neighbourhood::kMostPoints> stands; // [0 … crossed]: those that the path goes over
+    std::array<Vec3, Neighbourhood::kMostPoints> path;            // moves that are still to be asked for
+    std::array<FacetNumber, Neighbourhood::kMostPoints + 1> over; // of each point and, first, of that before them
     path[0] = g;
-    stands[0] = {facet.structure, facet.triangle};
+    over[0] = over[1] = {facet.structure, facet.triangle};
     std::size_t points = 1, crossed = 0;
     std::array<Facet, 2> met; // by turns
     const Facet* here = &facet;
@@ -141,21 +165,21 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
     const auto isPathFree = [&] {
         // On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above
         // the one it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or
-        // more beyond their edge. For longer chains all are asked.
-        const std::size_t moves =
-            near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points),
-                           std::span<const FacetNumber>(stands).first(crossed <= 1 ? crossed + 1 : 0));
+        // more beyond their edge.
+        const std::size_t moves = near.freeMoves(scene, layer, std::span<const Vec3>(path).first(points),
+                                                 std::span<const FacetNumber>(over).first(crossed + 2));
         const bool isFree = moves + 1 == points;
         g = path[moves];
         result.moves += static_cast<std::uint32_t>(moves);
         if (!isFree) {
-            facet = Facet::of(surface, facet.structure, stands[moves].triangle);
+            facet = Facet::of(surface, facet.structure, over[moves + 1].triangle);
         } else {
             stand();
         }
         here = &facet;
         path[0] = g;
-        stands[0] = {facet.structure, facet.triangle};
+        over[0] = over[std::min(moves, crossed)];
+        over[1] = {facet.structure, facet.triangle};
         points = 1;
         crossed = 0;
         return isFree;
@@ -191,11 +215,12 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
         }
         if (crease.first == 1) {
             facet = *second;
-            stands[0].triangle = facet.triangle;
+            over[0] = over[1] = {facet.structure, facet.triangle};
         }
         result.isInCrease = false;
     }
     for (std::uint32_t i = 0; i < std::min(most, kMostFacets); ++i) {
+        near.spend(kStepPrice);
         const Vec3 outwards = side * here->n;
         const double rise = here->skin_mm - outwards.dot(hip - here->a);
         if (rise <= 0.0) {
@@ -266,15 +291,19 @@ SurfaceWalk walk(const HapticScene& scene, const HapticLayer& layer, Neighbourho
                 to = path[points - 1] + share * (target - path[points - 1]);
             }
         }
+        if (!liftOver(next, side, path[points - 1], target, exit.share, to)) {
+            break;
+        }
         here = &next;
         if (result.isClear) {
             path[0] = g = to;
-            stands[0] = {next.structure, next.triangle};
+            over[0] = over[1];
+            over[1] = {next.structure, next.triangle};
             ++result.moves;
             continue;
         }
         path[points] = to;
-        stands[points++] = {next.structure, next.triangle};
+        over[++points] = {next.structure, next.triangle};
         ++crossed;
         if (points == path.size() && !isPathFree()) {
             return result;

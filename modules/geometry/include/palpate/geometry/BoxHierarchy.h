@@ -78,7 +78,8 @@ class BoxHierarchy
     void visitBox(const Box& box, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `leaf(first, count)` for the leaves whose box a segment touches, nearer ones first as a rule. `leaf`
-    /// returns the share of the segment, 0 … 1, that is still of interest; what lies wholly beyond is left out.
+    /// returns the share of the segment, 0 … 1, that is still of interest; what lies wholly beyond is left out. A
+    /// negative share ends the traversal.
     /// @param around_mm  how far beside the segment a box may lie
     /// @par Source Segment against box by separating axes: Ericson, Real-Time Collision Detection (2005), 5.3.3.
     /// @par Real-time Wait-free; bounded by the number of nodes.

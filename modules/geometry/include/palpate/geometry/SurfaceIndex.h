@@ -5,6 +5,7 @@
 #include "palpate/geometry/MeshReport.h"
 
 #include <palpate/core/Realtime.h>
+#include <palpate/core/Status.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,13 @@ class SurfaceIndex
   public:
     /// Builds the index in O(n log n) on at most `threads` threads; the result does not depend on their number.
     /// @param repaired  a mesh from `repair`, in the world frame [mm]; at most 2^29 triangles
+    /// @return without a triangle, and `status` says why, where the mesh is larger than kLargest_mm from its middle
     [[nodiscard]] static SurfaceIndex build(const RepairedMesh& repaired, unsigned threads = 2);
+
+    /// Ok; or why nothing can be touched here.
+    [[nodiscard]] const core::Status& status() const noexcept { return m_status; }
+    /// Sums and differences of a few coordinates must be finite as floats, which hold 3.4e38. [mm]
+    static constexpr double kLargest_mm = 1e36;
 
     [[nodiscard]] std::uint32_t triangleCount() const noexcept
     {
@@ -114,6 +121,7 @@ class SurfaceIndex
     Box m_bounds;
     double m_skin_mm = 0.0;
     double m_facetSize_mm = 0.0;
+    core::Status m_status;
 };
 
 } // namespace palpate::geometry

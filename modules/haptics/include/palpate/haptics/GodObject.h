@@ -24,7 +24,7 @@ enum class TickStatus : std::uint8_t
 {
     Converged,      ///< at a local minimum of the distance to the HIP
     IterationLimit, ///< stopped at the bound; the god-object is legal but could still come closer
-    InvalidInput,   ///< the HIP was not finite; nothing moved
+    InvalidInput,   ///< the HIP was not finite or too far away (HapticScene::reaches); nothing moved
 };
 
 /// A god-object between ticks: its position and what it touches.
@@ -65,7 +65,7 @@ class GodObject
     ///
     /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, found by
     /// sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
-    /// @param p_WH  HIP [mm], finite
+    /// @param p_WH  HIP [mm], within the scene's reach
     /// @param scene,layer  what to touch; only read
     /// @par Real-time Wait-free, no allocation. Servo thread, or any one thread at a time.
     /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876. Differs: converges within the tick.

@@ -6,6 +6,7 @@
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct HapticStructure
 /// The structures that share one god-object.
 struct HapticLayer
 {
+    std::uint32_t number = 0;              ///< that its structures give; the lowest of those that are merged into it
+    std::uint32_t lastNumber = 0;          ///< the highest
     std::vector<std::uint32_t> structures; ///< numbers in the scene, in the order of the hierarchy's leaves
     geometry::BoxHierarchy hierarchy;      ///< over the structures' boxes: a tick pays only for those it is near
     double facetSize_mm = 0.0;             ///< of the finest structure
@@ -50,6 +53,15 @@ class HapticScene
     [[nodiscard]] const std::vector<HapticStructure>& structures() const noexcept { return m_structures; }
     [[nodiscard]] std::size_t layerCount() const noexcept { return m_layers.size(); }
     [[nodiscard]] const HapticLayer& layer(std::size_t layer) const noexcept { return m_layers[layer]; }
+    /// @return true when the scene's numbers can hold what a HIP at `p_W` needs: it is finite and at most kFarthest
+    /// times the scene's extent away from its middle. Beyond, a HIP's own last digit is larger than the skin: one in
+    /// front of a surface can't be told from one behind it.
+    [[nodiscard]] bool reaches(const Vec3& p_W) const noexcept PALPATE_NONBLOCKING
+    {
+        return ((p_W - m_middle).array().abs() <= m_farthest_mm).all(); // not for NaN either
+    }
+    /// The skin is at least 2^-40 of the extent, and a double has 53 digits: 2^13.
+    static constexpr double kFarthest = 8192.0;
     /// Bytes of all surfaces, counting a shared one once.
     [[nodiscard]] std::size_t byteSize() const;
 
@@ -57,6 +69,8 @@ class HapticScene
     std::vector<HapticStructure> m_structures;
     std::vector<HapticLayer> m_layers;
     double m_fingertip_mm;
+    Vec3 m_middle = Vec3::Zero();
+    double m_farthest_mm = std::numeric_limits<double>::max();
 };
 
 } // namespace palpate::haptics

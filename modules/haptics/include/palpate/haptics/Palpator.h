@@ -40,8 +40,8 @@ class Palpator
   public:
     Palpator();
 
-    /// Lets the coming ticks feel another scene. God-objects stay where they are (a structure that appears around one
-    /// lets it out freely); a layer that is new starts at the HIP.
+    /// Lets the coming ticks feel another scene. God-objects stay where they are, each with the layer of its number (a
+    /// structure that appears around one lets it out freely); that of a layer whose number is new starts at the HIP.
     /// @param scene  only read; must outlive its use here; null = nothing to touch
     /// @par Real-time Wait-free.
     void setScene(const HapticScene* scene) noexcept PALPATE_NONBLOCKING;
@@ -52,7 +52,8 @@ class Palpator
     void reset() noexcept PALPATE_NONBLOCKING;
 
     /// Feels one servo tick.
-    /// @param p_WH  HIP [mm]; a HIP that is not finite leaves everything as it was and gives zero force
+    /// @param p_WH  HIP [mm]; one that is not finite, or farther away than HapticScene::reaches, leaves everything as
+    ///              it was and gives zero force
     /// @param dt_s  time since the previous tick [s], > 0; gives the damper its velocity, zero on the first tick
     /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits for each layer.
     [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s) noexcept PALPATE_NONBLOCKING;
@@ -62,8 +63,16 @@ class Palpator
     void restore(const PalpatorState& state) noexcept;
 
   private:
+    /// The numbers of the layer that a god-object belongs to.
+    struct Numbers
+    {
+        std::uint32_t first = 1;
+        std::uint32_t last = 0;
+    };
+
     const HapticScene* m_scene = nullptr;
     std::array<GodObject, HapticScene::kMaxLayers> m_layers;
+    std::array<Numbers, HapticScene::kMaxLayers> m_numbers; ///< none: first > last
     Vec3 m_p_WH = Vec3::Zero();
     bool m_started = false;
 };

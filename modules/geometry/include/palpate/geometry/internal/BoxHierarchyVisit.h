@@ -130,6 +130,9 @@ void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf, d
             const std::uint32_t child = node.child[std::countr_zero(leaves)];
             const double left = leaf(child >> 3, child & 7u);
             if (left < share) {
+                if (left < 0.0) {
+                    return;
+                }
                 share = left;
                 clip(share);
             }

@@ -28,6 +28,13 @@ struct Facet
 /// rounding of positions that were computed to lie in front.
 inline constexpr double kOnPlane = 1.0 / 16.0;
 
+/// A move touches a facet when it starts as near to its plane, in skins, and would meet it within kTouched of them: the
+/// facet stops it where it starts.
+inline constexpr double kTouching = 1.5;
+
+/// Half the thickness of the plate around a facet without an inside, and how much wider than the facet it is, in skins.
+inline constexpr double kPlate = 0.5;
+
 /// How near to a facet's edge, in skins, a god-object touches more than that facet: a skin's distance from each of two
 /// walls at a sharp angle is this far from a third.
 inline constexpr double kTouched = 64.0;
@@ -35,19 +42,25 @@ inline constexpr double kTouched = 64.0;
 /// Where a move meets a facet that blocks it.
 struct Crossing
 {
-    double key; ///< order of crossings along the move: 0 when touched already, else the share where it meets the plane
+    double key; ///< order of crossings along the move: 0 when touched already, else the share where it meets the facet
     double depth; ///< how far behind the plane the move would end [mm]; the larger first when keys are equal
     double stop;  ///< share of the move that may be made, 0 … 1: there the gap is the skin
     Facet facet;
     int side; ///< +1: met from the front, -1: from behind
 };
 
-/// Tests whether `facet` blocks the straight move x → y, as DESIGN defines blocking: it goes against the normal, starts
-/// on the front or on the plane, ends behind it and passes through the closed triangle.
+/// Tests whether `facet` blocks the straight move x → y: it goes against the normal, starts on the front or on the
+/// plane, ends behind it and passes through the closed triangle. Around a facet without an inside it is the plate half
+/// a skin around the triangle that is not entered.
+///
+/// No facet is passed by a move that ends at the stop of the first crossing. What is touched stops the move where it
+/// starts. Else the stop lies before the key, where the first facet's plane (its plate) is met, and no other is met
+/// before.
 ///
 /// The three edge tests are signs of the volumes spanned by the move and an edge. Two triangles that share an edge
 /// compute the same volume with the opposite sign, to the last bit, and what rounding could decide counts as inside:
-/// so no move passes between neighbours.
+/// so no move passes between neighbours. In a facet's plane those volumes are rounding alone, as is the share at which
+/// it is met: that must be where the move is within a skin of the facet's box.
 /// @param limit  crossings beyond this key are of no interest
 /// @par Real-time Wait-free.
 [[nodiscard]] bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit,

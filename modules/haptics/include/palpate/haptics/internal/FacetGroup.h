@@ -43,16 +43,17 @@ struct alignas(32) FacetGroup
 float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOCKING;
 
 /// @param coordinates_mm  sum of the largest coordinates of x, of y and of the groups: what bounds the rounding
+/// @param around_mm  how far around a facet it may block: a skin
 /// @param count  facets in the groups, up to 64
 /// @return bit i set where facet i may block the move x → y
 [[nodiscard]] std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float* x, const float* y,
-                                         float coordinates_mm) noexcept PALPATE_NONBLOCKING;
+                                         float coordinates_mm, float around_mm) noexcept PALPATE_NONBLOCKING;
 
 /// The same for a chain of straight moves at once.
 /// @param path  its `points` points, as many as there are moves and one, by axis
 /// @param coordinates_mm  twice the largest coordinate of the path, and that of the groups
 [[nodiscard]] std::uint64_t crossedLanes(const FacetGroup* groups, int count, const float (*path)[3], int points,
-                                         float coordinates_mm) noexcept PALPATE_NONBLOCKING;
+                                         float coordinates_mm, float around_mm) noexcept PALPATE_NONBLOCKING;
 
 /// @return bit i set where facet i may come within `reach_mm` of g
 [[nodiscard]] std::uint64_t nearLanes(const FacetGroup* groups, int count, const float* g, float reach_mm,

@@ -3,10 +3,12 @@
 
 #include "palpate/haptics/internal/Facet.h"
 #include "palpate/haptics/internal/FacetCache.h"
+#include "palpate/haptics/internal/TickWork.h"
 
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace palpate::haptics::internal {
@@ -33,6 +35,11 @@ class Neighbourhood
         m_empty.setEmpty();
     }
 
+    /// Begins a tick, or a part of one, that may do so much work.
+    void beginTick(const TickWork& work) noexcept PALPATE_NONBLOCKING { m_work = work; }
+    [[nodiscard]] const TickWork& work() const noexcept { return m_work; }
+    void spend(std::uint32_t units) noexcept { m_work.spend(units); }
+
     /// Tells where the god-object stands after a tick.
     /// @par Real-time Wait-free.
     void endTick(const HapticScene& scene, const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
@@ -52,10 +59,11 @@ class Neighbourhood
     }
 
     /// Finds the first facet of the layer that blocks the move x → y.
-    /// @return false when nothing blocks it.
-    /// @par Real-time Wait-free.
-    [[nodiscard]] bool sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
-                             Crossing& first) noexcept PALPATE_NONBLOCKING;
+    /// @param first   filled when it is blocked; when that is unknown, with a facet that was being asked
+    /// @param walked  facets that are known not to block it
+    /// @par Real-time Wait-free; bounded by the tick's work.
+    [[nodiscard]] Sweep sweep(const HapticScene& scene, const HapticLayer& layer, const Vec3& x, const Vec3& y,
+                              Crossing& first, std::span<const FacetNumber> walked = {}) noexcept PALPATE_NONBLOCKING;
 
     /// @return true when the facets around `g` are held: what is asked there costs no gathering.
     [[nodiscard]] bool holds(const Vec3& g) const noexcept { return m_cache.holds(g); }
@@ -80,8 +88,10 @@ class Neighbourhood
     }
 
     /// Follows a chain of straight moves up to the first that is blocked.
-    /// @param path  at most kMostPoints points [mm]
-    /// @param walked  facets that are known to block none of them, or none
+    /// @param path    at most kMostPoints points [mm]
+    /// @param walked  facets that the path goes over: that before the first move's, then that of each move, and maybe
+    ///                that of the path's end. A move is known not to be blocked by its own, nor by those before and
+    ///                after
     /// @return how many of the moves are free.
     /// @par Real-time Wait-free.
     [[nodiscard]] std::size_t freeMoves(const HapticScene& scene, const HapticLayer& layer, std::span<const Vec3> path,
@@ -89,7 +99,7 @@ class Neighbourhood
 
     /// Calls `f(facet)` for every facet that comes within `reach_mm`, at most kNearby skins, of `g`, and maybe for some
     /// that nearly do, in an order that does not depend on what is held.
-    /// @return false, without a call, where more lie there than can be held.
+    /// @return false, without a call, where more lie there than can be held, or the tick's work is spent.
     template<class F>
     bool forEachNear(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
     {
@@ -98,7 +108,7 @@ class Neighbourhood
         for (int i = 0; i < count; ++i) {
             f(facet(scene, found[static_cast<std::size_t>(i)]));
         }
-        return holds(g);
+        return holds(g) && !m_work.isSpent();
     }
 
   private:
@@ -106,6 +116,8 @@ class Neighbourhood
     using Cache = FacetCache<FacetGroup, kHeld>;
 
     struct First;
+    /// The same by a traversal of all hierarchies.
+    [[nodiscard]] Sweep sweepAll(const HapticScene& scene, const HapticLayer& layer, First nearest) noexcept;
     [[nodiscard]] int near(const HapticScene& scene, const HapticLayer& layer, const Vec3& g, double reach_mm,
                            std::array<int, kHeld>& found) noexcept;
     void offerHeld(const HapticScene& scene, First& first) const noexcept;
@@ -114,9 +126,6 @@ class Neighbourhood
         const std::uint32_t structure = m_cache.held().structure(i);
         return Facet::of(*scene.structures()[structure].surface, structure, m_cache.held().triangle(i));
     }
-
-    /// @return the bit of the facet's lane among those that are held; 0 when it is not.
-    [[nodiscard]] std::uint64_t laneOf(const FacetNumber& facet) noexcept;
 
     /// Where it is known whether others are near.
     struct Around
@@ -131,8 +140,8 @@ class Neighbourhood
 
     Cache m_cache;
     Around m_around;
-    core::Box m_empty;                ///< no facet of the layer reaches into it [mm]
-    std::array<int, 2> m_lastLanes{}; ///< where laneOf looks first
+    core::Box m_empty;                                          ///< no facet of the layer reaches into it [mm]
+    TickWork m_work{std::numeric_limits<std::uint32_t>::max()}; ///< of the tick
 };
 
 } // namespace palpate::haptics::internal

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JudgedProduct.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace palpate::evaluation {
+
+namespace {
+
+constexpr double kTick_s = 1e-3;
+constexpr std::int64_t kRestoreEvery = 61; // ticks: no period of a path
+
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::TickResult;
+
+HapticStructure structureOf(const geometry::RepairedMesh& mesh, std::uint32_t layer)
+{
+    HapticStructure structure;
+    structure.name = layer == 0 ? "around" : "surface";
+    structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
+    structure.layer = layer;
+    return structure;
+}
+
+bool isSame(const Vec3& a, const Vec3& b)
+{
+    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+
+} // namespace
+
+JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh)
+    : m_otherEvery(hardCase.other ? hardCase.otherEvery : 0)
+{
+    const core::Box bounds = mesh.mesh.bounds();
+    m_magnitude_mm = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+    const HapticStructure surface = structureOf(mesh, 1);
+    m_scene = std::make_unique<HapticScene>(std::vector{surface}, hardCase.fingertip_mm);
+    m_alone.setScene(m_scene.get());
+    m_restored.setScene(m_scene.get());
+    if (m_otherEvery > 0) {
+        const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0);
+        m_otherScene = std::make_unique<HapticScene>(std::vector{other}, hardCase.fingertip_mm);
+        m_bothScene = std::make_unique<HapticScene>(std::vector{other, surface}, hardCase.fingertip_mm);
+        m_both.setScene(m_scene.get());
+    }
+}
+
+void JudgedProduct::start(const Vec3& hip)
+{
+    m_alone.reset();
+    (void)m_alone.step(hip, kTick_s);
+    m_both.reset();
+    (void)m_both.step(hip, kTick_s);
+    (void)m_other.step(hip, kTick_s);
+}
+
+/// The layer around comes or goes. All are given their scenes anew, so that each lets go of the same contacts.
+void JudgedProduct::switchOther()
+{
+    const bool isShown = m_tick / m_otherEvery % 2 != 0;
+    m_alone.setScene(m_scene.get());
+    m_other.setScene(isShown ? m_otherScene.get() : nullptr);
+    m_both.setScene(isShown ? m_bothScene.get() : m_scene.get());
+}
+
+JudgedTick JudgedProduct::step(const Vec3& hip)
+{
+    JudgedTick result;
+    const bool isSwitched = m_otherEvery > 0 && m_tick > 0 && m_tick % m_otherEvery == 0;
+    if (isSwitched) {
+        switchOther();
+    }
+    if (isSwitched || m_tick % kRestoreEvery == 0) {
+        m_restored.restore(m_alone.state());
+    }
+    result.tick = m_alone.step(hip, kTick_s);
+    const TickResult restored = m_restored.step(hip, kTick_s);
+    result.isRestoredApart = !isSame(result.tick.p_WG, restored.p_WG) || !isSame(result.tick.f_W, restored.f_W) ||
+                             result.tick.iterations != restored.iterations || result.tick.status != restored.status;
+    if (m_otherEvery > 0) {
+        result.layersError_N =
+            (m_both.step(hip, kTick_s).f_W - result.tick.f_W - m_other.step(hip, kTick_s).f_W).norm();
+    }
+    if (hip.allFinite()) {
+        judgeForce(result, hip);
+    }
+    ++m_tick;
+    return result;
+}
+
+void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
+{
+    const double stiffness = m_scene->structures()[0].tissue.stiffness_N_per_mm;
+    const Vec3 spring = result.tick.p_WG - hip, wanted = stiffness * spring;
+    // Free means at the HIP, but for the last digits of a coordinate.
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
+    result.isForceless = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
+    if (!result.tick.f_W.isZero(0.0)) {
+        result.forceError = (result.tick.f_W - wanted).norm() / wanted.norm();
+    }
+}
+
+} // namespace palpate::evaluation

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerJudge.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::adversary {
+
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+LayerJudge::LayerJudge(const RandomScene& scene, std::uint32_t layer, std::uint64_t seed)
+    : m_scene(scene)
+    , m_layer(scene, layer)
+    , m_chance(seed)
+    , m_magnitude_mm(std::max(scene.bounds.min().cwiseAbs().maxCoeff(), scene.bounds.max().cwiseAbs().maxCoeff()))
+{
+    forget();
+}
+
+void LayerJudge::forget()
+{
+    m_isPlaced = m_isDeep = false;
+    m_bodies.assign(m_layer.bodies.size(), {});
+    m_sheets.assign(m_layer.sheets.size(), {});
+    m_near_mm = 0.0;
+}
+
+void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH, bool isRestJudged,
+                      Faults& faults)
+{
+    const Vec3 god = tick.p_WG;
+    if (!god.allFinite() || !tick.f_W.allFinite() || !tick.n_W.allFinite()) {
+        faults.push_back({"not finite", 0.0, "", m_god, god});
+        forget();
+        return;
+    }
+    if (tick.status == haptics::TickStatus::InvalidInput) {
+        faults.push_back({"refused a HIP that is not far away", (hip - god).norm(), "mm", m_god, god});
+        return;
+    }
+    m_rounding_mm = 8.0 * kEps * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
+    const std::size_t before = faults.size();
+    judgeDistance(god, hip, faults);
+    judgeForce(tick, hip, v_WH, faults);
+    judgeBodies(god, faults);
+    for (std::size_t i = 0; i < m_sheets.size(); ++i) {
+        judgeSheet(m_layer.sheets[i], m_sheets[i], god, hip, faults);
+    }
+    if (m_scene.fingertip_mm > 0.0) {
+        judgeBall(god, faults);
+    }
+    // Where the bound stopped it, the god-object may be on its way.
+    if (isRestJudged && tick.status == haptics::TickStatus::Converged && !m_isDeep && faults.size() == before) {
+        judgeRest(god, hip, faults);
+    }
+    m_god = god;
+    m_isPlaced = true;
+}
+
+/// Staying is a legal move: no tick may end farther from the HIP than it began, but for what a god-object is lifted by
+/// that comes to touch. A skin away from both walls of a groove it is skin / sin(angle / 2) away from its bottom.
+void LayerJudge::judgeDistance(const Vec3& god, const Vec3& hip, Faults& faults)
+{
+    if (!m_isPlaced) {
+        return;
+    }
+    const double more = (god - hip).norm() - (m_god - hip).norm();
+    constexpr double kLift = 64.0; // skins: a groove of 1.8 degrees
+    if (more > kLift * m_layer.skin_mm + m_rounding_mm) {
+        faults.push_back({"ends farther from the HIP than it began", more, "mm", m_god, god});
+    }
+}
+
+/// The force is that of the tissue of one of the structures that are touched. None is right only at the HIP.
+void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH, Faults& faults)
+{
+    const Vec3 spring = tick.p_WG - hip;
+    const double length = spring.norm();
+    if (tick.f_W.isZero(0.0)) {
+        if (length > m_rounding_mm) {
+            faults.push_back({"no force away from the HIP", length, "mm", m_god, tick.p_WG});
+        }
+        return;
+    }
+    // Where the bound stopped it, the contacts may be those of a place on the way.
+    const double touching = tick.status == haptics::TickStatus::IterationLimit
+                                ? std::numeric_limits<double>::infinity()
+                                : m_scene.fingertip_mm + 64.0 * m_layer.skin_mm + m_rounding_mm + 1e-6 * m_scene.scale;
+    bool isNear = false;
+    std::vector<char> isTried(m_scene.structures.size());
+    for (const JudgedTriangle& t : m_layer.triangles) {
+        if (isTried[t.structure] != 0 || t.box.exteriorDistance(tick.p_WG) > touching ||
+            distanceToTriangle_mm(tick.p_WG, t.corner) > touching) {
+            continue;
+        }
+        isTried[t.structure] = 1;
+        isNear = true;
+        const haptics::Tissue& tissue = m_scene.structures[t.structure].tissue;
+        const Vec3 elastic = tissue.stiffness_N_per_mm * spring, viscous = tissue.damping_Ns_per_mm * v_WH;
+        if ((tick.f_W - elastic + viscous).norm() <= 16.0 * kEps * (elastic.norm() + viscous.norm())) {
+            return;
+        }
+    }
+    faults.push_back({isNear ? "force of no tissue that is touched" : "force where nothing is touched", tick.f_W.norm(),
+                      "N", m_god, tick.p_WG});
+}
+
+/// The winding number of a closed surface may fall, since what is inside leaves freely, and never rise. One that is
+/// touched from both sides keeps it.
+void LayerJudge::judgeBodies(const Vec3& god, Faults& faults)
+{
+    const double onSurface = m_layer.skin_mm + m_rounding_mm;
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        const Body& body = m_layer.bodies[i];
+        BodyWatch& watch = m_bodies[i];
+        const std::optional<int> turns = body.winding(god);
+        watch.outsideTicks = turns == 0 ? watch.outsideTicks + 1 : 0;
+        if (!turns) {
+            continue; // on the surface: it stays on the side that it was on
+        }
+        if (!watch.isKnown) {
+            if (body.distance_mm(god) > 2.0 * onSurface) {
+                watch.isKnown = true;
+                watch.most = *turns;
+            }
+            continue;
+        }
+        if (*turns > watch.most || (!body.isOneSided && *turns != watch.most)) {
+            const double depth = body.distance_mm(god);
+            if (depth > onSurface) {
+                faults.push_back({"popped through a closed surface", depth, "mm", m_god, god});
+                watch.most = *turns;
+            }
+        } else {
+            watch.most = *turns;
+        }
+    }
+}
+
+double LayerJudge::distance_mm(const Sheet& sheet, const Vec3& p) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t i : sheet.triangles) {
+        const JudgedTriangle& t = m_layer.triangles[i];
+        if (t.box.exteriorDistance(p) < least) {
+            least = std::min(least, distanceToTriangle_mm(p, t.corner));
+        }
+    }
+    return least;
+}
+
+std::optional<bool> LayerJudge::isCrossed(const Sheet& sheet, const Vec3& from, const Vec3& to) const
+{
+    bool isOdd = false;
+    const core::Box box(from.cwiseMin(to), from.cwiseMax(to));
+    for (const std::uint32_t i : sheet.triangles) {
+        const JudgedTriangle& t = m_layer.triangles[i];
+        if (!t.box.intersects(box)) {
+            continue;
+        }
+        const std::optional<bool> isThrough = crosses(from, to, t.corner);
+        if (!isThrough) {
+            return std::nullopt;
+        }
+        isOdd = isOdd != *isThrough;
+    }
+    return isOdd;
+}
+
+/// A god-object may go around a rim, and only its places at the ends of ticks are known. But all its moves of a tick
+/// bring it no farther from the HIP, so they stay in the ball around the HIP that it began on the surface of. Where no
+/// rim reaches into that ball, every way from one place to the other passes the sheet an even number of times or every
+/// one an odd number: the straight one decides. Where the god-object is on the sheet, any place next to it does as
+/// well, as long as the way on starts there; what counts is the sum from one place that is clear of it to the next.
+void LayerJudge::judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& god, const Vec3& hip, Faults& faults)
+{
+    const double beside = 32.0 * (m_layer.skin_mm + m_rounding_mm);
+    if (m_isPlaced && god == m_god) {
+        return;
+    }
+    const double far = std::max((god - hip).norm(), m_isPlaced ? (m_god - hip).norm() : 0.0);
+    const double reach = far * (1.0 + 1e-3) + 4.0 * beside;
+    const double apart = sheet.box.exteriorDistance(god);
+    const double distance = apart > beside ? apart : distance_mm(sheet, god);
+    const bool isClear = distance > 2.0 * (m_layer.skin_mm + m_rounding_mm);
+    const bool isBesideRim = std::any_of(sheet.rim.begin(), sheet.rim.end(), [&](const auto& edge) {
+        return distanceToSegment_mm(hip, edge[0], edge[1]) <= reach ||
+               distanceToSegment_mm(god, edge[0], edge[1]) <= 2.0 * beside;
+    });
+    if (isBesideRim || !watch.isKnown) {
+        watch = {isClear, god, false};
+        return;
+    }
+    Vec3 place = god;
+    for (int attempt = 0; !isClear && attempt < 8; ++attempt) {
+        place = god + 0.5 * beside * m_chance.direction();
+        if (distance_mm(sheet, place) > 0.05 * beside) {
+            break;
+        }
+    }
+    std::optional<bool> isOdd = isCrossed(sheet, watch.place, place);
+    for (int attempt = 0; !isOdd && attempt < 4; ++attempt) { // through an edge: by way of a place beside
+        const Vec3 way = place - watch.place;
+        const Vec3 middle = watch.place + 0.5 * way + 1e-4 * way.norm() * m_chance.direction();
+        const auto first = isCrossed(sheet, watch.place, middle), second = isCrossed(sheet, middle, place);
+        if (first && second) {
+            isOdd = *first != *second;
+        }
+    }
+    ++m_sheetTicks;
+    if (!isOdd) {
+        watch = {isClear, god, false};
+        return;
+    }
+    watch.isOdd = watch.isOdd != *isOdd;
+    watch.place = place;
+    if (isClear && watch.isOdd) {
+        faults.push_back({"popped through a sheet", distance, "mm", m_god, god});
+        watch.isOdd = false;
+    }
+}
+
+/// A ball comes no nearer to a facet that it can touch than its radius, or than it was to anything when it was put down
+/// too near. It can touch what is touched from both sides, and the facets of a body that its centre is outside of:
+/// there some facet always faces it. A centre that leaves a body from within passes the surface freely, and is too near
+/// then.
+void LayerJudge::judgeBall(const Vec3& god, Faults& faults)
+{
+    const double radius = m_scene.fingertip_mm;
+    const double slack = 4.0 * m_layer.skin_mm + m_rounding_mm + 1e-8 * m_scene.scale;
+    double least = radius, leastTouchable = radius;
+    for (const JudgedTriangle& t : m_layer.triangles) {
+        const double apart = t.box.exteriorDistance(god);
+        if (apart >= leastTouchable) {
+            continue;
+        }
+        const double distance = distanceToTriangle_mm(god, t.corner);
+        least = std::min(least, distance);
+        const bool isOutside = t.solid >= 0 && m_bodies[static_cast<std::size_t>(t.solid)].outsideTicks > 1;
+        if (t.isTwoSided || isOutside) {
+            leastTouchable = std::min(leastTouchable, distance);
+        }
+    }
+    const double deeper = std::min(radius, m_near_mm) - leastTouchable;
+    if (m_isPlaced && deeper > slack) {
+        faults.push_back({"ball nearer than allowed", deeper, "mm", m_god, god});
+    }
+    m_near_mm = least;
+    m_isDeep = least < radius - slack;
+}
+
+void LayerJudge::judgeRest(const Vec3& god, const Vec3& hip, Faults& faults)
+{
+    ++m_restTicks;
+    // A way is asked for only where it gains more than what the engine's own ways are tried from.
+    const double enough = std::max(1e-6 * m_scene.scale, 128.0 * m_layer.skin_mm) + 8.0 * m_rounding_mm;
+    // In the slot between two bodies that touch, a skin from the one wall is a skin behind the other: from there no
+    // facet blocks the way into that body, but there it must not go.
+    const auto mayEnd = [this](const Vec3& place) {
+        for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+            const std::optional<int> turns = m_layer.bodies[i].winding(place);
+            const int most = m_bodies[i].most;
+            if (!m_bodies[i].isKnown || !turns || *turns > most || (!m_layer.bodies[i].isOneSided && *turns != most)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    const WayCloser way = wayCloser(m_layer, god, hip, m_scene.fingertip_mm, enough, mayEnd, m_chance);
+    if (way.gain_mm > enough) {
+        faults.push_back({"not at rest: a straight legal move leads closer", way.gain_mm, "mm", god, way.to});
+    }
+}
+
+} // namespace palpate::adversary

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "RandomMesh.h"
+
+#include <palpate/haptics/HapticScene.h>
+
+#include <array>
+#include <memory>
+
+namespace palpate::adversary {
+
+/// What a seed may become: each is a row of the test.
+enum class Family
+{
+    Closed, ///< a point on bodies that enclose a volume
+    Open,   ///< a point on sheets, fins and loose triangles
+    Layers, ///< a point and two to four layers
+    Balls,  ///< balls of 0.1 to 20 mm on all of these
+};
+constexpr int kFamilies = 4;
+[[nodiscard]] const char* nameOf(Family family);
+
+struct RandomStructure
+{
+    RandomMesh mesh; ///< in its place [mm]
+    std::shared_ptr<const geometry::SurfaceIndex> surface;
+    haptics::Tissue tissue;
+    std::uint32_t layer = 0; ///< 0, 1, … without gaps
+};
+
+struct RandomScene
+{
+    std::string name;
+    double fingertip_mm = 0.0;
+    double scale = 1.0; ///< 1 for a scene of some 20 to 50 mm
+    std::uint32_t layers = 1;
+    std::vector<RandomStructure> structures;
+    core::Box bounds; ///< [mm]
+
+    [[nodiscard]] double size_mm() const { return bounds.diagonal().norm(); }
+    /// @param shown  one bit a layer; the structures of the others are there without a surface
+    [[nodiscard]] std::unique_ptr<haptics::HapticScene> build(std::uint32_t shown) const;
+};
+
+[[nodiscard]] RandomScene randomScene(Family family, Chance& chance);
+
+} // namespace palpate::adversary

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# run_shared.sh PROGRAM ARGUMENTS…   runs the adversary that lies beside the checkout. Exit code 1 when it found anything
+# but what is named here.
+set -u -o pipefail
+
+said=$("$@" 2>&1)
+code=$?
+printf '%s\n' "$said"
+[[ $code -le 1 && -n $said ]] || exit 1 # 2: it was not understood; more: it crashed
+
+if [[ $2 == odd ]]; then
+    # A HIP of 1e30 mm or more, and back in one tick: of such a move nothing is left of the scene's own digits, so that
+    # what lies between can't be told. Required is that all stays finite. The servo's gate refuses such jumps, and a device
+    # without motors, whose jumps are followed, has no such reach.
+    ! grep -v -E '^WRONG r [01] HIP at [-+][0-9.]+e\+([3-9][0-9]|[0-9]{3}) on axis 0: finite 1; back in: g finite 1 ' \
+        <<<"$said" | grep '^WRONG'
+else
+    # Its table has a line for each kind of fault. Ticks at the bound on moves are faults to it; here they are counted,
+    # must be fewer than one in 10,000, and may be on their way. A HIP farther than HapticScene::reaches is refused: no
+    # force there, where it expects a spring of kilometres.
+    awk '/^ticks / { ticks = $2 + 0 }
+        /^  FOUND force wrong / && / g1 0 0 0 / {
+            extent = $0; sub(/.* extent /, "", extent); hip = $0; sub(/.* hip /, "", hip); split(hip, h, " ")
+            if (sqrt(h[1] * h[1] + h[2] * h[2] + h[3] * h[3]) > 4000 * extent) refused++
+        }
+        / in [0-9]+ scenes, worst / {
+            known = /^  limit, not at rest / || (/^  iteration limit / && $3 * 10000 < ticks) ||
+                (/^  force wrong / && $7 == refused)
+            if (!known) { print "not allowed:" $0; bad = 1 }
+        }
+        END { exit bad || ticks == 0 }' <<<"$said"
+fi

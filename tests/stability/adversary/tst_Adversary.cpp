@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random scenes and hands against the engine, every tick judged by predicates of the adversary's own. A line of what
+// failed begins with the command that plays it again: adversary FAMILY SEED.
+#include "Game.h"
+#include "TestRunner.h"
+
+using namespace palpate::adversary;
+
+namespace {
+
+constexpr double kMostAtBound = 1e-4; // share of the ticks
+
+/// @param first  seed; PALPATE_SEED says another one
+void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
+{
+    bool isGiven = false;
+    const qulonglong given = qEnvironmentVariable("PALPATE_SEED").toULongLong(&isGiven);
+    first = isGiven ? given : first;
+    qInfo("%s, seeds from %llu", nameOf(family), static_cast<unsigned long long>(first));
+    const Tally tally = playMany(family, first, ticks);
+    for (const std::string& line : tally.lines) {
+        qWarning("%s", line.c_str());
+    }
+    qInfo("%s", tally.summary().c_str());
+    QVERIFY(tally.inContact > tally.ticks / 5); // the hand does feel something
+    QVERIFY2(tally.lines.empty(), tally.summary().c_str());
+    QVERIFY2(static_cast<double>(tally.atBound) < kMostAtBound * static_cast<double>(tally.ticks),
+             tally.summary().c_str());
+}
+
+} // namespace
+
+/// A million ticks in all.
+class Adversary : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void closed() { checkFamily(Family::Closed, 1, 300000); }
+    void open() { checkFamily(Family::Open, 1, 300000); }
+    void layers() { checkFamily(Family::Layers, 1, 200000); }
+    void balls() { checkFamily(Family::Balls, 1, 200000); }
+};
+
+/// A hundred millions, of other seeds.
+class LongAdversary : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void closed() { checkFamily(Family::Closed, 1000001, 30000000); }
+    void open() { checkFamily(Family::Open, 1000001, 30000000); }
+    void layers() { checkFamily(Family::Layers, 1000001, 20000000); }
+    void balls() { checkFamily(Family::Balls, 1000001, 20000000); }
+};
+
+/// So few that the sanitizers take no longer than for other tests; what is asked of the engine is asked by the others.
+class ShortAdversary : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void runs()
+    {
+        for (int family = 0; family < kFamilies; ++family) {
+            const Tally tally = playMany(static_cast<Family>(family), 1, kTicksOfSeed);
+            QVERIFY(tally.ticks > 0 && tally.inContact > 0);
+        }
+    }
+    void aSeedGivesTheSameTwice()
+    {
+        Tally first, second;
+        play(Family::Layers, 7, 2000, first);
+        play(Family::Layers, 7, 2000, second);
+        QCOMPARE(first.summary(), second.summary());
+        QVERIFY(first.lines == second.lines);
+    }
+};
+
+PALPATE_TEST(Adversary)
+PALPATE_TEST(LongAdversary)
+PALPATE_TEST(ShortAdversary)
+#include "tst_Adversary.moc"
