@@ -260,6 +260,53 @@ class Fingertip : public QObject
         }
     }
 
+    void whereTheHipIsAVertexItStays()
+    {
+        // All around the vertex is as near to the HIP: whatever the ball's way there, it then goes nowhere.
+        const geometry::TriangleMesh mesh = bumpySphere(6, 10.0, 0.1);
+        const double radius = 8.0;
+        geometry::TriangleMesh both = mesh;
+        append(both, box(Vec3(-20, -20, -40), Vec3(20, 20, -40 + 1e-7))); // its slivers make the skin a micrometre
+        Feel feel(both, radius);
+        std::mt19937_64 random(11);
+        std::normal_distribution<double> normal;
+        double farthest = 0.0;
+        std::uint32_t most = 0;
+        for (int i = 0; i < 300; ++i) {
+            const Vec3& vertex = mesh.vertices[static_cast<std::size_t>(i) * 37 % mesh.vertices.size()];
+            (void)feel.at(40.0 * Vec3(normal(random), normal(random), normal(random)).normalized());
+            const Vec3 g = feel.at(vertex).p_WG;
+            if ((g - vertex).norm() > radius + 2.0 * feel.scene.layer(0).skin_mm) {
+                continue; // others keep it away
+            }
+            for (int j = 0; j < 20; ++j) {
+                const TickResult r = feel.at(vertex);
+                farthest = std::max(farthest, (r.p_WG - g).norm());
+                most = std::max(most, r.iterations);
+            }
+        }
+        qInfo("%.2g mm, at most %u moves", farthest, most);
+        QVERIFY2(farthest < 1e-6, qPrintable(QString::number(farthest)));
+        QVERIFY2(most <= 20, qPrintable(QString::number(most)));
+    }
+
+    void aBallPutDownOnAnEdgeMeetsItOnce()
+    {
+        // Behind the lower face, too, by less than their rounding: it is on both, whichever way that little leads.
+        Feel feel(box(Vec3(-10, -10, -1e-8), Vec3(10, 10, 0), 4), 2.0);
+        QVERIFY(feel.scene.layer(0).skin_mm > 1e-6);
+        for (const Vec3& at : {Vec3(0, 0, 1e-9), Vec3(5, 1, 1e-9), Vec3(5, 5, 1e-9)}) {
+            for (const double way : {0.3, -0.3}) {
+                feel.palpator.reset();
+                (void)feel.at(at);
+                const TickResult r = feel.at(at + Vec3(0, 0, way));
+                QCOMPARE(r.status, TickStatus::Converged);
+                QVERIFY2(r.iterations < 8, qPrintable(QString::number(r.iterations)));
+                QVERIFY(r.constraints > 0 || r.p_WG == at + Vec3(0, 0, way));
+            }
+        }
+    }
+
     void theWorkOfATickIsBounded()
     {
         // 4,000 facets that meet in one point: more than a tick can ask for often.
