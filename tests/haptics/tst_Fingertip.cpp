@@ -342,6 +342,24 @@ class Fingertip : public QObject
         QVERIFY(limited > 0);
     }
 
+    void aLargeBallSlidesWithinItsWork()
+    {
+        // In hollows as wide as itself: hundreds of facets' boxes are near, whichever small cell is asked.
+        Feel feel(bumpySphere(81, 50.0, 0.02), 20.0);
+        int limited = 0;
+        for (const int first : {3650, 9780, 11350}) {
+            feel.palpator.reset();
+            for (int i = first - 20; i < first + 100; ++i) {
+                const double arc = 0.002 * i;
+                const Vec3 out(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc),
+                               std::sin(0.37 * arc));
+                const TickResult r = feel.at(std::max(68.0, 75.0 - 0.5 * (i - first + 20)) * out);
+                limited += r.status == TickStatus::IterationLimit ? 1 : 0;
+            }
+        }
+        QCOMPARE(limited, 0);
+    }
+
     void noSmallLegalMoveComesCloser_data()
     {
         QTest::addColumn<geometry::TriangleMesh>("mesh");
