@@ -311,9 +311,8 @@ bool BallTick::touchesHip(double spring_mm) const noexcept
 bool BallTick::isNearest(double spring_mm) const noexcept
 {
     const double most = m_scene.fingertip_mm() + slight(spring_mm) - spring_mm;
-    return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
-        return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most;
-    });
+    return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                       [&](const BallContact& c) { return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most; });
 }
 
 /// @return how much nearer to a HIP so far away counts as nothing [mm]
