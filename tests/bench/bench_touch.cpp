@@ -218,12 +218,12 @@ void addWorst(const std::string& name, double fingertip_mm)
             const double arc = 0.003 * i, high = std::max(0.0, 60.0 - 0.3 * i);
             ++i;
             const double wide = name == "crowd" ? 14.0 : 2.0;
-            ticks.step(state, palpator, Vec3(wide * std::sin(arc), wide * std::sin(1.4 * arc), high + 2 * std::cos(1.2 * arc)));
+            ticks.step(state, palpator,
+                       Vec3(wide * std::sin(arc), wide * std::sin(1.4 * arc), high + 2 * std::cos(1.2 * arc)));
         }
         ticks.report(state);
     };
-    benchmark::RegisterBenchmark(
-        ("worst/" + name + "/" + std::to_string(static_cast<int>(fingertip_mm))).c_str(), run)
+    benchmark::RegisterBenchmark(("worst/" + name + "/" + std::to_string(static_cast<int>(fingertip_mm))).c_str(), run)
         ->Iterations(3'000)
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);

@@ -193,7 +193,8 @@ class Fingertip : public QObject
             double lowest = height;
             for (int i = 0; i < 3000; ++i) {
                 const double deeper = std::abs(normal(random)) * (i % 2 == 0 ? 1.0 : 1e-12);
-                lowest = std::min(lowest, feel.at(Vec3(0.3 + normal(random), 0.2 + normal(random), height - deeper)).p_WG.z());
+                lowest = std::min(lowest,
+                                  feel.at(Vec3(0.3 + normal(random), 0.2 + normal(random), height - deeper)).p_WG.z());
             }
             QVERIFY2(lowest > height - 1e-9, qPrintable(QString::number(lowest)));
         }
@@ -229,8 +230,8 @@ class Fingertip : public QObject
         for (int i = 0; i < 4000; ++i) {
             const geometry::Triangle& t = mesh.triangles[any(random)];
             const double away = i % 7 == 0 ? 1e3 : i % 7 == 3 ? 2.0 : 1.0;
-            const Vec3 hip = away * (i % 2 == 0 ? mesh.vertices[t[0]]
-                                                : Vec3(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]])));
+            const Vec3 hip =
+                away * (i % 2 == 0 ? mesh.vertices[t[0]] : Vec3(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]])));
             const TickResult r = feel.at(hip);
             QVERIFY2(r.constraints > 0 || r.p_WG == hip, qPrintable(QString("tick %1").arg(i)));
         }
@@ -247,13 +248,62 @@ class Fingertip : public QObject
             (void)feel.at(Vec3(90, 1, 2));
             std::uint64_t moves = 0;
             for (int i = 0; i < 1000; ++i) {
-                const geometry::Triangle& t = mesh.triangles[static_cast<std::size_t>(i / 5) * 37 % mesh.triangles.size()];
-                const TickResult r = feel.at(mesh.vertices[t[0]] + 1e-5 * Vec3(normal(random), normal(random), normal(random)));
+                const geometry::Triangle& t =
+                    mesh.triangles[static_cast<std::size_t>(i / 5) * 37 % mesh.triangles.size()];
+                const TickResult r =
+                    feel.at(mesh.vertices[t[0]] + 1e-5 * Vec3(normal(random), normal(random), normal(random)));
                 QVERIFY(std::abs((r.p_WG - mesh.vertices[t[0]]).norm() - radius) < 1e-4);
                 moves += r.iterations;
             }
             qInfo("radius %g: %.1f moves a tick", radius, double(moves) / 1000.0);
             QVERIFY(moves < 60 * 1000);
+        }
+    }
+
+    void whereTheHipIsAVertexItStays()
+    {
+        // All around the vertex is as near to the HIP: whatever the ball's way there, it then goes nowhere.
+        const geometry::TriangleMesh mesh = bumpySphere(6, 10.0, 0.1);
+        const double radius = 8.0;
+        geometry::TriangleMesh both = mesh;
+        append(both, box(Vec3(-20, -20, -40), Vec3(20, 20, -40 + 1e-7))); // its slivers make the skin a micrometre
+        Feel feel(both, radius);
+        std::mt19937_64 random(11);
+        std::normal_distribution<double> normal;
+        double farthest = 0.0;
+        std::uint32_t most = 0;
+        for (int i = 0; i < 300; ++i) {
+            const Vec3& vertex = mesh.vertices[static_cast<std::size_t>(i) * 37 % mesh.vertices.size()];
+            (void)feel.at(40.0 * Vec3(normal(random), normal(random), normal(random)).normalized());
+            const Vec3 g = feel.at(vertex).p_WG;
+            if ((g - vertex).norm() > radius + 2.0 * feel.scene.layer(0).skin_mm) {
+                continue; // others keep it away
+            }
+            for (int j = 0; j < 20; ++j) {
+                const TickResult r = feel.at(vertex);
+                farthest = std::max(farthest, (r.p_WG - g).norm());
+                most = std::max(most, r.iterations);
+            }
+        }
+        qInfo("%.2g mm, at most %u moves", farthest, most);
+        QVERIFY2(farthest < 1e-6, qPrintable(QString::number(farthest)));
+        QVERIFY2(most <= 20, qPrintable(QString::number(most)));
+    }
+
+    void aBallPutDownOnAnEdgeMeetsItOnce()
+    {
+        // Behind the lower face, too, by less than their rounding: it is on both, whichever way that little leads.
+        Feel feel(box(Vec3(-10, -10, -1e-8), Vec3(10, 10, 0), 4), 2.0);
+        QVERIFY(feel.scene.layer(0).skin_mm > 1e-6);
+        for (const Vec3& at : {Vec3(0, 0, 1e-9), Vec3(5, 1, 1e-9), Vec3(5, 5, 1e-9)}) {
+            for (const double way : {0.3, -0.3}) {
+                feel.palpator.reset();
+                (void)feel.at(at);
+                const TickResult r = feel.at(at + Vec3(0, 0, way));
+                QCOMPARE(r.status, TickStatus::Converged);
+                QVERIFY2(r.iterations < 8, qPrintable(QString::number(r.iterations)));
+                QVERIFY(r.constraints > 0 || r.p_WG == at + Vec3(0, 0, way));
+            }
         }
     }
 
@@ -290,6 +340,24 @@ class Fingertip : public QObject
         }
         qInfo("%d of 400 ticks at the bound", limited);
         QVERIFY(limited > 0);
+    }
+
+    void aLargeBallSlidesWithinItsWork()
+    {
+        // In hollows as wide as itself: hundreds of facets' boxes are near, whichever small cell is asked.
+        Feel feel(bumpySphere(81, 50.0, 0.02), 20.0);
+        int limited = 0;
+        for (const int first : {3650, 9780, 11350}) {
+            feel.palpator.reset();
+            for (int i = first - 20; i < first + 100; ++i) {
+                const double arc = 0.002 * i;
+                const Vec3 out(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc),
+                               std::sin(0.37 * arc));
+                const TickResult r = feel.at(std::max(68.0, 75.0 - 0.5 * (i - first + 20)) * out);
+                limited += r.status == TickStatus::IterationLimit ? 1 : 0;
+            }
+        }
+        QCOMPARE(limited, 0);
     }
 
     void noSmallLegalMoveComesCloser_data()

@@ -113,7 +113,7 @@ Nearest nearestOn(const Facet& facet, const Vec3& p) noexcept
 }
 
 bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_mm, double limit,
-                BallCrossing& crossing) noexcept
+                BallCrossing& crossing, double leastClosing_mm) noexcept
 {
     const double height = facet.n.dot(x - facet.a);
     const double onPlane = kOnPlane * facet.skin_mm;
@@ -147,6 +147,9 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     }
     // What touches already comes first, whatever its entry: nothing is made of the move.
     const bool isTouching = distance <= kept + onPlane;
+    if (isTouching && closing / distance < leastClosing_mm) {
+        return false;
+    }
     const Vec3 u = d / length;
     const double s = entry(facet, side, x, u, std::min(radius_mm, distance - onPlane), isTouching ? length : most);
     if (s == kNever || (!isTouching && s / length > limit)) {

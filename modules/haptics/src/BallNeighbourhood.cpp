@@ -60,7 +60,8 @@ struct BallNeighbourhood::First
         price += kExact;
         const geometry::SurfaceIndex& surface = *scene.structures()[structure].surface;
         BallCrossing crossing;
-        if (!blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing)) {
+        const double least = found && best.key == 0.0 ? best.closing_mm : 0.0;
+        if (!blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing, least)) {
             return;
         }
         price += kMeets;

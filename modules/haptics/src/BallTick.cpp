@@ -35,6 +35,8 @@ constexpr int kMostRolled = 8;       // facets in one move
 constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
 constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
 
+constexpr double kNowhere = 1e-3; // radii that a tick must lead for less than a skin, to be taken back
+
 constexpr double kThere = 0.01; // radii in front of what it would touch next, where the work is spent
 
 // A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
@@ -73,7 +75,8 @@ void BallContact::lookFrom(const Vec3& g) noexcept
     if (nearest.isCurved) {
         const Vec3 away = g - nearest.q;
         distance_mm = away.norm();
-        n = distance_mm > 0.0 ? Vec3(away / distance_mm) : Vec3(side * facet.n);
+        // On the facet itself, to rounding, up is where the facet leads, as when it is met.
+        n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(away / distance_mm) : Vec3(side * facet.n);
     } else {
         n = side * facet.n;
         distance_mm = n.dot(g - facet.a);
@@ -202,9 +205,7 @@ bool BallTick::isKept(bool isOver) noexcept
     m_trialMoves = 0;
     m_kept_mm = 0.0;
     m_longest_mm = kShorter * m_tried_mm;
-    m_god = m_before.god;
-    m_contacts = m_before.contacts;
-    m_count = m_before.count;
+    standAgain(m_before);
     return false;
 }
 
@@ -223,12 +224,12 @@ Vec3 BallTick::slope() const noexcept
     return Vec3::Zero();
 }
 
-/// Takes back a move aside.
-void BallTick::standAgain() noexcept
+/// Takes back what has led nowhere.
+void BallTick::standAgain(const Before& stood) noexcept
 {
-    m_god = m_stood.god;
-    m_contacts = m_stood.contacts;
-    m_count = m_stood.count;
+    m_god = stood.god;
+    m_contacts = stood.contacts;
+    m_count = stood.count;
 }
 
 /// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
@@ -237,12 +238,15 @@ void BallTick::standAgain() noexcept
 bool BallTick::topples() noexcept
 {
     const double spring = (m_hip - m_god).norm();
+    if (m_nudges == 0 && isNearest(spring)) {
+        return false;
+    }
     if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
         m_nudges = 0;
         m_aside = slope();
         m_stood = {m_god, m_contacts, m_count, spring};
     } else {
-        standAgain();
+        standAgain(m_stood);
     }
     const int sides = m_contacts[0].nearest.along.isZero(0.0) && m_count == 1 ? 4 : 2; // off a corner also across
     while (m_nudges < sides && !m_aside.isZero(0.0)) {
@@ -269,6 +273,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         m_isKnown = true;
     }
     (void)lookAgain();
+    const Before began{m_god, m_contacts, m_count, (m_hip - m_god).norm()};
     std::uint32_t moves = 0;
     while (moves < limit) {
         ++moves;
@@ -277,13 +282,43 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         }
     }
     if (isKept(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
-        standAgain();
+        standAgain(m_stood);
+    }
+    const double end = (m_hip - m_god).norm();
+    if (began.count > 0 && end > began.spring_mm - m_skin_mm &&
+        (m_god - began.god).norm() > kNowhere * m_scene.fingertip_mm()) {
+        standAgain(began); // all that way gained nothing: where the HIP rests, so does the ball
     }
     if (m_count == 0 && m_isKnown && m_god != m_hip) {
         // Away from the HIP something holds it: the facet known last.
         touch(m_known.facet, m_known.side);
     }
     return moves;
+}
+
+/// The HIP is where the ball touches, which is as near as it can come. On an edge or a corner it could roll around the
+/// HIP for ever, and gain nothing.
+bool BallTick::touchesHip(double spring_mm) const noexcept
+{
+    const double enough = 0.5 * slight(spring_mm);
+    return !isDeep() && spring_mm <= m_scene.fingertip_mm() + kParted * m_skin_mm + enough &&
+           std::any_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                       [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
+}
+
+/// No legal place is nearer to the HIP by enough to count: the ball keeps its radius from every point of what it
+/// touches, also from the one next to the HIP.
+bool BallTick::isNearest(double spring_mm) const noexcept
+{
+    const double most = m_scene.fingertip_mm() + slight(spring_mm) - spring_mm;
+    return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count,
+                       [&](const BallContact& c) { return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most; });
+}
+
+/// @return how much nearer to a HIP so far away counts as nothing [mm]
+double BallTick::slight(double spring_mm) const noexcept
+{
+    return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
 }
 
 /// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
@@ -294,7 +329,10 @@ bool BallTick::goesOn() noexcept
     }
     (void)isKept(false);
     const double now = (m_hip - m_god).norm();
-    if (!isDeep() && now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
+    if (touchesHip(now)) {
+        return false;
+    }
+    if (!isDeep() && now < m_spring_mm - slight(now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {

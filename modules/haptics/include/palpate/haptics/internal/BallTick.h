@@ -68,9 +68,11 @@ class BallTick
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
-    void standAgain() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
+    [[nodiscard]] bool touchesHip(double spring_mm) const noexcept;
+    [[nodiscard]] bool isNearest(double spring_mm) const noexcept;
+    [[nodiscard]] double slight(double spring_mm) const noexcept;
     [[nodiscard]] bool isDeep() const noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
     [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
@@ -89,7 +91,7 @@ class BallTick
     double m_spring_mm = std::numeric_limits<double>::infinity(); ///< when the last progress was made
     std::uint32_t m_since = 0;                                    ///< moves made since then
 
-    /// Where the last long step began, to be taken back.
+    /// Where the ball stood, to be taken back to.
     struct Before
     {
         Vec3 god;
@@ -97,6 +99,8 @@ class BallTick
         int count;
         double spring_mm;
     };
+    void standAgain(const Before& stood) noexcept;
+
     Before m_before;
     Before m_stood;   ///< where it came to rest before it was moved aside
     int m_nudges = 0; ///< how many sides have been tried from there
