@@ -64,10 +64,8 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     m_started = true;
     result.p_WG = p_WH;
     const std::size_t layers = m_scene == nullptr ? 0 : m_scene->layerCount();
-    GodObjectLimits limits;
-    limits.work /= static_cast<std::uint32_t>(std::max<std::size_t>(layers, 1)); // a tick's, whatever its layers
     for (std::size_t i = 0; i < layers; ++i) {
-        const GodObjectStep step = m_layers[i].step(p_WH, *m_scene, i, limits);
+        const GodObjectStep step = m_layers[i].step(p_WH, *m_scene, i);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {

@@ -39,7 +39,8 @@ struct GodObjectState
     std::uint8_t pad[3]{};
 };
 
-/// Bounds on the work of one tick, in counts and never in time, so that a replay is exact.
+/// Bounds on the work of one tick of one layer, in counts and never in time, so that a replay is exact. Each layer has
+/// its own: what one is given must not depend on which others there are.
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick; reaching it is reported
