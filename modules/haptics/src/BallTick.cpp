@@ -289,11 +289,25 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         (m_god - began.god).norm() > kNowhere * m_scene.fingertip_mm()) {
         standAgain(began); // all that way gained nothing: where the HIP rests, so does the ball
     }
+    dropUntouched();
     if (m_count == 0 && m_isKnown && m_god != m_hip) {
         // Away from the HIP something holds it: the facet known last.
         touch(m_known.facet, m_known.side);
     }
     return moves;
+}
+
+/// What the ball has rolled towards but not come to holds nothing, if something else does.
+void BallTick::dropUntouched() noexcept
+{
+    const double radius = m_scene.fingertip_mm();
+    const auto end = std::remove_if(m_contacts.begin(), m_contacts.begin() + m_count, [&](BallContact& c) {
+        c.lookFrom(m_god);
+        return c.distance_mm > radius + kParted * c.facet.skin_mm;
+    });
+    if (end != m_contacts.begin()) {
+        m_count = static_cast<int>(end - m_contacts.begin());
+    }
 }
 
 /// The HIP is where the ball touches, which is as near as it can come. On an edge or a corner it could roll around the

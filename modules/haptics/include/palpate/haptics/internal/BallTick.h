@@ -70,6 +70,7 @@ class BallTick
     [[nodiscard]] bool topples() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
+    void dropUntouched() noexcept;
     [[nodiscard]] bool touchesHip(double spring_mm) const noexcept;
     [[nodiscard]] bool isNearest(double spring_mm) const noexcept;
     [[nodiscard]] double slight(double spring_mm) const noexcept;
