@@ -294,7 +294,7 @@ bool BallTick::goesOn() noexcept
     }
     (void)isKept(false);
     const double now = (m_hip - m_god).norm();
-    if (!isDeep() && now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
+    if (now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
@@ -369,7 +369,7 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
     return true;
 }
 
-/// Nearer to a contact than its radius: put there. Each move leads it farther out, and none along the surface.
+/// Nearer to a contact than its radius: put there. Each move leads it farther out.
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {
