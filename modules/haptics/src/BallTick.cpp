@@ -255,6 +255,7 @@ bool BallTick::topples() noexcept
         if (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
             (void)lookAgain();
+            m_since = 0;
             return true;
         }
     }
@@ -298,7 +299,6 @@ bool BallTick::goesOn() noexcept
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
-        m_since = 0;
         return topples();
     }
     const Vec3 u = nextMove();
