@@ -34,6 +34,7 @@ constexpr double kParted = 3.0;      // skins of gap, beyond the first, from whi
 constexpr int kMostRolled = 8;       // facets in one move
 constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
 constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
+constexpr double kBrink = 1e-7;      // radii from an edge, at most, where it may roll over that
 
 constexpr double kNowhere = 1e-3; // radii that a tick must lead for less than a skin, to be taken back
 
@@ -209,12 +210,43 @@ bool BallTick::isKept(bool isOver) noexcept
     return false;
 }
 
+/// Which way from the contact, on a face, an edge is as good as there beyond which the surface falls away; zero where
+/// none is. By rounding the ball may stand on either side of the edge.
+Vec3 BallTick::brink(const BallContact& contact) const noexcept
+{
+    using Index = geometry::SurfaceIndex;
+    const Facet& facet = contact.facet;
+    const Index& surface = *m_scene.structures()[facet.structure].surface;
+    const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
+    for (std::uint32_t edge = 0; edge < 3; ++edge) {
+        const Vec3& a = *corner[edge];
+        const Vec3 out = (*corner[(edge + 1) % 3] - a).cross(facet.n).normalized();
+        if (out.dot(a - contact.nearest.q) > kBrink * m_scene.fingertip_mm()) {
+            continue;
+        }
+        const Index::Neighbour next = surface.neighbour(facet.triangle, edge);
+        if (next.triangle == Index::kNoNeighbour) {
+            return out;
+        }
+        const Facet beyond = Facet::of(surface, facet.structure, next.triangle);
+        for (const Vec3* v : {&beyond.a, &beyond.b, &beyond.c}) {
+            if (contact.n.dot(*v - contact.nearest.q) < -kParted * facet.skin_mm) {
+                return out;
+            }
+        }
+    }
+    return Vec3::Zero();
+}
+
 /// Which way the ball would roll off what it stands on, where the pull goes straight through an edge or a corner and
 /// out beyond it; zero where it can't.
 Vec3 BallTick::slope() const noexcept
 {
     const BallContact &p = m_contacts[0], &q = m_contacts[1];
-    if (m_count == 1 && p.nearest.isCurved && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
+    if (m_count == 1 && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
+        if (!p.nearest.isCurved) {
+            return brink(p);
+        }
         return p.nearest.along.isZero(0.0) ? p.n.unitOrthogonal() : Vec3(p.nearest.along.cross(p.n));
     }
     if (m_count == 2 && (p.nearest.isCurved || q.nearest.isCurved)) {
@@ -259,6 +291,7 @@ bool BallTick::topples() noexcept
         if (m_near.sweep(m_scene, m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
             (void)lookAgain();
+            m_since = 0;
             return true;
         }
     }
@@ -346,11 +379,10 @@ bool BallTick::goesOn() noexcept
     if (touchesHip(now)) {
         return false;
     }
-    if (!isDeep() && now < m_spring_mm - slight(now)) {
+    if (now < m_spring_mm - slight(now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {
-        m_since = 0;
         return topples();
     }
     const Vec3 u = nextMove();
@@ -421,7 +453,7 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
     return true;
 }
 
-/// Nearer to a contact than its radius: put there. Each move leads it farther out, and none along the surface.
+/// Nearer to a contact than its radius: put there. Each move leads it farther out.
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_contacts.begin(), m_contacts.begin() + m_count, [&](const BallContact& c) {

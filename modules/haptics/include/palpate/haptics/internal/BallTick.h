@@ -66,6 +66,7 @@ class BallTick
     [[nodiscard]] bool lookAgain() noexcept;
     [[nodiscard]] bool rollOn(BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
+    [[nodiscard]] Vec3 brink(const BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
