@@ -48,6 +48,8 @@ void addLargeBallRows(std::vector<HardCase>& rows)
         ball.fingertip_mm = radius_mm;
         // The exact ball creeps around there: minutes at 20 mm, whose places are left to the adversary.
         ball.checkEvery = radius_mm > 4.0 ? 1000 : 50;
+        ball.mostElsewhere_percent = 100.0;
+        ball.mayReachBound = true; // of a large ball, whose cell holds a thousand facets, with each jump
         rows.push_back(std::move(ball));
     }
 }

