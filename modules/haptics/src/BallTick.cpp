@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
+constexpr int kMostSlight = 4; // moves aside in a tick that bring no more than that, and are gone on from
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
 // together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
@@ -270,6 +271,9 @@ bool BallTick::topples() noexcept
 {
     const double spring = (m_hip - m_god).norm();
     if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
+        if (m_nudges > 0 && spring >= m_stood.spring_mm - slight_mm(spring) && ++m_slight > kMostSlight) {
+            return false;
+        }
         m_nudges = 0;
         m_aside = slope();
         m_stood = {m_god, m_contacts, m_count, spring};
@@ -319,6 +323,12 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
     return moves;
 }
 
+/// What counts as no progress, at this distance from the HIP.
+double BallTick::slight_mm(double spring_mm) const noexcept
+{
+    return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
+}
+
 /// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
 bool BallTick::goesOn() noexcept
 {
@@ -327,7 +337,7 @@ bool BallTick::goesOn() noexcept
     }
     (void)isKept(false);
     const double now = (m_hip - m_god).norm();
-    if (now < m_spring_mm - std::max(kArrived * m_skin_mm, kSlight * now)) {
+    if (now < m_spring_mm - slight_mm(now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && m_count > 0 && isKept(true)) {

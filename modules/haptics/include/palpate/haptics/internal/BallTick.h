@@ -69,6 +69,7 @@ class BallTick
     [[nodiscard]] Vec3 brink(const BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
+    [[nodiscard]] double slight_mm(double spring_mm) const noexcept;
     void standAgain() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
     [[nodiscard]] bool isKept(bool isOver) noexcept;
@@ -101,6 +102,7 @@ class BallTick
     Before m_before;
     Before m_stood;   ///< where it came to rest before it was moved aside
     int m_nudges = 0; ///< how many sides have been tried from there
+    int m_slight = 0; ///< moves aside that led nearer, but not by more than counts
     Vec3 m_aside = Vec3::Zero();
     /// A step as the planes give it.
     struct Step
