@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
+constexpr int kMostSlight = 4; // moves aside in a tick that bring no more than that, and are gone on from
 
 // Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
 // together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
@@ -274,6 +275,9 @@ bool BallTick::topples() noexcept
         return false;
     }
     if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
+        if (m_nudges > 0 && spring >= m_stood.spring_mm - slight(spring) && ++m_slight > kMostSlight) {
+            return false;
+        }
         m_nudges = 0;
         m_aside = slope();
         m_stood = {m_god, m_contacts, m_count, spring};

@@ -106,6 +106,7 @@ class BallTick
     Before m_before;
     Before m_stood;   ///< where it came to rest before it was moved aside
     int m_nudges = 0; ///< how many sides have been tried from there
+    int m_slight = 0; ///< moves aside that led nearer, but not by more than counts
     Vec3 m_aside = Vec3::Zero();
     /// A step as the planes give it.
     struct Step
