@@ -103,8 +103,8 @@ class Filters : public QObject
                 a = std::max(a, std::abs(from[axis]));
                 b = std::max(b, std::abs(to[axis]));
             }
-            const std::uint64_t lanes = crossedLanes(&group, kCount, from, to, a + b + reach,
-                                                     static_cast<float>(aimed.skin_mm));
+            const std::uint64_t lanes =
+                crossedLanes(&group, kCount, from, to, a + b + reach, static_cast<float>(aimed.skin_mm));
             for (int i = 0; i < kCount; ++i) {
                 Crossing crossing;
                 const bool isKept = (lanes >> i & 1u) != 0;
@@ -144,8 +144,8 @@ class Filters : public QObject
                     coordinate = std::max(coordinate, std::abs(points[i][axis]));
                 }
             }
-            const std::uint64_t lanes = crossedLanes(&group, kCount, points, 4, 2 * coordinate + reach,
-                                                     static_cast<float>(aimed.skin_mm));
+            const std::uint64_t lanes =
+                crossedLanes(&group, kCount, points, 4, 2 * coordinate + reach, static_cast<float>(aimed.skin_mm));
             for (int i = 0; i < kCount; ++i) {
                 const bool isKept = (lanes >> i & 1u) != 0;
                 ++offered;

@@ -96,7 +96,7 @@ class BoxHierarchy
     /// @par Real-time Wait-free; bounded by `nodes`.
     template<class Leaf>
     [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
-                      Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+                                    Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `leaf(first, count)` for each leaf whose box comes within `reach_mm` of a point, in a fixed order, until
     /// it returns false. @return how many nodes were visited.
