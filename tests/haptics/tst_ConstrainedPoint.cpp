@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
-
-#include <palpate/haptics/internal/ConstrainedPoint.h>
+#include "solver/ConstrainedPoint.h"
 
 #include <Eigen/Dense>
 

@@ -2,11 +2,10 @@
 // What floats tell off before the exact tests: they must never lose what the exact tests would find.
 #include "Shapes.h"
 #include "TestRunner.h"
-
-#include <palpate/haptics/internal/Ball.h>
-#include <palpate/haptics/internal/FacetGroup.h>
-#include <palpate/haptics/internal/Fan.h>
-#include <palpate/haptics/internal/TriangleDistances.h>
+#include "nearby/DistanceLanes.h"
+#include "nearby/PlaneLanes.h"
+#include "probe/BallProbe.h"
+#include "solver/VertexRing.h"
 
 #include <algorithm>
 #include <array>
@@ -269,13 +268,13 @@ class Filters : public QObject
         };
         const Vec3 from(0, 0, 1e-7), down(0.02, 0.01, -1);
         const double enough = down.norm() - 1e-6;
-        QVERIFY(isHeldByFan(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
-        QVERIFY(!isHeldByFan(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a gutter
-        QVERIFY(!isHeldByFan(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
-        QVERIFY(!isHeldByFan(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough)); // pulled off
+        QVERIFY(isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
+        QVERIFY(!isHeldByRing(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a gutter
+        QVERIFY(!isHeldByRing(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
+        QVERIFY(!isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough)); // pulled off
         std::vector<Facet> open = fan({.2, .2, .2, .2, .2, .2});
         open.pop_back();
-        QVERIFY(!isHeldByFan(open, from, down, enough));
+        QVERIFY(!isHeldByRing(open, from, down, enough));
     }
 };
 

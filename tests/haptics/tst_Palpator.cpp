@@ -195,15 +195,55 @@ class PalpatorTest : public QObject
     void noTickMakesMoreMovesThanItMay()
     {
         for (const std::uint32_t most : {1u, 2u, 5u}) {
-            haptics::GodObject god;
+            Palpator palpator(haptics::Fingertips::Points, {most});
+            palpator.setScene(&m_scene);
             std::uint32_t greatest = 0;
             for (int i = 0; i < 2000; ++i) {
-                const haptics::GodObjectStep step = god.step(wander(i), m_scene, 0, {most});
-                QVERIFY(step.iterations <= most);
-                greatest = std::max(greatest, step.iterations);
+                const TickResult result = palpator.step(wander(i), 1e-3);
+                QVERIFY(result.iterations <= most);
+                greatest = std::max(greatest, result.iterations);
             }
             QCOMPARE(greatest, most); // it would make more
         }
+    }
+
+    void aPointNeedsLittleRoom()
+    {
+        Palpator palpator(haptics::Fingertips::Points);
+        QVERIFY2(palpator.byteSize() <= 65536, qPrintable(QString::number(palpator.byteSize())));
+        const HapticScene ball(std::vector<HapticStructure>(m_scene.structures()), 2.0);
+        palpator.setScene(&ball);
+        const TickResult refused = palpator.step({0.0, 0.0, 0.0}, 1e-3);
+        QCOMPARE(refused.status, TickStatus::InvalidInput);
+        QCOMPARE(refused.f_W, Vec3(Vec3::Zero()));
+    }
+
+    /// Each layer's contact is told, the outermost first, and their forces are the force on the hand.
+    void everyLayerThatIsTouchedIsNamed()
+    {
+        std::vector<HapticStructure> structures;
+        structures.push_back({"inner", indexed(sphere(24, 20.0)), {1.5, 0.0}, 3});
+        structures.push_back({"outer", indexed(sphere(24, 30.0)), {0.5, 0.0}, 1});
+        const HapticScene scene(std::move(structures));
+        Palpator palpator;
+        palpator.setScene(&scene);
+        TickResult result;
+        for (double height = 35.0; height >= 14.0; height -= 0.25) {
+            const Vec3 hip(1.0, 2.0, height);
+            result = palpator.step(hip, 1e-3);
+            Vec3 sum = Vec3::Zero();
+            for (std::size_t i = 0; i < result.contactCount; ++i) {
+                const haptics::Contact& contact = result.contacts[i];
+                QCOMPARE(contact.layer, static_cast<std::uint32_t>(i));
+                QCOMPARE(contact.structure, i == 0 ? 1u : 0u);
+                QVERIFY(std::abs(contact.depth_mm - (contact.p_WG - hip).norm()) < 1e-12);
+                QVERIFY((contact.f_W - (i == 0 ? 0.5 : 1.5) * contact.depth_mm * contact.n_W).norm() < 1e-12);
+                sum += contact.f_W;
+            }
+            QVERIFY((sum - result.f_W).norm() < 1e-12);
+            QCOMPARE(result.contactCount, static_cast<std::uint8_t>(height > 29.9 ? 0 : height > 19.8 ? 1 : 2));
+        }
+        QCOMPARE(result.p_WG, result.contacts[0].p_WG);
     }
 
     void aHipThatIsNotFiniteChangesNothing()

@@ -3,9 +3,9 @@
 // structure is.
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "solver/Walk.h"
 
 #include <palpate/haptics/Palpator.h>
-#include <palpate/haptics/internal/SurfaceWalk.h>
 
 #include <cmath>
 
@@ -136,9 +136,11 @@ class SurfaceWalk : public QObject
         const double along = 1.0 - alongA - alongB;
         Vec3 god = along * facet.c + alongA * facet.a + alongB * facet.b + skins * facet.skin_mm * facet.n;
         const Vec3 hip = (facet.a + facet.b + facet.c) / 3.0 - facet.n;
-        Neighbourhood near;
-        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, nullptr, god, facet);
-        QCOMPARE(walked.isClear, isClear);
+        NearPoint near;
+        Facet beyond;
+        Walk walk(hip, scene.layer(0), near, {god, facet, beyond, 1});
+        (void)walk.run(Walk::Start::OnFacet, 64);
+        QCOMPARE(walk.isClear(), isClear);
     }
 
     void onlyACreaseHoldsBetweenTwoFacets_data()
@@ -167,14 +169,14 @@ class SurfaceWalk : public QObject
         const HapticScene scene = sceneOf({mesh});
         const geometry::SurfaceIndex& surface = *scene.structures()[0].surface;
         Facet facet = Facet::of(surface, 0, 100);
-        const Facet second = Facet::of(surface, 0, surface.neighbour(100, 0).triangle);
+        Facet second = Facet::of(surface, 0, surface.neighbour(100, 0).triangle);
         const Vec3 outwards = (facet.n + second.n).normalized(), middle = 0.5 * (facet.a + facet.b);
         Vec3 god = middle + aside * (facet.c - middle) + facet.skin_mm / outwards.dot(facet.n) * outwards;
         const Vec3 hip = middle - outwards;
-        Neighbourhood near;
-        const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, &second, god, facet);
-        QCOMPARE(walked.hasArrived, isHeld);
-        QCOMPARE(walked.isClear, isClear);
+        NearPoint near;
+        Walk walk(hip, scene.layer(0), near, {god, facet, second, 1});
+        QCOMPARE(Walk::hasArrived(walk.run(Walk::Start::InCrease, 64)), isHeld);
+        QCOMPARE(walk.isClear(), isClear);
     }
 
     void leavesACreaseOverTheFacetThatHolds()
@@ -193,9 +195,11 @@ class SurfaceWalk : public QObject
             Vec3 god = middle + facet.skin_mm / outwards.dot(facet.n) * outwards;
             const Facet& to = pair[holds];
             const Vec3 hip = (to.a + to.b + to.c) / 3.0 - 0.01 * to.n;
-            Neighbourhood near;
-            const auto walked = walk(scene, scene.layer(0), near, hip, 64, 1, false, &pair[1], god, facet);
-            QVERIFY(walked.hasArrived && walked.isClear && !walked.isInCrease);
+            NearPoint near;
+            Facet second = pair[1];
+            Walk walk(hip, scene.layer(0), near, {god, facet, second, 1});
+            QCOMPARE(walk.run(Walk::Start::InCrease, 64), Walk::Ended::OnFacet);
+            QVERIFY(walk.isClear());
             QCOMPARE(facet.triangle, to.triangle);
             QVERIFY((god - hip - (0.01 + to.skin_mm) * to.n).norm() < 1e-9);
         }

@@ -27,6 +27,10 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
     }
     core::Box all;
     for (HapticLayer& layer : m_layers) {
+        layer.fingertip_mm = m_fingertip_mm;
+        for (const HapticStructure& structure : m_structures) {
+            layer.surfaces.push_back(structure.surface.get());
+        }
         const std::vector<std::uint32_t> members = std::move(layer.structures);
         layer.structures.clear();
         core::Box bounds;

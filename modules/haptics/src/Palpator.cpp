@@ -1,71 +1,154 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/Palpator.h"
 
+#include "law/Law.h"
+#include "solver/GodObject.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace palpate::haptics {
 
+using internal::GodObject;
+using internal::GodObjectStep;
+using internal::NearBall;
+
 namespace {
 
-/// A damper that no number can hold, after a time too short to divide by, is left out; and so is a spring.
-Vec3 finiteForce(const Tissue& tissue, const Vec3& p_WG, const Vec3& p_WH, const Vec3& v_WH) noexcept
+constexpr std::size_t kLayers = HapticScene::kMaxLayers;
+
+/// The numbers of the layer that a god-object belongs to; none: first > last.
+struct Numbers
 {
-    Vec3 f_W = springDamperForce(tissue, p_WG, p_WH, v_WH);
-    if (!f_W.allFinite()) {
-        f_W = tissue.stiffness_N_per_mm * (p_WG - p_WH);
+    std::uint32_t first = 1;
+    std::uint32_t last = 0;
+};
+
+/// @return which of a god-object's constraints is reported: with several structures in one contact the stiffest gives
+/// the force, as the hand cannot pass it.
+std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexcept
+{
+    const auto stiffness = [&](std::size_t k) {
+        return scene.structures()[step.active[k].structure].tissue.stiffness_N_per_mm;
+    };
+    std::size_t touched = 0;
+    for (std::size_t k = 1; k < step.constraints; ++k) {
+        if (stiffness(k) > stiffness(touched)) {
+            touched = k;
+        }
     }
-    return f_W.allFinite() ? f_W : Vec3::Zero();
+    return touched;
+}
+
+/// @param v_WH  of the HIP [mm/s]
+/// @pre the step ended in contact
+Contact contactOf(const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH, const Vec3& v_WH) noexcept
+{
+    const ActiveConstraint& touched = step.active[stiffest(scene, step)];
+    const HapticStructure& structure = scene.structures()[touched.structure];
+    Contact contact;
+    contact.p_WG = step.p_WG;
+    const Vec3 push = step.p_WG - p_WH;
+    contact.depth_mm = push.norm();
+    contact.n_W = contact.depth_mm > 0.0 ? Vec3(push / contact.depth_mm) : touched.n_W;
+    contact.structure = touched.structure;
+    contact.triangle = structure.surface->sourceTriangle(touched.triangle);
+    contact.f_W = law::Law::force({structure.tissue, *structure.surface, touched.triangle, contact.p_WG, p_WH, v_WH});
+    return contact;
 }
 
 } // namespace
 
-Palpator::Palpator() = default;
+struct Palpator::Impl
+{
+    GodObjectLimits limits;
+    const HapticScene* scene = nullptr;
+    std::array<GodObject, kLayers> gods;
+    std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null: there is room for points alone
+    std::array<Numbers, kLayers> numbers;
+    Vec3 p_WH = Vec3::Zero(); ///< of the last tick [mm]
+    bool started = false;
+
+    [[nodiscard]] bool canFeel(const Vec3& hip) const noexcept
+    {
+        return scene != nullptr ? scene->reaches(hip) && (balls != nullptr || scene->fingertip_mm() == 0.0)
+                                : hip.allFinite();
+    }
+};
+
+Palpator::Palpator(Fingertips fingertips, const GodObjectLimits& limits)
+    : m_impl(std::make_unique<Impl>())
+{
+    m_impl->limits = limits;
+    if (fingertips == Fingertips::Any) {
+        m_impl->balls = std::make_unique<std::array<NearBall, kLayers>>();
+    }
+}
+
+Palpator::~Palpator() = default;
+Palpator::Palpator(Palpator&&) noexcept = default;
+Palpator& Palpator::operator=(Palpator&&) noexcept = default;
+
+const HapticScene* Palpator::scene() const noexcept
+{
+    return m_impl->scene;
+}
+
+std::size_t Palpator::byteSize() const noexcept
+{
+    return sizeof(Palpator) + sizeof(Impl) + (m_impl->balls == nullptr ? 0 : sizeof *m_impl->balls);
+}
 
 void Palpator::setScene(const HapticScene* scene) noexcept
 {
-    m_scene = scene;
+    Impl& me = *m_impl;
+    me.scene = scene;
     const PalpatorState before = state();
-    const std::array<Numbers, HapticScene::kMaxLayers> numbers = std::exchange(m_numbers, {});
-    for (std::size_t i = 0; i < m_layers.size(); ++i) {
+    const std::array<Numbers, kLayers> numbers = std::exchange(me.numbers, {});
+    for (std::size_t i = 0; i < kLayers; ++i) {
         GodObjectState kept;
         if (scene != nullptr && i < scene->layerCount()) {
             const HapticLayer& layer = scene->layer(i);
-            m_numbers[i] = {layer.number, layer.lastNumber};
-            for (std::size_t j = 0; j < numbers.size(); ++j) {
+            me.numbers[i] = {layer.number, layer.lastNumber};
+            for (std::size_t j = 0; j < kLayers; ++j) {
                 if (numbers[j].first <= layer.number && layer.number <= numbers[j].last) {
                     kept = before.layers[j];
                 }
             }
         }
-        m_layers[i].restore(kept);
-        m_layers[i].forgetContacts();
+        me.gods[i].restore(kept);
+        me.gods[i].forgetContacts();
+        if (me.balls != nullptr) {
+            (*me.balls)[i].clear();
+        }
     }
 }
 
 void Palpator::reset() noexcept
 {
-    for (GodObject& layer : m_layers) {
-        layer.restore({});
+    for (GodObject& god : m_impl->gods) {
+        god.restore({});
     }
-    m_started = false;
+    m_impl->started = false;
 }
 
 TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
 {
+    Impl& me = *m_impl;
     TickResult result;
-    if (m_scene != nullptr ? !m_scene->reaches(p_WH) : !p_WH.allFinite()) {
-        result.p_WG = m_layers[0].state().p_WG;
+    if (!me.canFeel(p_WH)) {
+        result.p_WG = me.gods[0].state().p_WG;
         result.status = TickStatus::InvalidInput;
         return result;
     }
-    const Vec3 v_WH = m_started && dt_s > 0.0 ? Vec3((p_WH - m_p_WH) / dt_s) : Vec3::Zero();
-    m_p_WH = p_WH;
-    m_started = true;
+    const Vec3 v_WH = me.started && dt_s > 0.0 ? Vec3((p_WH - me.p_WH) / dt_s) : Vec3::Zero();
+    me.p_WH = p_WH;
+    me.started = true;
     result.p_WG = p_WH;
-    const std::size_t layers = m_scene == nullptr ? 0 : m_scene->layerCount();
+    const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
     for (std::size_t i = 0; i < layers; ++i) {
-        const GodObjectStep step = m_layers[i].step(p_WH, *m_scene, i);
+        const GodObjectStep step =
+            me.gods[i].step(p_WH, me.scene->layer(i), me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {
@@ -75,27 +158,17 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             // Free, or stopped at the iteration bound on the way: no surface, no force.
             continue;
         }
-        // With several structures in one contact the stiffest gives the force: the hand cannot pass it.
-        std::size_t touched = 0;
-        const auto stiffness = [&](std::size_t k) {
-            return m_scene->structures()[step.active[k].structure].tissue.stiffness_N_per_mm;
-        };
-        for (std::size_t k = 1; k < step.constraints; ++k) {
-            if (stiffness(k) > stiffness(touched)) {
-                touched = k;
-            }
-        }
-        const HapticStructure& structure = m_scene->structures()[step.active[touched].structure];
-        result.f_W += finiteForce(structure.tissue, step.p_WG, p_WH, v_WH);
-        if (result.structure < 0) {
-            result.p_WG = step.p_WG;
+        Contact& contact = result.contacts[result.contactCount++];
+        contact = contactOf(step, *me.scene, p_WH, v_WH);
+        contact.layer = static_cast<std::uint32_t>(i);
+        result.f_W += contact.f_W;
+        if (result.contactCount == 1) {
+            result.p_WG = contact.p_WG;
+            result.n_W = contact.n_W;
+            result.structure = static_cast<std::int32_t>(contact.structure);
+            result.triangle = contact.triangle;
             result.active = step.active;
             result.constraints = step.constraints;
-            result.structure = static_cast<std::int32_t>(step.active[touched].structure);
-            result.triangle = structure.surface->sourceTriangle(step.active[touched].triangle);
-            const Vec3 push = step.p_WG - p_WH;
-            const double depth = push.norm();
-            result.n_W = depth > 0.0 ? Vec3(push / depth) : step.active[touched].n_W;
         }
     }
     return result;
@@ -104,21 +177,21 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
 PalpatorState Palpator::state() const noexcept
 {
     PalpatorState state;
-    for (std::size_t i = 0; i < m_layers.size(); ++i) {
-        state.layers[i] = m_layers[i].state();
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        state.layers[i] = m_impl->gods[i].state();
     }
-    state.p_WH = m_p_WH;
-    state.started = m_started ? 1 : 0;
+    state.p_WH = m_impl->p_WH;
+    state.started = m_impl->started ? 1 : 0;
     return state;
 }
 
 void Palpator::restore(const PalpatorState& state) noexcept
 {
-    for (std::size_t i = 0; i < m_layers.size(); ++i) {
-        m_layers[i].restore(state.layers[i]);
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        m_impl->gods[i].restore(state.layers[i]);
     }
-    m_p_WH = state.p_WH;
-    m_started = state.started != 0;
+    m_impl->p_WH = state.p_WH;
+    m_impl->started = state.started != 0;
 }
 
 } // namespace palpate::haptics

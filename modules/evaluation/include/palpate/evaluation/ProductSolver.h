@@ -3,13 +3,13 @@
 
 #include "palpate/evaluation/ReferenceSolver.h"
 
-#include <palpate/haptics/GodObject.h>
+#include <palpate/haptics/Palpator.h>
 
 #include <memory>
 
 namespace palpate::evaluation {
 
-/// The product's own god-object behind the interface of the references.
+/// One layer of the product behind the interface of the references.
 class ProductSolver : public ReferenceSolver
 {
   public:
@@ -25,9 +25,7 @@ class ProductSolver : public ReferenceSolver
   private:
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::string m_name;
-    std::size_t m_layer;
-    haptics::GodObjectLimits m_limits;
-    haptics::GodObject m_god;
+    haptics::Palpator m_palpator;
 };
 
 /// A scene of one structure, made as the program makes it.

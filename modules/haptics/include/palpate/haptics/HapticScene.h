@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/haptics/TickResult.h"
 #include "palpate/haptics/Tissue.h"
 
 #include <palpate/geometry/SurfaceIndex.h>
@@ -22,15 +23,22 @@ struct HapticStructure
     std::uint32_t layer = 0; ///< 0 is the outermost; structures of one layer share one god-object
 };
 
-/// The structures that share one god-object.
+/// The structures that share one god-object: all that a god-object knows of a scene.
 struct HapticLayer
 {
     std::uint32_t number = 0;              ///< that its structures give; the lowest of those that are merged into it
     std::uint32_t lastNumber = 0;          ///< the highest
     std::vector<std::uint32_t> structures; ///< numbers in the scene, in the order of the hierarchy's leaves
-    geometry::BoxHierarchy hierarchy;      ///< over the structures' boxes: a tick pays only for those it is near
-    double facetSize_mm = 0.0;             ///< of the finest structure
-    double skin_mm = 0.0;                  ///< the largest of the structures'
+    std::vector<const geometry::SurfaceIndex*> surfaces; ///< by number in the scene; null where it has none
+    geometry::BoxHierarchy hierarchy; ///< over the structures' boxes: a tick pays only for those near
+    double facetSize_mm = 0.0;        ///< of the finest structure
+    double skin_mm = 0.0;             ///< the largest of the structures'
+    double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
+
+    [[nodiscard]] const geometry::SurfaceIndex& surface(std::uint32_t structure) const noexcept
+    {
+        return *surfaces[structure];
+    }
 };
 
 /// What the servo thread can touch: an immutable list of structures sorted into layers, outermost first. Built and
@@ -38,8 +46,7 @@ struct HapticLayer
 class HapticScene
 {
   public:
-    /// Layers beyond this many are merged into the last one.
-    static constexpr std::size_t kMaxLayers = 4;
+    static constexpr std::size_t kMaxLayers = haptics::kMaxLayers;
 
     /// @param structures  those without a surface or without triangles are left out of every layer but keep their
     ///                    number. Layer numbers need not be contiguous: only their order counts.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/haptics/Contact.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate::haptics {
+
+/// A triangle's plane that limits the god-object: `n . (x - a) >= 0` with n the unit normal on the god-object's side.
+struct ActiveConstraint
+{
+    std::uint32_t structure = 0; ///< number in the scene
+    std::uint32_t triangle = 0;  ///< position in the structure's SurfaceIndex
+    Vec3 n_W = Vec3::Zero();     ///< unit, towards the god-object
+};
+
+/// How a tick of one god-object ended.
+enum class TickStatus : std::uint8_t
+{
+    Converged,      ///< at a local minimum of the distance to the HIP
+    IterationLimit, ///< stopped at the bound; the god-object is legal but could still come closer
+    InvalidInput,   ///< the HIP was not finite or too far away (HapticScene::reaches); nothing moved
+};
+
+/// Layers of a scene beyond this many are merged into the last one.
+inline constexpr std::size_t kMaxLayers = 4;
+
+/// What one servo tick gives.
+struct TickResult
+{
+    Vec3 p_WG = Vec3::Zero();    ///< god-object of the layer that is reported (see `structure`) [mm]
+    Vec3 f_W = Vec3::Zero();     ///< force on the hand, summed over the layers, unbounded [N]
+    Vec3 n_W = Vec3::Zero();     ///< unit direction of the contact, from surface to free space; zero in free space
+    std::int32_t structure = -1; ///< number of the touched structure in the scene, -1 in free space; with several
+                                 ///< layers in contact, the outermost one
+    std::uint32_t triangle = 0;  ///< touched triangle, index in the structure's mesh as given to `repair`
+    std::array<ActiveConstraint, 3> active{};  ///< planes that hold the god-object of the reported layer
+    std::uint8_t constraints = 0;              ///< active constraints of the reported layer, 0 to 3
+    TickStatus status = TickStatus::Converged; ///< worst over the layers
+    std::uint32_t iterations = 0;              ///< summed over the layers
+    std::array<Contact, kMaxLayers> contacts;  ///< of the layers that are touched, the outermost first
+    std::uint8_t contactCount = 0;             ///< how many of `contacts` are valid
+};
+
+} // namespace palpate::haptics

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nearby/PlaneLanes.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace palpate::haptics::internal {
+
+/// Eight triangles as floats relative to an origin near them: for distances from a point to all of them at once.
+struct alignas(32) TriangleGroup
+{
+    Corners corners;           ///< [mm]
+    float normal[3][kLanes];   ///< not of unit length; zero for a triangle too flat for floats [mm²]
+    float perNormal2[kLanes];  ///< 1 / squared length of `normal`
+    float perEdge2[3][kLanes]; ///< 1 / squared length of ab, ac and bc [1/mm²]
+};
+
+/// @return the largest coordinate [mm]
+float derive(const Corners& corners, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
+
+inline constexpr int kMostTriangles = 256; ///< that distances are asked to at once
+
+/// Least distances from the move p - half ... p + half to the triangles, or less, to a few ulp of the largest
+/// coordinate.
+/// @param half         half the move; zero for the distances from p themselves [mm]
+/// @param distance_mm  one for each of the groups' lanes; 0 or less for a triangle too flat to tell
+void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
+               float* distance_mm) noexcept PALPATE_NONBLOCKING;
+
+/// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is told off.
+inline constexpr double kDistanceRounding = 1e-5;
+
+/// @return rounding of the least distance of a move to what its middle is `away_mm` from, or more: that of the distance
+/// there, and that of the direction to it, which the half of the move multiplies. [mm]
+inline double leastDistanceRounding(double coordinate_mm, double half_mm, double away_mm) noexcept
+{
+    return kDistanceRounding * coordinate_mm * (1.0 + half_mm / away_mm);
+}
+
+/// Copies triangle i of one set of groups to place j of another.
+void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept PALPATE_NONBLOCKING;
+
+/// @return bit i set where distance i, of up to 64 by eights, is greater than `beyond` and at most `upTo`
+[[nodiscard]] std::uint64_t lanesBetween(const float* distance_mm, int count, float beyond,
+                                         float upTo) noexcept PALPATE_NONBLOCKING;
+
+inline constexpr double kAnyDistance = -1e30; ///< less than any, as what to begin beyond
+
+/// Calls `f(i)` for each distance i of `count` that is greater than `beyond` and at most `upTo`.
+template<class F>
+void forEachBetween(const float* distance_mm, int count, double beyond, double upTo, F&& f) noexcept
+{
+    for (int first = 0; first < count; first += 64) {
+        for (std::uint64_t lanes = lanesBetween(distance_mm + first, std::min(count - first, 64),
+                                                static_cast<float>(beyond), static_cast<float>(upTo));
+             lanes != 0; lanes &= lanes - 1) {
+            f(first + std::countr_zero(lanes));
+        }
+    }
+}
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nearby/NearBall.h"
+
+#include "nearby/AsFloats.h"
+#include "nearby/InsideShare.h"
+#include "nearby/TriangleBatch.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+constexpr double kNever = 2.0;
+constexpr double kShort = 0.5; // radii: a move that is ruled out as a whole, from its middle
+constexpr int kMostPieces = 8;
+constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells is asked of the whole hierarchy
+
+// In units of TickWork.
+constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
+constexpr std::uint32_t kGroup = 3;  // eight facets' distances
+constexpr std::uint32_t kExact = 6;  // the exact test of one
+constexpr std::uint32_t kMeets = 15; // and more where it blocks
+constexpr std::uint32_t kNode = 5;
+constexpr std::uint32_t kBatch = 36; // of eight facets of the hierarchy
+
+bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
+{
+    if (a.key != b.key) {
+        return a.key < b.key;
+    }
+    if (a.stop != b.stop) {
+        return a.stop < b.stop;
+    }
+    if (a.closing_mm != b.closing_mm) {
+        return a.closing_mm > b.closing_mm; // of many that touch, what stands against the move most
+    }
+    return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
+                                                  : a.facet.triangle < b.facet.triangle;
+}
+
+} // namespace
+
+/// Keeps the first crossing of those offered. The order of the offers does not matter.
+struct NearBall::First
+{
+    const Vec3& x;
+    const Vec3& y;
+    double radius_mm;
+    BallCrossing& best;
+    double limit;
+    bool found = false;
+
+    std::uint32_t price = 0; ///< of all that was offered, in units of TickWork
+
+    void offer(const HapticLayer& layer, std::uint32_t structure, std::uint32_t triangle) noexcept
+    {
+        price += kExact;
+        const geometry::SurfaceIndex& surface = layer.surface(structure);
+        BallCrossing crossing;
+        const double least = found && best.key == 0.0 ? best.closing_mm : 0.0;
+        if (!blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing, least)) {
+            return;
+        }
+        price += kMeets;
+        if (!found || isBefore(crossing, best)) {
+            best = crossing;
+            limit = crossing.key;
+            found = true;
+        }
+    }
+};
+
+/// Offers what the ball may touch on the part `begin` … `end` of the move, which leads through the cell. A short part
+/// is ruled out from its middle, a long one from its beginning: it is expected to end early.
+void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begin, double end, TickWork& work,
+                     First& first) noexcept
+{
+    const Vec3 part = (end - begin) * (first.y - first.x);
+    const double length = part.norm();
+    const bool isShort = length < kShort * first.radius_mm;
+    const Vec3 half = isShort ? Vec3(0.5 * part) : Vec3(Vec3::Zero());
+    float at[3], along[3];
+    const Vec3 from = first.x + begin * (first.y - first.x);
+    const float coordinate = std::max(cell.reach_mm(), asFloats(from + half, cell.origin(), at));
+    (void)asFloats(half, Vec3::Zero(), along);
+    alignas(32) float distance_mm[kMostTriangles];
+    distances(cell.groups(), cell.count(), at, along, distance_mm);
+    const double touching = first.radius_mm + leastDistanceRounding(coordinate, half.norm(), first.radius_mm);
+    const auto offer = [&](int i) { first.offer(layer, cell.structure(i), cell.triangle(i)); };
+    if (isShort) {
+        forEachBetween(distance_mm, cell.count(), kAnyDistance, touching, offer);
+    } else {
+        // The nearer first: what is met early spares the rest.
+        double done = kAnyDistance;
+        for (const double share : {0.01, 0.05, 0.25, 1.0}) {
+            const double limit = end > begin ? (first.limit - begin) / (end - begin) : 1.0;
+            const double upTo = touching + length * std::min(share, limit);
+            forEachBetween(distance_mm, cell.count(), done, upTo, offer);
+            done = upTo;
+            if (limit <= share) {
+                break;
+            }
+        }
+    }
+    work.spend(kGroup * static_cast<std::uint32_t>((cell.count() + kLanes - 1) / kLanes) +
+               std::exchange(first.price, 0u));
+}
+
+/// Asks the whole hierarchy for the rest of a move.
+class NearBall::Traversal
+{
+  public:
+    /// @param begin  share of the move that is known to be free
+    Traversal(const HapticLayer& layer, double begin, TickWork& work, First& first) noexcept
+        : m_layer(layer)
+        , m_begin(begin)
+        , m_whole((first.y - first.x).norm())
+        , m_u(m_whole > 0.0 ? Vec3((first.y - first.x) / m_whole) : Vec3(Vec3::Zero()))
+        , m_from(first.x + begin * (first.y - first.x))
+        , m_work(work)
+        , m_first(first)
+    {
+        std::copy_n(m_from.data(), 3, m_from4);
+    }
+
+    /// @return the share of the move up to which all was asked: 1, or less where the work was spent
+    double run() noexcept
+    {
+        const double reach = m_first.radius_mm + m_layer.skin_mm;
+        visit(m_layer.hierarchy, reach, [&](std::uint32_t s, std::uint32_t n) {
+            for (const std::uint32_t end = s + n; s < end && !m_work.isSpent(); ++s) {
+                visitStructure(m_layer.structures[s], reach);
+            }
+        });
+        flush();
+        return m_free_mm < (1.0 - m_begin) * m_whole ? m_begin + m_free_mm / m_whole : 1.0;
+    }
+
+  private:
+    template<class Leaf>
+    void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
+    {
+        std::uint32_t nodes = m_work.left() / kNode, before = nodes;
+        const double free =
+            hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
+                m_work.spend(kNode * (before - nodes));
+                leaf(i, n);
+                nodes = before = m_work.left() / kNode;
+                return m_work.isSpent() ? -1.0 : (m_first.limit - m_begin) / (1.0 - m_begin);
+            });
+        m_work.spend(kNode * (before - nodes));
+        if (free < m_free_mm) {
+            m_free_mm = free;
+            m_work.spend(m_work.left());
+        }
+    }
+
+    void visitStructure(std::uint32_t number, double reach) noexcept
+    {
+        const geometry::SurfaceIndex& surface = m_layer.surface(number);
+        visit(surface.hierarchy(), reach, [&](std::uint32_t i, std::uint32_t n) {
+            for (const std::uint32_t end = i + n; i < end; ++i) {
+                m_batch.add(surface, number, i);
+                if (m_batch.isFull()) {
+                    flush();
+                }
+            }
+        });
+    }
+
+    /// Offers those of the batch that the ball may touch.
+    void flush() noexcept
+    {
+        if (m_batch.isEmpty()) {
+            return;
+        }
+        // Where on the way that is still of interest the ball comes nearest to them.
+        double low = 0.0, high = 0.0;
+        m_batch.project(m_from, m_u, low, high);
+        const double most = std::max(0.0, m_first.limit * m_whole - m_begin * m_whole);
+        low = std::clamp(low, 0.0, most);
+        high = std::clamp(high, 0.0, most);
+        const Vec3 half = 0.5 * (high - low) * m_u;
+        float at[3], along[3];
+        TriangleGroup group;
+        const float reach = m_batch.derive(m_from4, group);
+        const float coordinate = std::max(reach, asFloats(0.5 * (low + high) * m_u, Vec3::Zero(), at));
+        (void)asFloats(half, Vec3::Zero(), along);
+        alignas(32) float distance_mm[kLanes];
+        distances(&group, m_batch.count(), at, along, distance_mm);
+        const double touching = m_first.radius_mm + leastDistanceRounding(coordinate, half.norm(), m_first.radius_mm);
+        forEachBetween(distance_mm, m_batch.count(), kAnyDistance, touching,
+                       [&](int i) { m_first.offer(m_layer, m_batch.structure(i), m_batch.triangle(i)); });
+        m_work.spend(kBatch + std::exchange(m_first.price, 0u));
+        m_batch.clear();
+    }
+
+    const HapticLayer& m_layer;
+    double m_begin;
+    double m_whole;                                             ///< length of the move [mm]
+    double m_free_mm = std::numeric_limits<double>::infinity(); ///< of the rest, before what was not asked
+    Vec3 m_u;                                                   ///< its direction
+    Vec3 m_from;                                                ///< where the rest begins [mm]
+    double m_from4[4]{};
+    TickWork& m_work;
+    First& m_first;
+    TriangleBatch m_batch;
+};
+
+Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work,
+                      BallCrossing& best) noexcept
+{
+    best.stop = 0.0;
+    best.key = kNever;
+    if (work.isSpent()) {
+        return Sweep::Unknown;
+    }
+    work.spend(kSweep);
+    First first{x, y, layer.fingertip_mm, best, 1.0};
+    const double length = (y - x).cwiseAbs().maxCoeff();
+    double done = 0.0; // share of the move that is known to be free
+    for (int piece = 0; piece < kMostPieces; ++piece) {
+        const Vec3 p = x + done * (y - x);
+        // A long move is not worth a cell, unless that is paid for.
+        const bool isLong = (1.0 - done) * length > kCellsOnWay * m_cells.size_mm(layer);
+        const BallCell* held = m_cells.paidAt(p);
+        if (held == nullptr && isLong) {
+            break;
+        }
+        const BallCell& cell = m_cells.at(layer, p, work);
+        if (cell.isFull() || !cell.region().contains(p)) {
+            break;
+        }
+        const double upTo = done + (1.0 - done) * insideShare(cell.region(), p, y);
+        first.limit = upTo;
+        offer(layer, cell, done, upTo, work, first);
+        if (first.found || upTo >= 1.0) {
+            return first.found ? Sweep::Blocked : Sweep::Free;
+        }
+        done = upTo;
+        if (work.isSpent()) {
+            break;
+        }
+    }
+    first.limit = 1.0;
+    const double asked = Traversal(layer, done, work, first).run();
+    if (first.limit > asked) {
+        best.key = first.found ? best.key : kNever;
+        best.stop = first.found ? std::min(best.stop, asked) : asked;
+        return Sweep::Unknown;
+    }
+    return first.found ? Sweep::Blocked : Sweep::Free;
+}
+
+} // namespace palpate::haptics::internal

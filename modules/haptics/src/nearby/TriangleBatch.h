@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nearby/DistanceLanes.h"
+#include "palpate/haptics/HapticScene.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palpate::haptics::internal {
+
+/// Up to eight triangles, as a traversal comes by them, on their way to being ruled out together.
+class TriangleBatch
+{
+  public:
+    [[nodiscard]] bool isEmpty() const noexcept { return m_count == 0; }
+    [[nodiscard]] bool isFull() const noexcept { return m_count == kLanes; }
+    [[nodiscard]] int count() const noexcept { return m_count; }
+    [[nodiscard]] std::uint32_t structure(int i) const noexcept { return m_structure[static_cast<std::size_t>(i)]; }
+    /// @return position in the structure's SurfaceIndex.
+    [[nodiscard]] std::uint32_t triangle(int i) const noexcept { return m_triangle[static_cast<std::size_t>(i)]; }
+    void clear() noexcept { m_count = 0; }
+
+    /// @pre not full
+    void add(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
+    {
+        const auto i = static_cast<std::size_t>(m_count++);
+        const geometry::Triangle t = surface.triangle(triangle);
+        for (std::size_t c = 0; c < 3; ++c) {
+            m_at[c][i] = surface.vertex(t[c]).data();
+            core::prefetch(m_at[c][i]); // one round of waiting for memory serves all eight
+        }
+        m_structure[i] = structure;
+        m_triangle[i] = triangle;
+    }
+
+    /// Makes a group of them; what is left over of eight repeats the last. @pre not empty
+    /// @param origin  of the floats; four numbers are read [mm]
+    /// @return the largest coordinate [mm]
+    float derive(const double* origin, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
+
+    /// Finds between which places on a line through `from` along the unit vector u its nearest to any point of theirs
+    /// lie. @pre not empty
+    void project(const core::Vec3& from, const core::Vec3& u, double& low_mm,
+                 double& high_mm) const noexcept PALPATE_NONBLOCKING;
+
+  private:
+    int m_count = 0;
+    const double* m_at[3][kLanes]; ///< where the corners lie
+    std::array<std::uint32_t, kLanes> m_structure;
+    std::array<std::uint32_t, kLanes> m_triangle;
+};
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "probe/BallProbe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// A move that is nearer to an edge's direction than this sine goes along the edge: it enters at the ends, not at the
+/// side.
+constexpr double kAlong = 1e-15;
+
+/// Where the line w + s u, seen from the middle of a sphere or of a cylinder's section, comes nearer to it than r. The
+/// start counts as outside: where rounding makes it lie inside, it is on the sphere. How far the line passes beside the
+/// middle is a cross product, so that no difference of large squares decides.
+/// @param u  unit, or shorter by the part along the cylinder's axis
+inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
+{
+    const double u2 = u.squaredNorm();
+    const double nearest = -w.dot(u); // times u2: where the line comes nearest
+    if (nearest <= 0.0 || u2 <= kAlong * kAlong) {
+        return kNever;
+    }
+    const double beside2 = w.cross(u).squaredNorm(); // times u2
+    return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNever;
+}
+
+/// Way along the move x + s u at which its distance from the triangle falls to `r`; kNever when it stays farther or
+/// would do so beyond `limit`. [mm] @param u  unit @pre the distance at x is greater than r, and r than 0
+double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, double r, double limit) noexcept
+{
+    double first = kNever;
+    const double sinking = -side * facet.n.dot(u);
+    if (sinking > 0.0) {
+        const double height = side * facet.n.dot(x - facet.a);
+        const double s = std::max(0.0, (height - r) / sinking);
+        if (s <= limit) {
+            const Vec3 p = x + s * u;
+            const Vec3 pa = facet.a - p, pb = facet.b - p, pc = facet.c - p;
+            if (facet.n.dot(pa.cross(pb)) >= 0.0 && facet.n.dot(pb.cross(pc)) >= 0.0 &&
+                facet.n.dot(pc.cross(pa)) >= 0.0) {
+                return s; // on the face: the other parts are entered later
+            }
+        }
+    }
+    const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 w = x - *corner[i], e = *corner[(i + 1) % 3] - *corner[i];
+        // What the move cannot reach before what is known needs no root.
+        double reach = r + std::min(first, limit);
+        if (w.squaredNorm() <= reach * reach) {
+            first = std::min(first, firstRoot(w, u, r));
+            reach = r + std::min(first, limit);
+        }
+        const double e2 = e.squaredNorm();
+        if (e2 > 0.0) {
+            // The cylinder around the edge: the same without the parts along it.
+            const double perEdge2 = 1.0 / e2, we = w.dot(e), ue = u.dot(e);
+            const Vec3 across = w - (we * perEdge2) * e;
+            if (across.squaredNorm() > reach * reach) {
+                continue;
+            }
+            const double s = firstRoot(across, u - (ue * perEdge2) * e, r);
+            const double along = we + s * ue;
+            if (s < first && along >= 0.0 && along <= e2) {
+                first = s;
+            }
+        }
+    }
+    return first <= limit ? first : kNever;
+}
+
+} // namespace
+
+Nearest nearestOn(const Facet& facet, const Vec3& p) noexcept
+{
+    const Vec3 ab = facet.b - facet.a, ac = facet.c - facet.a, ap = p - facet.a;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return {facet.a, Vec3::Zero(), true, -1, 0};
+    }
+    const Vec3 bp = p - facet.b;
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0.0 && d4 <= d3) {
+        return {facet.b, Vec3::Zero(), true, -1, 1};
+    }
+    const Vec3 cp = p - facet.c;
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0.0 && d5 <= d6) {
+        return {facet.c, Vec3::Zero(), true, -1, 2};
+    }
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return {facet.a + d1 / (d1 - d3) * ab, ab.normalized(), true, 0};
+    }
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return {facet.a + d2 / (d2 - d6) * ac, ac.normalized(), true, 2};
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+        const Vec3 bc = facet.c - facet.b;
+        return {facet.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * bc, bc.normalized(), true, 1};
+    }
+    // By the plane rather than by the weights: exact for slivers, too.
+    return {p - facet.n.dot(ap) * facet.n, Vec3::Zero(), false};
+}
+
+bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_mm, double limit,
+                BallCrossing& crossing, double leastClosing_mm) noexcept
+{
+    const double height = facet.n.dot(x - facet.a);
+    const double onPlane = kOnPlane * facet.skin_mm;
+    if (height < -onPlane && !facet.isTwoSided) {
+        return false;
+    }
+    const double side = height < 0.0 && facet.isTwoSided ? -1.0 : 1.0;
+    const Vec3 d = y - x;
+    const double length = d.norm();
+    Vec3 away = x - nearestOn(facet, x).q;
+    const double distance = away.norm();
+    if (distance <= onPlane) {
+        away = side * facet.n; // on the facet itself: up is where it leads away
+    }
+    const double closing = -away.dot(d);
+    if (closing <= 0.0) {
+        return false; // the distance from a convex set only grows from here
+    }
+    const double kept = radius_mm + facet.skin_mm;
+    crossing.facet = facet;
+    crossing.side = side > 0.0 ? 1 : -1;
+    if (distance <= onPlane) {
+        crossing.key = crossing.stop = 0.0;
+        crossing.closing_mm = closing;
+        return true;
+    }
+    // A little more than the limit, so that of facets met at the same share none is lost to rounding.
+    const double most = limit * length + onPlane;
+    if (distance - radius_mm > most) {
+        return false;
+    }
+    // What touches already comes first, whatever its entry: nothing is made of the move.
+    const bool isTouching = distance <= kept + onPlane;
+    if (isTouching && closing / distance < leastClosing_mm) {
+        return false;
+    }
+    const Vec3 u = d / length;
+    const double s = entry(facet, side, x, u, std::min(radius_mm, distance - onPlane), isTouching ? length : most);
+    if (s == kNever || (!isTouching && s / length > limit)) {
+        return false;
+    }
+    crossing.key = isTouching ? 0.0 : s / length;
+    crossing.closing_mm = isTouching ? closing / distance : 0.0;
+    crossing.stop = isTouching ? 0.0 : std::min(s, entry(facet, side, x, u, kept, s)) / length;
+    return true;
+}
+
+} // namespace palpate::haptics::internal

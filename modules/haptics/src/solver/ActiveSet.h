@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/ConstrainedPoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace palpate::haptics::internal {
+
+/// The facets whose planes limit a god-object now, point or ball: Zilles & Salisbury's active constraints, at most
+/// three, and the plane just met.
+/// @tparam Contact  with `facet` and `side`
+template<class Contact>
+class ActiveSet
+{
+  public:
+    static constexpr std::size_t kMost = 4;
+
+    [[nodiscard]] std::size_t count() const noexcept { return m_count; }
+    [[nodiscard]] bool isEmpty() const noexcept { return m_count == 0; }
+    [[nodiscard]] Contact& operator[](std::size_t i) noexcept { return m_contacts[i]; }
+    [[nodiscard]] const Contact& operator[](std::size_t i) const noexcept { return m_contacts[i]; }
+    [[nodiscard]] Contact* begin() noexcept { return m_contacts.data(); }
+    [[nodiscard]] Contact* end() noexcept { return m_contacts.data() + m_count; }
+    [[nodiscard]] const Contact* begin() const noexcept { return m_contacts.data(); }
+    [[nodiscard]] const Contact* end() const noexcept { return m_contacts.data() + m_count; }
+
+    void clear() noexcept { m_count = 0; }
+
+    /// Adds a contact; where all places are taken, the oldest makes room. @return the place to fill
+    Contact& add() noexcept
+    {
+        if (m_count == kMost) {
+            std::move(begin() + 1, end(), begin());
+            --m_count;
+        }
+        return m_contacts[m_count++];
+    }
+
+    /// Lets go of each contact for which `isLost(contact)`.
+    template<class IsLost>
+    void release(IsLost&& isLost) noexcept
+    {
+        m_count = static_cast<std::size_t>(std::remove_if(begin(), end(), isLost) - begin());
+    }
+
+    /// Finds the allowed displacement nearest to `wanted`, and lets go of the contacts with no part in it.
+    /// @param planeOf  gives a contact's HalfSpace of displacements
+    /// @param allowance_mm  as of `constrainedPoint`
+    /// @return the displacement [mm]
+    template<class PlaneOf>
+    [[nodiscard]] Vec3 constrain(const Vec3& wanted, double allowance_mm, PlaneOf&& planeOf) noexcept
+    {
+        std::array<HalfSpace, kMost> planes;
+        for (std::size_t i = 0; i < m_count; ++i) {
+            planes[i] = planeOf(m_contacts[i]);
+        }
+        const ConstrainedPoint point =
+            constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_count), allowance_mm);
+        m_count = static_cast<std::size_t>(point.count);
+        for (std::size_t i = 0; i < m_count; ++i) {
+            // `active` ascends, so nothing is overwritten before it is used.
+            const std::size_t kept = point.active[i];
+            if (kept != i) {
+                m_contacts[i] = m_contacts[kept];
+            }
+        }
+        return point.u;
+    }
+
+  private:
+    std::array<Contact, kMost> m_contacts;
+    std::size_t m_count = 0;
+};
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/BallTick.h"
+
+#include "solver/ConstrainedPoint.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+// What comes nearer to the HIP by less than so many skins, or than so small a share of the distance, in so many moves,
+// has arrived.
+constexpr std::uint32_t kPatience = 16;
+constexpr double kArrived = 4.0;
+constexpr double kSlight = 1e-8;
+constexpr int kMostSlight = 4; // moves aside in a tick that bring no more than that, and are gone on from
+
+// Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
+// together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
+// only if that is longer at all.
+constexpr int kCreeping = 2;
+constexpr double kAlike = 0.9;
+constexpr double kLongest = 0.5;
+constexpr double kGrowth = 16.0;
+constexpr double kLonger = 1.01;
+
+// A long step has so many moves to show that it leads nearer to the HIP. Else it is taken back, and the next is
+// shorter.
+constexpr int kTrial = 6;
+constexpr double kShorter = 0.25;
+
+constexpr double kParted = 3.0;      // skins of gap, beyond the first, from which on a contact is none
+constexpr int kMostRolled = 8;       // facets in one move
+constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
+constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
+constexpr double kBrink = 1e-7;      // radii from an edge, at most, where it may roll over that
+
+constexpr double kNowhere = 1e-3; // radii that a tick must lead for less than a skin, to be taken back
+
+constexpr double kThere = 0.01; // radii in front of what it would touch next, where the work is spent
+
+// A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
+constexpr double kPressed = 4.0;
+
+/// The line along which two contacts let the ball go.
+struct Trough
+{
+    Vec3 t = Vec3::Zero();  ///< unit; zero where the contacts are nearly one
+    double curvature = 0.0; ///< of 0.5 |HIP - centre|^2 along it, with the contacts kept
+
+    /// @param push  sum of the multipliers times the normals [mm]
+    Trough(const BallContact& p, const BallContact& q, const Vec3& push) noexcept
+    {
+        const Vec3 across = p.n.cross(q.n);
+        const double sine2 = across.squaredNorm();
+        if (sine2 < 1e-12) {
+            return;
+        }
+        // The Lagrangian's second derivative is 1 less the bends.
+        t = across / std::sqrt(sine2);
+        const double cosine = p.n.dot(q.n), onP = p.n.dot(push), onQ = q.n.dot(push);
+        const auto bend = [this](const BallContact& c, double multiplier) {
+            const double edge = c.nearest.along.dot(t);
+            return c.nearest.isCurved ? multiplier / c.distance_mm * (1.0 - edge * edge) : 0.0;
+        };
+        curvature = 1.0 - bend(p, (onP - cosine * onQ) / sine2) - bend(q, (onQ - cosine * onP) / sine2);
+    }
+};
+
+} // namespace
+
+void BallContact::lookFrom(const Vec3& g) noexcept
+{
+    nearest = nearestOn(facet, g);
+    if (nearest.isCurved) {
+        const Vec3 away = g - nearest.q;
+        distance_mm = away.norm();
+        // On the facet itself, to rounding, up is where the facet leads, as when it is met.
+        n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(away / distance_mm) : Vec3(side * facet.n);
+    } else {
+        n = side * facet.n;
+        distance_mm = n.dot(g - facet.a);
+    }
+}
+
+void BallTick::touch(const Facet& facet, int side) noexcept
+{
+    BallContact& contact = m_active.add();
+    contact.facet = facet;
+    contact.side = side;
+    contact.lookFrom(m_god);
+    m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
+}
+
+/// Looks at the contacts from where the ball is now, and drops those that it has parted from.
+/// @return true when they are the same as before
+bool BallTick::lookAgain() noexcept
+{
+    const double radius = m_layer.fingertip_mm;
+    bool isSame = true;
+    m_active.release([&](BallContact& c) {
+        c.lookFrom(m_god);
+        if (c.distance_mm <= radius + kParted * c.facet.skin_mm) {
+            return false;
+        }
+        isSame = false;
+        return !rollOn(c);
+    });
+    return isSame;
+}
+
+/// Where the ball has left a facet over an edge or a corner, what it is above now is what the next move leads down to.
+/// @return false when that is not near
+bool BallTick::rollOn(BallContact& contact) const noexcept
+{
+    using Index = geometry::SurfaceIndex;
+    const Index& surface = m_layer.surface(contact.facet.structure);
+    for (int i = 0; i < kMostRolled && contact.nearest.isCurved; ++i) {
+        // Around a corner always the same way.
+        const int edge = contact.nearest.corner >= 0 ? contact.nearest.corner : contact.nearest.edge;
+        const Index::Neighbour next = surface.neighbour(contact.facet.triangle, static_cast<std::uint32_t>(edge));
+        if (next.triangle == Index::kNoNeighbour) {
+            return false;
+        }
+        contact.facet = Facet::of(surface, contact.facet.structure, next.triangle);
+        contact.lookFrom(m_god);
+        if (contact.nearest.edge == static_cast<int>(next.edge)) {
+            break; // above the edge itself
+        }
+    }
+    const double radius = m_layer.fingertip_mm;
+    return contact.distance_mm > radius && contact.distance_mm < (1.0 + kFall) * radius;
+}
+
+Vec3 BallTick::nextMove() noexcept
+{
+    const Vec3 wanted = m_hip - m_god;
+    if (m_active.isEmpty()) {
+        return wanted;
+    }
+    const double radius = m_layer.fingertip_mm;
+    const Vec3 u = m_active.constrain(wanted, allowance(m_skin_mm, wanted), [radius](const BallContact& c) {
+        const double missing = radius + c.facet.skin_mm - c.distance_mm;
+        return HalfSpace{c.n, missing <= kPressed * c.facet.skin_mm ? missing : 0.0};
+    });
+    return m_active.isEmpty() ? u : lengthened(u);
+}
+
+/// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to where steps
+/// that shrink with the way made as the last one did come to nothing, the secant's root.
+Vec3 BallTick::lengthened(const Vec3& u) noexcept
+{
+    m_step = {m_god, u, m_active.count(), 0};
+    const Vec3 moved = m_god - m_last.god;
+    const double step = u.norm(), length = moved.norm();
+    if (m_active.count() != m_last.count || moved.dot(u) <= kAlike * length * step) {
+        return u;
+    }
+    m_step.alike = m_last.alike + 1;
+    if (m_trialMoves > 0 || m_step.alike < kCreeping || staysFlat(u) || isDeep()) {
+        return u;
+    }
+    const double shrunk = moved.dot(m_last.u - u);
+    const double most =
+        std::min({m_longest_mm, kLongest * m_layer.fingertip_mm, kGrowth * std::max(length, m_kept_mm)});
+    const double whole = length * length * step < most * shrunk ? length * length * step / shrunk : most;
+    if (whole <= kLonger * step) {
+        return u;
+    }
+    m_before = {m_god, m_active, (m_hip - m_god).norm()};
+    m_trialMoves = kTrial;
+    m_tried_mm = whole;
+    return whole / step * u;
+}
+
+/// Judges a long step by where it has led.
+/// @param isOver  it leads nowhere else
+/// @return false when it was taken back
+bool BallTick::isKept(bool isOver) noexcept
+{
+    if (m_trialMoves == 0) {
+        return true;
+    }
+    if ((m_hip - m_god).norm() < m_before.spring_mm + kParted * m_skin_mm) {
+        m_trialMoves = 0;
+        m_kept_mm = m_tried_mm;
+        m_longest_mm = std::max(m_longest_mm, m_tried_mm / kShorter);
+        return true;
+    }
+    if (--m_trialMoves > 0 && !isOver) {
+        return true;
+    }
+    m_trialMoves = 0;
+    m_kept_mm = 0.0;
+    m_longest_mm = kShorter * m_tried_mm;
+    standAgain(m_before);
+    return false;
+}
+
+/// Which way from the contact, on a face, an edge is as good as there beyond which the surface falls away; zero where
+/// none is. By rounding the ball may stand on either side of the edge.
+Vec3 BallTick::brink(const BallContact& contact) const noexcept
+{
+    using Index = geometry::SurfaceIndex;
+    const Facet& facet = contact.facet;
+    const Index& surface = m_layer.surface(facet.structure);
+    const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
+    for (std::uint32_t edge = 0; edge < 3; ++edge) {
+        const Vec3& a = *corner[edge];
+        const Vec3 out = (*corner[(edge + 1) % 3] - a).cross(facet.n).normalized();
+        if (out.dot(a - contact.nearest.q) > kBrink * m_layer.fingertip_mm) {
+            continue;
+        }
+        const Index::Neighbour next = surface.neighbour(facet.triangle, edge);
+        if (next.triangle == Index::kNoNeighbour) {
+            return out;
+        }
+        const Facet beyond = Facet::of(surface, facet.structure, next.triangle);
+        for (const Vec3* v : {&beyond.a, &beyond.b, &beyond.c}) {
+            if (contact.n.dot(*v - contact.nearest.q) < -kParted * facet.skin_mm) {
+                return out;
+            }
+        }
+    }
+    return Vec3::Zero();
+}
+
+/// Which way the ball would roll off what it stands on, where the pull goes straight through an edge or a corner and
+/// out beyond it; zero where it can't.
+Vec3 BallTick::slope() const noexcept
+{
+    const BallContact &p = m_active[0], &q = m_active[1];
+    if (m_active.count() == 1 && p.distance_mm + p.n.dot(m_hip - m_god) < 0.0) {
+        if (!p.nearest.isCurved) {
+            return brink(p);
+        }
+        return p.nearest.along.isZero(0.0) ? p.n.unitOrthogonal() : Vec3(p.nearest.along.cross(p.n));
+    }
+    if (m_active.count() == 2 && (p.nearest.isCurved || q.nearest.isCurved)) {
+        const Trough trough(p, q, m_god - m_hip);
+        return trough.curvature > 0.0 ? Vec3::Zero() : trough.t; // a valley holds it
+    }
+    return Vec3::Zero();
+}
+
+/// Takes back what has led nowhere.
+void BallTick::standAgain(const Before& stood) noexcept
+{
+    m_god = stood.god;
+    m_active = stood.active;
+}
+
+/// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
+/// roll.
+/// @return true when there is a side to try; where none led closer it stands where it stood
+bool BallTick::topples() noexcept
+{
+    const double spring = (m_hip - m_god).norm();
+    if (m_nudges == 0 && isNearest(spring)) {
+        return false;
+    }
+    if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
+        if (m_nudges > 0 && spring >= m_stood.spring_mm - slight(spring) && ++m_slight > kMostSlight) {
+            return false;
+        }
+        m_nudges = 0;
+        m_aside = slope();
+        m_stood = {m_god, m_active, spring};
+    } else {
+        standAgain(m_stood);
+    }
+    const int sides =
+        m_active[0].nearest.along.isZero(0.0) && m_active.count() == 1 ? 4 : 2; // off a corner also across
+    while (m_nudges < sides && !m_aside.isZero(0.0)) {
+        if (m_nudges == 2) {
+            m_aside = m_active[0].n.cross(m_aside);
+        }
+        const double aside = m_nudges++ % 2 == 0 ? kAside : -kAside;
+        const Vec3 target = m_god + aside * m_layer.fingertip_mm * m_aside;
+        BallCrossing crossing;
+        if (m_near.sweep(m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
+            m_god = target;
+            (void)lookAgain();
+            m_since = 0;
+            return true;
+        }
+    }
+    return false;
+}
+
+std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
+{
+    m_near.beginTick();
+    if (!m_active.isEmpty()) {
+        m_known = m_active[0];
+        m_isKnown = true;
+    }
+    (void)lookAgain();
+    const Before began{m_god, m_active, (m_hip - m_god).norm()};
+    std::uint32_t moves = 0;
+    while (moves < limit) {
+        ++moves;
+        if (!goesOn()) {
+            break;
+        }
+    }
+    if (isKept(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
+        standAgain(m_stood);
+    }
+    const double end = (m_hip - m_god).norm();
+    if (!began.active.isEmpty() && end > began.spring_mm - m_skin_mm &&
+        (m_god - began.god).norm() > kNowhere * m_layer.fingertip_mm) {
+        standAgain(began); // all that way gained nothing: where the HIP rests, so does the ball
+    }
+    dropUntouched();
+    if (m_active.isEmpty() && m_isKnown && m_god != m_hip) {
+        // Away from the HIP something holds it: the facet known last.
+        touch(m_known.facet, m_known.side);
+    }
+    return moves;
+}
+
+/// What the ball has rolled towards but not come to holds nothing, if something else does.
+void BallTick::dropUntouched() noexcept
+{
+    const double radius = m_layer.fingertip_mm;
+    const auto isParted = [&](BallContact& c) {
+        c.lookFrom(m_god);
+        return c.distance_mm > radius + kParted * c.facet.skin_mm;
+    };
+    if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
+        m_active.release(isParted);
+    }
+}
+
+/// The HIP is where the ball touches, which is as near as it can come. On an edge or a corner it could roll around the
+/// HIP for ever, and gain nothing.
+bool BallTick::touchesHip(double spring_mm) const noexcept
+{
+    const double enough = 0.5 * slight(spring_mm);
+    return !isDeep() && spring_mm <= m_layer.fingertip_mm + kParted * m_skin_mm + enough &&
+           std::any_of(m_active.begin(), m_active.end(),
+                       [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
+}
+
+/// No legal place is nearer to the HIP by enough to count: the ball keeps its radius from every point of what it
+/// touches, also from the one next to the HIP.
+bool BallTick::isNearest(double spring_mm) const noexcept
+{
+    const double most = m_layer.fingertip_mm + slight(spring_mm) - spring_mm;
+    return std::any_of(m_active.begin(), m_active.end(),
+                       [&](const BallContact& c) { return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most; });
+}
+
+/// @return how much nearer to a HIP so far away counts as nothing [mm]
+double BallTick::slight(double spring_mm) const noexcept
+{
+    return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
+}
+
+/// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
+bool BallTick::goesOn() noexcept
+{
+    if (m_work.isSpent()) {
+        return false;
+    }
+    (void)isKept(false);
+    const double now = (m_hip - m_god).norm();
+    if (touchesHip(now)) {
+        return false;
+    }
+    if (now < m_spring_mm - slight(now)) {
+        m_spring_mm = now;
+        m_since = 0;
+    } else if (++m_since > kPatience && !m_active.isEmpty() && isKept(true)) {
+        return topples();
+    }
+    const Vec3 u = nextMove();
+    const double step = u.cwiseAbs().maxCoeff();
+    if (!m_active.isEmpty() && step <= kRoundingOfMoves * m_skin_mm) {
+        return !isKept(true) || topples();
+    }
+    const bool isLong = m_trialMoves == kTrial;
+    const Vec3 target = m_active.isEmpty() ? m_hip : Vec3(m_god + u);
+    BallCrossing crossing;
+    switch (m_near.sweep(m_layer, m_god, target, m_work, crossing)) {
+    case Sweep::Free:
+        return moveTo(target, isLong);
+    case Sweep::Blocked:
+        return stopAt(u, step, crossing, isLong);
+    case Sweep::Unknown:
+        break;
+    }
+    // So far nothing is in the way. What is known to come next holds it where it gets no farther, and if it is there
+    // already, but for what the distances of boxes leave open.
+    const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_layer.fingertip_mm;
+    if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= kRoundingOfMoves * m_skin_mm)) {
+        (void)stopAt(u, step, crossing, isLong);
+    } else if (crossing.stop > 0.0) {
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    }
+    return false;
+}
+
+/// Makes a move that nothing blocks. @return false when it has led home
+bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
+{
+    const bool wasFlat = isFlat();
+    if (!m_active.isEmpty()) {
+        m_last = m_step;
+    }
+    m_god = target;
+    return !(lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples());
+}
+
+/// Moves up to what is in the way, and takes it as a contact. @return false when that leads nowhere any more
+/// @param step  largest part of u by axis [mm]
+bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
+{
+    m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
+    const bool hasMoved = crossing.stop * step > kRoundingOfMoves * m_skin_mm;
+    if (hasMoved) {
+        m_god += crossing.stop * u;
+        (void)lookAgain();
+    } else if (isLong) {
+        m_trialMoves = 0;
+        m_longest_mm = kShorter * m_tried_mm;
+    }
+    const bool isHeld = std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
+        return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
+    });
+    if (isHeld) {
+        return hasMoved || isLong || !isKept(true);
+    }
+    touch(crossing.facet, crossing.side);
+    m_known = m_active[m_active.count() - 1];
+    m_isKnown = true;
+    return true;
+}
+
+/// Nearer to a contact than its radius: put there. Each move leads it farther out.
+bool BallTick::isDeep() const noexcept
+{
+    return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
+        return m_layer.fingertip_mm + c.facet.skin_mm - c.distance_mm > kPressed * c.facet.skin_mm;
+    });
+}
+
+bool BallTick::isFlat() const noexcept
+{
+    return std::none_of(m_active.begin(), m_active.end(), [](const BallContact& c) { return c.nearest.isCurved; });
+}
+
+/// Faces alone are touched, here and at the end of the step: their planes are the surface.
+bool BallTick::staysFlat(const Vec3& u) const noexcept
+{
+    return isFlat() && std::none_of(m_active.begin(), m_active.end(),
+                                    [&](const BallContact& c) { return nearestOn(c.facet, m_god + u).isCurved; });
+}
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/ConstrainedPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+// Normals nearer to dependence than this have lost half of their digits to rounding: the set is left out.
+constexpr double kIndependent = 1.5e-8;
+
+/// Solves with equality on `set`. @return false when the normals are dependent or a multiplier is not positive.
+bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set, Vec3& u) noexcept
+{
+    std::array<Vec3, 3> e; // orthonormal directions: planes[set[i]].n = sum over j <= i of l[i][j] e[j]
+    std::array<std::array<double, 3>, 3> l{};
+    std::array<double, 3> mu{}; // u = wanted + sum of mu[j] e[j]
+    const std::size_t k = set.size();
+    u = wanted;
+    for (std::size_t i = 0; i < k; ++i) {
+        const Vec3& n = planes[set[i]].n;
+        e[i] = n;
+        // Twice: the second pass removes what rounding left of the first.
+        for (int pass = 0; pass < (i == 0 ? 0 : 2); ++pass) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const double along = e[i].dot(e[j]);
+                l[i][j] += along;
+                e[i] -= along * e[j];
+            }
+        }
+        l[i][i] = i == 0 ? 1.0 : e[i].norm();
+        if (l[i][i] < kIndependent) {
+            return false;
+        }
+        e[i] /= l[i][i];
+        // n . u = offset, with the earlier directions already in u.
+        mu[i] = (planes[set[i]].offset_mm - n.dot(u)) / l[i][i];
+        u += mu[i] * e[i];
+    }
+    // Multipliers: sum of lambda[i] n[i] = sum of mu[j] e[j], so L^T lambda = mu.
+    std::array<double, 3> lambda{};
+    for (std::size_t i = k; i-- > 0;) {
+        lambda[i] = mu[i];
+        for (std::size_t j = i + 1; j < k; ++j) {
+            lambda[i] -= l[j][i] * lambda[j];
+        }
+        lambda[i] /= l[i][i];
+        if (!(lambda[i] > 0.0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double worstViolation(const Vec3& u, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set) noexcept
+{
+    double worst = 0.0;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        if (std::find(set.begin(), set.end(), static_cast<std::uint8_t>(i)) == set.end()) {
+            worst = std::max(worst, planes[i].offset_mm - planes[i].n.dot(u));
+        }
+    }
+    return worst;
+}
+
+} // namespace
+
+ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace> halfSpaces,
+                                  double allowance_mm) noexcept
+{
+    ConstrainedPoint best;
+    best.u = wanted;
+    if (halfSpaces.size() == 1) { // most ticks: one face
+        const double missing = halfSpaces[0].offset_mm - halfSpaces[0].n.dot(wanted);
+        if (missing > allowance_mm) {
+            best.u += missing * halfSpaces[0].n;
+            best.count = 1;
+        }
+        return best;
+    }
+    double least = worstViolation(wanted, halfSpaces, {});
+    if (least <= allowance_mm) {
+        return best;
+    }
+    const auto n = static_cast<std::uint8_t>(halfSpaces.size());
+    const auto attempt = [&](std::span<const std::uint8_t> set) {
+        Vec3 u;
+        if (!solveOn(wanted, halfSpaces, set, u)) {
+            return false;
+        }
+        const double violation = worstViolation(u, halfSpaces, set);
+        if (violation < least || violation <= allowance_mm) {
+            least = violation;
+            best.u = u;
+            best.count = static_cast<int>(set.size());
+            std::copy(set.begin(), set.end(), best.active.begin());
+        }
+        return violation <= allowance_mm;
+    };
+    for (std::uint8_t i = 0; i < n; ++i) {
+        if (attempt(std::array{i})) {
+            return best;
+        }
+    }
+    for (std::uint8_t i = 0; i < n; ++i) {
+        for (auto j = static_cast<std::uint8_t>(i + 1); j < n; ++j) {
+            if (attempt(std::array{i, j})) {
+                return best;
+            }
+        }
+    }
+    for (std::uint8_t i = 0; i < n; ++i) {
+        for (auto j = static_cast<std::uint8_t>(i + 1); j < n; ++j) {
+            for (auto k = static_cast<std::uint8_t>(j + 1); k < n; ++k) {
+                if (attempt(std::array{i, j, k})) {
+                    return best;
+                }
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Realtime.h>
+#include <palpate/core/Types.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace palpate::haptics::internal {
+
+using core::Vec3;
+
+/// The half-space `n . u >= offset_mm` of displacements u.
+struct HalfSpace
+{
+    Vec3 n; ///< unit
+    double offset_mm;
+};
+
+/// The nearest allowed displacement and the planes that hold it there.
+struct ConstrainedPoint
+{
+    Vec3 u = Vec3::Zero();                ///< [mm]
+    std::array<std::uint8_t, 3> active{}; ///< numbers of the planes with a positive multiplier
+    int count = 0;                        ///< how many of `active` are valid
+};
+
+/// Minimises 0.5 |u - wanted|^2 subject to every half-space: the constrained point of Zilles & Salisbury.
+///
+/// Their 4×4, 5×5 or 6×6 Lagrange system for k = 1, 2, 3 planes has the identity as its upper left block, so the
+/// multipliers alone solve the k×k system G lambda = offset - N wanted with the Gram matrix G = N N^T of the normals. G
+/// is factored by orthonormalising the normals, which keeps near-parallel planes accurate; a set of planes whose
+/// normals are dependent to rounding is left out. The first set, the smaller first, whose multipliers are all positive
+/// and whose point no other plane forbids is the answer (the Karush-Kuhn-Tucker conditions make it the only one).
+///
+/// @param wanted      unconstrained displacement, HIP - god-object [mm]
+/// @param halfSpaces  up to four
+/// @param allowance_mm  violation of the other planes that is taken for rounding
+/// @return where no set qualifies (planes that contradict or repeat each other), the set that violates the others
+/// least.
+/// @par Real-time Wait-free: at most 14 sets.
+/// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, equations 3 to 5.
+[[nodiscard]] ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace> halfSpaces,
+                                                double allowance_mm) noexcept PALPATE_NONBLOCKING;
+
+} // namespace palpate::haptics::internal

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/GodObject.h"
+
+#include "solver/BallTick.h"
+#include "solver/PointTick.h"
+#include "solver/Walk.h"
+
+#include <algorithm>
+
+namespace palpate::haptics::internal {
+
+GodObjectStep GodObject::step(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+                              NearBall* ball) noexcept
+{
+    GodObjectStep result;
+    if (m_state.placed == 0) {
+        restore({});
+        m_state.p_WG = p_WH;
+        m_state.placed = 1;
+    }
+    recallFacets(layer);
+    if (layer.fingertip_mm > 0.0) {
+        stepBall(p_WH, layer, limits, *ball, result);
+    } else if (m_state.constraints == 0 && m_near.isFree(m_state.p_WG, p_WH)) {
+        m_state.p_WG = result.p_WG = p_WH;
+        result.iterations = 1;
+        m_near.endFreeTick(layer, p_WH);
+    } else {
+        stepPoint(p_WH, layer, limits, result);
+    }
+    return result;
+}
+
+void GodObject::recallFacets(const HapticLayer& layer) noexcept
+{
+    for (std::size_t i = 0; i < m_state.constraints && !m_hasFacets; ++i) {
+        m_facets[i] = Facet::of(layer.surface(m_state.structure[i]), m_state.structure[i], m_state.triangle[i]);
+    }
+}
+
+void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
+                         GodObjectStep& result) noexcept
+{
+    TickWork work(limits.work);
+    BallTick tick(p_WH, layer, ball, work, m_state.p_WG);
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        tick.touch(m_facets[i], m_state.side[i]);
+    }
+    result.iterations = tick.converge(limits.iterations);
+    if (result.iterations >= limits.iterations || work.isSpent()) {
+        result.status = TickStatus::IterationLimit;
+    }
+    m_state.p_WG = tick.god();
+    keep(tick.contacts());
+    report(result);
+    for (std::size_t i = 0; i < result.constraints; ++i) {
+        result.active[i].n_W = tick.contacts()[i].n; // from the contact point, not the facet's
+    }
+}
+
+void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+                          GodObjectStep& result) noexcept
+{
+    m_near.beginTick(TickWork(limits.work));
+    Walk::Ended ended = Walk::Ended::Unfinished;
+    bool isClear = false;
+    const bool isInCrease =
+        m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] && m_state.side[0] == m_state.side[1];
+    if (m_state.constraints == 1 || isInCrease) {
+        // Most ticks: all there is to do is to walk on over the surface.
+        Walk walk(p_WH, layer, m_near, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
+        ended = walk.run(isInCrease    ? Walk::Start::InCrease
+                         : m_hasWalked ? Walk::Start::WellInside
+                                       : Walk::Start::OnFacet,
+                         limits.iterations);
+        result.iterations = walk.moves();
+        isClear = walk.isClear();
+        m_state.constraints = 1;
+        if (Walk::isHeldByTwo(ended)) {
+            m_state.side[1] = m_state.side[0];
+            m_state.constraints = 2;
+        }
+    }
+    if (!Walk::hasArrived(ended)) {
+        PointTick tick(p_WH, layer, m_near, m_state.p_WG, result.iterations);
+        for (std::size_t i = 0; i < m_state.constraints; ++i) {
+            tick.touch(m_facets[i], m_state.side[i]);
+        }
+        result.iterations = tick.converge(limits.iterations);
+        if (result.iterations >= limits.iterations || m_near.work().isSpent()) {
+            result.status = TickStatus::IterationLimit;
+        }
+        m_state.p_WG = tick.god();
+        keep(tick.contacts());
+    }
+    report(result);
+    m_hasWalked = ended == Walk::Ended::OnFacet;
+    lookAhead(layer, isClear && Walk::hasArrived(ended));
+}
+
+/// Keeps what holds the god-object now, three at most.
+template<class Contacts>
+void GodObject::keep(const Contacts& contacts) noexcept
+{
+    m_state.constraints = static_cast<std::uint8_t>(std::min<std::size_t>(contacts.count(), m_facets.size()));
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        m_facets[i] = contacts[i].facet;
+        m_state.side[i] = static_cast<std::int8_t>(contacts[i].side);
+    }
+}
+
+void GodObject::report(GodObjectStep& result) noexcept
+{
+    result.p_WG = m_state.p_WG;
+    result.constraints = m_state.constraints;
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        const Facet& facet = m_facets[i];
+        result.active[i] = {facet.structure, facet.triangle, m_state.side[i] * facet.n};
+        m_state.structure[i] = facet.structure;
+        m_state.triangle[i] = facet.triangle;
+    }
+    m_hasFacets = true;
+}
+
+/// Does a part of what the next ticks will need.
+void GodObject::lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept
+{
+    if (hasWalkedClear) {
+        const geometry::SurfaceIndex& surface = layer.surface(m_facets[0].structure);
+        m_near.endClearTick(layer, m_state.p_WG, surface.isClearAround(m_facets[0].triangle));
+        surface.prefetchNeighbours(m_facets[0].triangle);
+    } else if (m_state.constraints == 0) {
+        m_near.endFreeTick(layer, m_state.p_WG);
+    } else {
+        m_near.endTick(layer, m_state.p_WG);
+    }
+}
+
+void GodObject::forgetContacts() noexcept
+{
+    m_state.constraints = 0;
+    m_hasFacets = false;
+    m_hasWalked = false;
+    m_near.clear();
+}
+
+void GodObject::restore(const GodObjectState& state) noexcept
+{
+    forgetContacts();
+    m_state = state;
+}
+
+} // namespace palpate::haptics::internal

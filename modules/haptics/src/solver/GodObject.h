@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nearby/NearBall.h"
+#include "nearby/NearPoint.h"
+#include "palpate/haptics/Palpator.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palpate::haptics::internal {
+
+/// What one step of a god-object gives.
+struct GodObjectStep
+{
+    Vec3 p_WG = Vec3::Zero(); ///< [mm]
+    std::array<ActiveConstraint, 3> active{};
+    std::uint8_t constraints = 0; ///< how many of `active` are valid
+    TickStatus status = TickStatus::Converged;
+    std::uint32_t iterations = 0;
+};
+
+/// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
+/// infinitely stiff. See resources/docs/god-object.md for the method.
+class GodObject
+{
+  public:
+    /// Moves towards the HIP by moves that no triangle of `layer` blocks, until no further move brings it closer.
+    ///
+    /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, found by
+    /// sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
+    /// @param p_WH  HIP [mm], within the scene's reach
+    /// @param layer  what to touch; only read
+    /// @param ball  caches for a layer that is touched by a ball; not used by a point, and then may be null
+    /// @par Real-time Wait-free, no allocation. Servo thread, or any one thread at a time.
+    /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876. Differs: converges within the tick.
+    [[nodiscard]] GodObjectStep step(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+                                     NearBall* ball) noexcept PALPATE_NONBLOCKING;
+
+    /// Forgets the contacts but not the position: triangle numbers of another scene mean nothing.
+    void forgetContacts() noexcept PALPATE_NONBLOCKING;
+
+    [[nodiscard]] const GodObjectState& state() const noexcept { return m_state; }
+    void restore(const GodObjectState& state) noexcept;
+
+  private:
+    void recallFacets(const HapticLayer& layer) noexcept;
+    void stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
+                  GodObjectStep& result) noexcept;
+    void stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+                   GodObjectStep& result) noexcept;
+    void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
+    template<class Contacts>
+    void keep(const Contacts& contacts) noexcept;
+    void report(GodObjectStep& result) noexcept;
+
+    GodObjectState m_state;
+    // What of the layer was used last. It never changes a result.
+    NearPoint m_near;
+    std::array<Facet, 3> m_facets; ///< of the state's constraints
+    bool m_hasFacets = false;
+    bool m_hasWalked = false; ///< the last tick ended by walking: on the first of them, well inside
+};
+
+} // namespace palpate::haptics::internal

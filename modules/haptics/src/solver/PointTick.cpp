@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/PointTick.h"
+
+#include "solver/Escape.h"
+#include "solver/Walk.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+constexpr std::uint32_t kPatience = 32; // moves that together must gain a skin
+constexpr int kRounds = 3;              // that must, over a convex edge
+
+} // namespace
+
+void PointTick::touch(const PointContact& contact) noexcept
+{
+    m_active.add() = contact;
+    m_mayWalk = contact.isInTheWay; // from a facet that is newly met
+    m_skin_mm = std::max(m_skin_mm, contact.facet.skin_mm);
+}
+
+std::uint32_t PointTick::converge(std::uint32_t limit) noexcept
+{
+    const std::uint32_t moves = moveUntilDone(limit);
+    if (m_active.isEmpty() && m_lastMet && (m_hip - m_god).cwiseAbs().maxCoeff() > m_lastMet->facet.skin_mm) {
+        m_active.add() = *m_lastMet; // what stood in the way last: no god-object is held by nothing
+    }
+    return moves;
+}
+
+std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
+{
+    double spring = std::numeric_limits<double>::infinity();
+    std::uint32_t i = 0;
+    for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
+        if (i % kPatience == kPatience - 1) {
+            // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
+            // many moves has arrived.
+            const double last = std::exchange(spring, (m_hip - m_god).norm());
+            if (spring > last - m_skin_mm && !escapes()) {
+                return i + 1 + m_walked;
+            }
+        }
+        if (m_active.count() == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
+            return i + m_walked;
+        }
+        if (i + m_walked >= limit || m_near.work().isSpent()) {
+            break;
+        }
+        const Vec3 target = nextTarget();
+        Crossing crossing;
+        const Sweep swept = m_near.sweep(m_layer, m_god, target, crossing);
+        if (swept != Sweep::Free) {
+            m_lastMet = {crossing.facet, crossing.side};
+        }
+        if (swept == Sweep::Unknown) {
+            break;
+        }
+        if (swept == Sweep::Blocked) {
+            const bool isOnEdge = m_active.isEmpty() && turnsRound();
+            if ((!stopAt(target, crossing) || isOnEdge) && !escapes()) {
+                return i + 1 + m_walked;
+            }
+            continue;
+        }
+        moveTo(target);
+        const std::size_t before = m_active.count();
+        keepSupporting();
+        if (m_active.count() == before && (isCertain() || !escapes())) {
+            return i + 1 + m_walked;
+        }
+    }
+    return i + m_walked;
+}
+
+/// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
+bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
+{
+    PointContact& contact = m_active[0];
+    Facet beyond;
+    Walk walk(m_hip, m_layer, m_near, {m_god, contact.facet, beyond, contact.side});
+    const Walk::Ended ended = walk.run(Walk::Start::OnFacet, most);
+    m_walked += walk.moves();
+    if (Walk::isHeldByTwo(ended)) {
+        touch({beyond, contact.side});
+    }
+    m_mayWalk = false; // again from the next facet that is met
+    return Walk::hasArrived(ended);
+}
+
+/// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and the
+/// other is met by the straight way. @return true when that has come round a few times without gaining a skin.
+bool PointTick::turnsRound() noexcept
+{
+    const double spring = (m_hip - m_god).norm();
+    if (spring < m_letGo_mm - m_skin_mm) {
+        m_letGo_mm = spring;
+        m_rounds = 0;
+        return false;
+    }
+    return ++m_rounds >= kRounds;
+}
+
+Vec3 PointTick::nextTarget() noexcept
+{
+    if (m_active.isEmpty()) {
+        return m_hip;
+    }
+    const Vec3 wanted = m_hip - m_god;
+    return m_god + m_active.constrain(wanted, allowance(m_skin_mm, wanted),
+                                      [this](const PointContact& c) { return c.planeFrom(m_god); });
+}
+
+/// Moves up to the facet in the way and takes its plane as a constraint.
+/// @return false when that leads nowhere any more.
+bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
+{
+    const PointContact met{crossing.facet, crossing.side, Foot::Away, true};
+    m_skin_mm = std::max(m_skin_mm, met.facet.skin_mm);
+    if (moveTo(m_god + crossing.stop * (target - m_god))) {
+        keepSupporting();
+    }
+    // In place each new plane moves the constrained point away from the HIP, as in a dual active-set method: no set of
+    // planes comes back.
+    if (std::any_of(m_active.begin(), m_active.end(), [&met](const PointContact& c) { return c.isSame(met); })) {
+        return false;
+    }
+    touch(met);
+    return true;
+}
+
+/// @return false, unmoved, for less than rounding.
+bool PointTick::moveTo(const Vec3& p) noexcept
+{
+    const double most = (p - m_god).cwiseAbs().maxCoeff();
+    if (most <= kRoundingOfMoves * m_skin_mm) {
+        return false;
+    }
+    m_god = p;
+    // Within a skin it is the same place: planes that are one to rounding are that far apart.
+    if (most > m_skin_mm) {
+        for (PointContact& contact : m_active) {
+            contact.isInTheWay = false;
+        }
+    }
+    return true;
+}
+
+/// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from here:
+/// with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and what blocks is not
+/// let go of.
+void PointTick::keepSupporting() noexcept
+{
+    // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
+    const double slack = m_active.count() > 1 ? m_skin_mm : 0.0;
+    m_active.release([&](PointContact& c) {
+        const double skin = c.facet.skin_mm, plate = c.facet.isTwoSided ? kPlate * skin : 0.0;
+        c.foot = footOn(c.facet, c.side, m_god, {kSupporting * skin, std::max(slack, plate), kTouched * skin});
+        return c.foot == Foot::Away && !c.isInTheWay;
+    });
+}
+
+/// True when the contacts alone show that no move comes closer: none, one with the foot well inside it, or two below
+/// the god-object that share an edge and rise towards each other.
+bool PointTick::isCertain() const noexcept
+{
+    return m_active.isEmpty() || (m_active.count() == 1 && m_active[0].foot == Foot::Inside) ||
+           (m_active.count() == 2 && isConcaveEdge());
+}
+
+/// Both rise towards each other from a common edge, and the god-object stands between its ends: at an end a third may
+/// fall away.
+bool PointTick::isConcaveEdge() const noexcept
+{
+    const PointContact &p = m_active[0], &q = m_active[1];
+    if (p.foot == Foot::Away || q.foot == Foot::Away) {
+        return false;
+    }
+    std::array<const Vec3*, 2> end{};
+    std::size_t shared = 0;
+    for (const Vec3* v : {&p.facet.a, &p.facet.b, &p.facet.c}) {
+        if (*v != q.facet.a && *v != q.facet.b && *v != q.facet.c) {
+            if (q.gap(*v) < 0.0) {
+                return false;
+            }
+        } else if (shared++ < end.size()) {
+            end[shared - 1] = v;
+        }
+    }
+    if (shared != end.size()) {
+        return false;
+    }
+    const Vec3 along = *end[1] - *end[0];
+    const double margin = kTouched * m_skin_mm * along.norm();
+    return along.dot(m_god - *end[0]) > margin && along.dot(*end[1] - m_god) > margin;
+}
+
+/// Where the planes leave no room: @return true when there is a way out all the same, and it was taken.
+bool PointTick::escapes() noexcept
+{
+    Escape::End end;
+    if (!Escape(m_hip, m_layer, m_near, m_god, m_skin_mm).find(m_active, end)) {
+        return false;
+    }
+    moveTo(end.p);
+    m_active.clear();
+    for (const PointContact& contact : end.along) {
+        touch({contact.facet, contact.side});
+    }
+    keepSupporting();
+    if (end.isBlocked) {
+        touch(end.next);
+    }
+    return true;
+}
+
+} // namespace palpate::haptics::internal

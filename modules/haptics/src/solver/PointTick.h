@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nearby/NearPoint.h"
+#include "solver/PointContact.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace palpate::haptics::internal {
+
+/// One tick of a point-shaped god-object, by the general method: straight moves to the constrained point of the active
+/// set, each up to the first facet in the way, whose plane becomes a constraint.
+/// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876. Differs: converges within the tick.
+/// @par Real-time Wait-free; bounded by `limit` and the work that `near` has begun.
+class PointTick
+{
+  public:
+    /// @param walked  moves made before in this tick
+    PointTick(const Vec3& hip, const HapticLayer& layer, NearPoint& near, const Vec3& god,
+              std::uint32_t walked) noexcept
+        : m_hip(hip)
+        , m_layer(layer)
+        , m_near(near)
+        , m_god(god)
+        , m_walked(walked)
+    {
+    }
+
+    /// Begins with a contact of the tick before.
+    void touch(const Facet& facet, int side) noexcept { touch({facet, side}); }
+
+    /// @return how many moves were tried, `limit` when it was not enough.
+    [[nodiscard]] std::uint32_t converge(std::uint32_t limit) noexcept PALPATE_NONBLOCKING;
+
+    [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
+    [[nodiscard]] const PointContacts& contacts() const noexcept { return m_active; }
+
+  private:
+    void touch(const PointContact& contact) noexcept;
+    [[nodiscard]] std::uint32_t moveUntilDone(std::uint32_t limit) noexcept;
+    [[nodiscard]] bool hasWalkedHome(std::uint32_t most) noexcept;
+    [[nodiscard]] bool turnsRound() noexcept;
+    [[nodiscard]] Vec3 nextTarget() noexcept;
+    [[nodiscard]] bool stopAt(const Vec3& target, const Crossing& crossing) noexcept;
+    bool moveTo(const Vec3& p) noexcept;
+    void keepSupporting() noexcept;
+    [[nodiscard]] bool isCertain() const noexcept;
+    [[nodiscard]] bool isConcaveEdge() const noexcept;
+    [[nodiscard]] bool escapes() noexcept;
+
+    const Vec3& m_hip;
+    const HapticLayer& m_layer;
+    NearPoint& m_near;
+    Vec3 m_god;
+    PointContacts m_active;
+    bool m_mayWalk = false;                                      ///< from the one contact
+    std::uint32_t m_walked;                                      ///< moves made by walking
+    double m_skin_mm = 0.0;                                      ///< the largest of those touched
+    double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
+    int m_rounds = 0;                                            ///< in which that fell by less than a skin
+    std::optional<PointContact> m_lastMet;                       ///< the last facet in the way
+};
+
+} // namespace palpate::haptics::internal
