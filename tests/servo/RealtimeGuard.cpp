@@ -2,10 +2,14 @@
 #include "RealtimeGuard.h"
 
 #include <cerrno>
+#include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 #include <ctime>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define PALPATE_GUARD_AVAILABLE 0
@@ -24,6 +28,7 @@ namespace {
 constinit thread_local bool isArmed = false;
 constinit thread_local std::uint64_t allocationCount = 0;
 constinit thread_local std::uint64_t lockCount = 0;
+constinit thread_local std::uint64_t fileCount = 0;
 
 #if PALPATE_GUARD_AVAILABLE
 void countAllocation() noexcept
@@ -34,6 +39,11 @@ void countAllocation() noexcept
 void countLock() noexcept
 {
     lockCount += isArmed ? 1 : 0;
+}
+
+void countFile() noexcept
+{
+    fileCount += isArmed ? 1 : 0;
 }
 
 /// The C library's own function behind the one that is interposed.
@@ -135,6 +145,84 @@ int pthread_cond_wait(pthread_cond_t* condition, pthread_mutex_t* mutex)
     return original(condition, mutex);
 }
 
+int open(const char* path, int flags, ...)
+{
+    static const auto original = next<int(const char*, int, ...)>("open");
+    va_list more;
+    va_start(more, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;
+    va_end(more);
+    countFile();
+    return original(path, flags, mode);
+}
+
+ssize_t read(int file, void* bytes, size_t count)
+{
+    static const auto original = next<ssize_t(int, void*, size_t)>("read");
+    countFile();
+    return original(file, bytes, count);
+}
+
+ssize_t write(int file, const void* bytes, size_t count)
+{
+    static const auto original = next<ssize_t(int, const void*, size_t)>("write");
+    countFile();
+    return original(file, bytes, count);
+}
+
+FILE* fopen(const char* path, const char* mode)
+{
+    static const auto original = next<FILE*(const char*, const char*)>("fopen");
+    countFile();
+    return original(path, mode);
+}
+
+size_t fwrite(const void* bytes, size_t size, size_t count, FILE* file)
+{
+    static const auto original = next<size_t(const void*, size_t, size_t, FILE*)>("fwrite");
+    countFile();
+    return original(bytes, size, count, file);
+}
+
+int fputs(const char* text, FILE* file)
+{
+    static const auto original = next<int(const char*, FILE*)>("fputs");
+    countFile();
+    return original(text, file);
+}
+
+int puts(const char* text)
+{
+    static const auto original = next<int(const char*)>("puts");
+    countFile();
+    return original(text);
+}
+
+int vfprintf(FILE* file, const char* format, va_list values)
+{
+    static const auto original = next<int(FILE*, const char*, va_list)>("vfprintf");
+    countFile();
+    return original(file, format, values);
+}
+
+int printf(const char* format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    const int count = vfprintf(stdout, format, values);
+    va_end(values);
+    return count;
+}
+
+int fprintf(FILE* file, const char* format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    const int count = vfprintf(file, format, values);
+    va_end(values);
+    return count;
+}
+
 } // extern "C"
 
 #endif
@@ -145,6 +233,7 @@ RealtimeGuard::RealtimeGuard() noexcept
 {
     allocationCount = 0;
     lockCount = 0;
+    fileCount = 0;
     isArmed = true;
 }
 
@@ -161,6 +250,11 @@ std::uint64_t RealtimeGuard::allocations() const noexcept
 std::uint64_t RealtimeGuard::locks() const noexcept
 {
     return lockCount;
+}
+
+std::uint64_t RealtimeGuard::files() const noexcept
+{
+    return fileCount;
 }
 
 bool RealtimeGuard::isAvailable() noexcept

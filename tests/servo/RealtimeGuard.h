@@ -6,8 +6,9 @@
 namespace palpate::test {
 
 /// Counts what a real-time thread must not do: while one lives, every malloc, calloc, realloc, aligned allocation and
-/// free (and so every new, delete and throw), and every lock of a mutex or read-write lock and wait on a condition,
-/// made by its thread through this program's symbols. Works by interposing those functions in the test program.
+/// free (and so every new, delete and throw), every lock of a mutex or read-write lock and wait on a condition, and
+/// every opening, reading and writing of a file or the console, made by its thread through this program's symbols.
+/// Works by interposing those functions in the test program.
 class RealtimeGuard
 {
   public:
@@ -19,6 +20,8 @@ class RealtimeGuard
     /// Counted since construction.
     [[nodiscard]] std::uint64_t allocations() const noexcept;
     [[nodiscard]] std::uint64_t locks() const noexcept;
+    [[nodiscard]] std::uint64_t files() const noexcept;
+    [[nodiscard]] std::uint64_t all() const noexcept { return allocations() + locks() + files(); }
 
     /// False under a sanitizer, which owns these functions: nothing is counted then.
     [[nodiscard]] static bool isAvailable() noexcept;

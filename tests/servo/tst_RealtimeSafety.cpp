@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RealtimeGuard.h"
+#include "Shapes.h"
 #include "TestRunner.h"
 #include "TouchScenes.h"
 
@@ -10,8 +11,14 @@
 #include <palpate/servo/ServoCore.h>
 #include <palpate/servo/ServoLoop.h>
 
+#include <QTemporaryFile>
+
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
+#include <fcntl.h>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -19,6 +26,7 @@
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 using palpate::core::Vec3;
@@ -50,6 +58,7 @@ class GuardedDevice final : public palpate::device::HapticDevice
         }
         allocations.store(m_guard->allocations());
         locks.store(m_guard->locks());
+        files.store(m_guard->files());
         DeviceState state;
         state.isPresent = m_tick % 700 != 699;
         state.time_ns = now_ns;
@@ -61,6 +70,7 @@ class GuardedDevice final : public palpate::device::HapticDevice
 
     std::atomic<std::uint64_t> allocations{0};
     std::atomic<std::uint64_t> locks{0};
+    std::atomic<std::uint64_t> files{0};
     std::atomic<std::uint64_t> reads{0};
 
   private:
@@ -128,6 +138,103 @@ class RealtimeSafety : public QObject
         QCOMPARE(counts[9], std::uint64_t{2});
     }
 
+    void guardTripsOnWhateverReadsOrWrites()
+    {
+        QTemporaryFile file;
+        QVERIFY(file.open());
+        const QByteArray name = file.fileName().toLocal8Bit();
+        std::vector<std::uint64_t> counts;
+        counts.reserve(16);
+        {
+            const RealtimeGuard guard;
+            counts.push_back(guard.files());
+            const int handle = ::open(name.constData(), O_RDWR);
+            counts.push_back(guard.files());
+            static_cast<void>(!::write(handle, "x", 1));
+            counts.push_back(guard.files());
+            char byte = 0;
+            static_cast<void>(!::read(handle, &byte, 1));
+            counts.push_back(guard.files());
+            ::close(handle);
+            std::FILE* stream = std::fopen(name.constData(), "w");
+            counts.push_back(guard.files());
+            std::fprintf(stream, "%d", 1);
+            counts.push_back(guard.files());
+            std::fputs("some text", stream);
+            counts.push_back(guard.files());
+            std::fclose(stream);
+            std::cerr << "" << std::flush;
+            std::cerr << ' ';
+            counts.push_back(guard.files());
+        }
+        QCOMPARE(counts[0], std::uint64_t{0});
+        for (std::size_t i = 1; i < counts.size(); ++i) {
+            QVERIFY2(counts[i] > counts[i - 1], qPrintable(QString::number(i)));
+        }
+    }
+
+    void noKindOfTouchAllocatesLocksOrReads_data()
+    {
+        using namespace palpate::test;
+        QTest::addColumn<QList<TriangleMesh>>("meshes"); // each a layer of its own, if there are two
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<int>("mostConstraints");
+        const TriangleMesh bumpy = bumpySphere(24, 30.0, 0.05), cube = box({-24, -24, -24}, {24, 24, 24}, 6);
+        TriangleMesh hollow = box({-18, -18, -18}, {18, 18, 18}, 6);
+        for (palpate::geometry::Triangle& t : hollow.triangles) {
+            std::swap(t[0], t[1]); // felt from inside
+        }
+        TriangleMesh crowd;
+        for (int i = 0; i < 300; ++i) {
+            const double z = 1.0 - (2.0 * i + 1.0) / 300.0, a = 2.399963 * i, r = std::sqrt(1.0 - z * z);
+            const Vec3 centre = 29.0 * Vec3(r * std::cos(a), r * std::sin(a), z);
+            append(crowd, transformed(sphere(3, 4.0), [&](const Vec3& v) { return Vec3(v + centre); }));
+        }
+        QTest::newRow("point on hills and hollows") << QList{bumpy} << 0.0 << 3;
+        QTest::newRow("point on corners") << QList{cube} << 0.0 << 1;
+        QTest::newRow("point in corners") << QList{hollow} << 0.0 << 2;
+        QTest::newRow("point among many") << QList{crowd} << 0.0 << 3;
+        QTest::newRow("point in two layers") << QList{bumpy, sphere(8, 28.0)} << 0.0 << 3;
+        QTest::newRow("ball on hills and hollows") << QList{bumpy} << 4.0 << 2;
+        QTest::newRow("ball on corners") << QList{cube} << 4.0 << 1;
+        QTest::newRow("ball in corners") << QList{hollow} << 1.0 << 2;
+        QTest::newRow("large ball among many") << QList{crowd} << 20.0 << 2;
+        QTest::newRow("ball in two layers") << QList{bumpy, sphere(8, 28.0)} << 1.0 << 2;
+    }
+    void noKindOfTouchAllocatesLocksOrReads()
+    {
+        QFETCH(QList<palpate::test::TriangleMesh>, meshes);
+        QFETCH(double, radius);
+        QFETCH(int, mostConstraints);
+        std::vector<palpate::haptics::HapticStructure> structures;
+        for (const auto& mesh : meshes) {
+            structures.push_back(
+                {"it", palpate::test::indexed(mesh), {0.5, 1e-3}, static_cast<std::uint32_t>(structures.size())});
+        }
+        const palpate::haptics::HapticScene scene(std::move(structures), radius);
+        const auto motion = palpate::test::palpatingMotion(5000);
+        palpate::haptics::Palpator palpator;
+        std::uint64_t counted = 0;
+        int most = 0, layers = 0;
+        {
+            const RealtimeGuard guard;
+            palpator.setScene(&scene);
+            for (const Vec3& hip : motion) {
+                const auto tick = palpator.step(hip, 1e-3);
+                most = std::max<int>(most, tick.constraints);
+                layers = std::max<int>(layers, tick.contactCount);
+                if (hip.x() > 0.0 && most == 1) {
+                    palpator.restore(palpator.state());
+                }
+            }
+            palpator.reset();
+            counted = guard.all();
+        }
+        QCOMPARE(counted, std::uint64_t{0});
+        QVERIFY2(most >= mostConstraints, qPrintable(QString::number(most)));
+        QCOMPARE(layers, static_cast<int>(meshes.size()));
+    }
+
     void tickNeitherAllocatesNorLocks_data()
     {
         QTest::addColumn<bool>("isTouching");
@@ -147,8 +254,7 @@ class RealtimeSafety : public QObject
         ServoCore core(palpate::servo::GateLimits::forDevice(info), 1000.0);
         int contacts = 0;
         int faults = 0;
-        std::uint64_t allocations = 0;
-        std::uint64_t locks = 0;
+        std::uint64_t counted = 0;
         {
             const RealtimeGuard guard;
             core.setScene(scene.get(), 1);
@@ -172,11 +278,9 @@ class RealtimeSafety : public QObject
                 }
             }
             core.beginStop();
-            allocations = guard.allocations();
-            locks = guard.locks();
+            counted = guard.all();
         }
-        QCOMPARE(allocations, std::uint64_t{0});
-        QCOMPARE(locks, std::uint64_t{0});
+        QCOMPARE(counted, std::uint64_t{0});
         QCOMPARE(contacts > 100, isTouching);
         QCOMPARE(faults > 5, isHostile);
     }
@@ -200,7 +304,7 @@ class RealtimeSafety : public QObject
                     device->write(Vec3(0.0, 0.1, 0.2));
                 }
             }
-            counted = guard.allocations() + guard.locks();
+            counted = guard.all();
         }
         QCOMPARE(counted, std::uint64_t{0});
     }
@@ -234,9 +338,11 @@ class RealtimeSafety : public QObject
         }
         const std::uint64_t allocations = device.allocations.load();
         const std::uint64_t locks = device.locks.load();
+        const std::uint64_t files = device.files.load();
         loop.stop();
         QCOMPARE(allocations, std::uint64_t{0});
         QCOMPARE(locks, std::uint64_t{0});
+        QCOMPARE(files, std::uint64_t{0});
     }
 };
 

@@ -32,7 +32,11 @@ class Palpator
 {
   public:
     /// Allocates all that the ticks will need, in the constructing thread.
-    explicit Palpator(Fingertips fingertips = Fingertips::Any, const GodObjectLimits& limits = {});
+    explicit Palpator(Fingertips fingertips, const GodObjectLimits& limits = {});
+    Palpator()
+        : Palpator(Fingertips::Any)
+    {
+    }
     ~Palpator();
     Palpator(Palpator&&) noexcept;
     Palpator& operator=(Palpator&&) noexcept;
