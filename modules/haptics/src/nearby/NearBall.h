@@ -17,9 +17,6 @@ class NearBall
 
     void beginTick() noexcept PALPATE_NONBLOCKING { m_cells.beginTick(); }
 
-    /// Tells where the ball's centre is after a tick. [mm]
-    void endTick(const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING { m_cells.endTick(layer, g); }
-
     /// Finds the first facet of the layer that blocks a ball with the scene's radius, its centre going x → y.
     /// @param first  where Blocked: by what; where Unknown: `stop` is the share of the move that may be made, and its
     ///               facet one of those in the way, if its `key` is not beyond 1

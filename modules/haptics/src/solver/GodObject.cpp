@@ -56,7 +56,6 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     for (std::size_t i = 0; i < result.constraints; ++i) {
         result.active[i].n_W = tick.contacts()[i].n; // from the contact point, not the facet's
     }
-    ball.endTick(layer, m_state.p_WG);
 }
 
 void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
