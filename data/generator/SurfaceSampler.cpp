@@ -71,98 +71,130 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
     return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
 }
 
+/// Collapses edges of a mesh to their middles.
+class EdgeCollapse
+{
+  public:
+    explicit EdgeCollapse(TriangleMesh& mesh)
+        : m_mesh(mesh)
+        , m_around(mesh.vertices.size())
+        , m_gone(mesh.triangles.size(), false)
+    {
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            for (const std::uint32_t v : mesh.triangles[t]) {
+                m_around[v].push_back(t);
+            }
+        }
+    }
+
+    [[nodiscard]] bool isGone(std::uint32_t triangle) const { return m_gone[triangle]; }
+
+    /// Collapses the edge a b, unless that would fold the surface or give a vertex too many neighbours.
+    void collapse(std::uint32_t a, std::uint32_t b)
+    {
+        const std::vector<std::uint32_t> left = neighbours(a), right = neighbours(b);
+        std::vector<std::uint32_t> both;
+        std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(both));
+        const Vec3 middle = 0.5 * (m_mesh.vertices[a] + m_mesh.vertices[b]);
+        if (both.size() != 2 || left.size() + right.size() > 14 || folds(a, b, middle)) {
+            return;
+        }
+        m_mesh.vertices[a] = middle;
+        for (const std::uint32_t t : m_around[b]) {
+            Triangle& triangle = m_mesh.triangles[t];
+            if (has(triangle, a)) {
+                m_gone[t] = true;
+            } else {
+                std::replace(triangle.begin(), triangle.end(), b, a);
+                m_around[a].push_back(t);
+            }
+        }
+        m_around[b].clear();
+        for (const std::uint32_t v : {a, both[0], both[1]}) {
+            std::erase_if(m_around[v], [&](std::uint32_t t) { return m_gone[t]; });
+        }
+    }
+
+    /// @return the mesh without what is gone.
+    [[nodiscard]] TriangleMesh kept() const
+    {
+        TriangleMesh kept;
+        std::vector<std::uint32_t> number(m_mesh.vertices.size(), ~0u);
+        for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t) {
+            if (m_gone[t]) {
+                continue;
+            }
+            Triangle triangle = m_mesh.triangles[t];
+            for (std::uint32_t& v : triangle) {
+                if (number[v] == ~0u) {
+                    number[v] = static_cast<std::uint32_t>(kept.vertices.size());
+                    kept.vertices.push_back(m_mesh.vertices[v]);
+                }
+                v = number[v];
+            }
+            kept.triangles.push_back(triangle);
+        }
+        return kept;
+    }
+
+  private:
+    static bool has(const Triangle& t, std::uint32_t v) { return std::count(t.begin(), t.end(), v) > 0; }
+
+    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t v) const
+    {
+        std::vector<std::uint32_t> found;
+        for (const std::uint32_t t : m_around[v]) {
+            for (const std::uint32_t w : m_mesh.triangles[t]) {
+                if (w != v) {
+                    found.push_back(w);
+                }
+            }
+        }
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    }
+
+    [[nodiscard]] Vec3 normal(const Triangle& t, std::uint32_t moved, const Vec3& p) const
+    {
+        const auto at = [&](std::uint32_t v) { return v == moved ? p : m_mesh.vertices[v]; };
+        return Vec3((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])));
+    }
+
+    [[nodiscard]] bool folds(std::uint32_t a, std::uint32_t b, const Vec3& middle) const
+    {
+        for (const std::uint32_t v : {a, b}) {
+            for (const std::uint32_t t : m_around[v]) {
+                const Triangle& triangle = m_mesh.triangles[t];
+                const Vec3 before = normal(triangle, v, m_mesh.vertices[v]).normalized();
+                const Vec3 after = normal(triangle, v, middle).normalized();
+                if (!(has(triangle, a) && has(triangle, b)) && before.dot(after) < 0.7) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    TriangleMesh& m_mesh;
+    std::vector<std::vector<std::uint32_t>> m_around; ///< triangles at each vertex
+    std::vector<bool> m_gone;
+};
+
 /// Removes slivers: each edge shorter than `shortest` is collapsed to its middle, unless that would fold the surface.
 void collapseShortEdges(TriangleMesh& mesh, double shortest)
 {
-    const std::size_t vertexCount = mesh.vertices.size();
-    std::vector<std::vector<std::uint32_t>> around(vertexCount);
+    EdgeCollapse edges(mesh);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (const std::uint32_t v : mesh.triangles[t]) {
-            around[v].push_back(t);
-        }
-    }
-    std::vector<bool> gone(mesh.triangles.size(), false);
-    std::vector<std::uint32_t> left, right;
-    const auto neighbours = [&](std::uint32_t v, std::vector<std::uint32_t>& out) {
-        out.clear();
-        for (const std::uint32_t t : around[v]) {
-            for (const std::uint32_t w : mesh.triangles[t]) {
-                if (w != v) {
-                    out.push_back(w);
-                }
-            }
-        }
-        std::sort(out.begin(), out.end());
-        out.erase(std::unique(out.begin(), out.end()), out.end());
-    };
-    const auto normal = [&](const Triangle& t, std::uint32_t moved, const Vec3& p) {
-        const auto at = [&](std::uint32_t v) { return v == moved ? p : mesh.vertices[v]; };
-        return Vec3((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])));
-    };
-    for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
-        for (int side = 0; side < 3 && !gone[first]; ++side) {
-            const std::uint32_t a = mesh.triangles[first][side];
-            const std::uint32_t b = mesh.triangles[first][(side + 1) % 3];
-            if ((mesh.vertices[a] - mesh.vertices[b]).norm() >= shortest) {
-                continue;
-            }
-            neighbours(a, left);
-            neighbours(b, right);
-            std::vector<std::uint32_t> both;
-            std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(both));
-            if (both.size() != 2 || left.size() + right.size() > 14) {
-                continue;
-            }
-            const Vec3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
-            bool folds = false;
-            for (const std::uint32_t v : {a, b}) {
-                for (const std::uint32_t t : around[v]) {
-                    const Triangle& triangle = mesh.triangles[t];
-                    const bool dies = std::count(triangle.begin(), triangle.end(), a) > 0 &&
-                                      std::count(triangle.begin(), triangle.end(), b) > 0;
-                    if (!dies) {
-                        const Vec3 before = normal(triangle, v, mesh.vertices[v]).normalized();
-                        const Vec3 after = normal(triangle, v, middle).normalized();
-                        folds = folds || before.dot(after) < 0.7;
-                    }
-                }
-            }
-            if (folds) {
-                continue;
-            }
-            mesh.vertices[a] = middle;
-            for (const std::uint32_t t : around[b]) {
-                Triangle& triangle = mesh.triangles[t];
-                if (std::count(triangle.begin(), triangle.end(), a) > 0) {
-                    gone[t] = true;
-                } else {
-                    std::replace(triangle.begin(), triangle.end(), b, a);
-                    around[a].push_back(t);
-                }
-            }
-            around[b].clear();
-            for (const std::uint32_t v : {a, both[0], both[1]}) {
-                std::erase_if(around[v], [&](std::uint32_t t) { return gone[t]; });
+        for (int side = 0; side < 3 && !edges.isGone(t); ++side) {
+            const std::uint32_t a = mesh.triangles[t][side];
+            const std::uint32_t b = mesh.triangles[t][(side + 1) % 3];
+            if ((mesh.vertices[a] - mesh.vertices[b]).norm() < shortest) {
+                edges.collapse(a, b);
             }
         }
     }
-    TriangleMesh kept;
-    std::vector<std::uint32_t> number(vertexCount, ~0u);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (gone[t]) {
-            continue;
-        }
-        Triangle triangle = mesh.triangles[t];
-        for (std::uint32_t& v : triangle) {
-            if (number[v] == ~0u) {
-                number[v] = static_cast<std::uint32_t>(kept.vertices.size());
-                kept.vertices.push_back(mesh.vertices[v]);
-            }
-            v = number[v];
-        }
-        kept.triangles.push_back(triangle);
-    }
-    mesh = std::move(kept);
+    mesh = edges.kept();
 }
 
 /// Turns edges so that vertices have close to six neighbours each, which lets triangles become equilateral.

@@ -157,80 +157,110 @@ std::vector<Vec3> scatter(const Distance& inside, double margin_mm, int count, i
     return points;
 }
 
-VesselTree growTree(const Trunk& trunk, std::vector<Vec3> supplied, const Distance& inside)
-{
-    VesselTree tree;
-    for (std::size_t i = 0; i < trunk.points_W.size(); ++i) {
-        tree.nodes.push_back({trunk.points_W[i], static_cast<int>(i) - 1, 0.0});
-    }
-    const std::size_t firstFree = trunk.points_W.size();
+namespace {
 
-    // What each point is nearest to, kept up to date as nodes are added.
-    std::vector<int> nearest(supplied.size(), -1);
-    std::vector<double> gap(supplied.size(), 1e9);
-    std::size_t seen = firstFree - 1; // the trunk itself grows from its end alone
-    for (int round = 0; round < 200 && !supplied.empty(); ++round) {
-        for (std::size_t s = 0; s < supplied.size(); ++s) {
-            for (std::size_t i = seen; i < tree.nodes.size(); ++i) {
-                const double d = (supplied[s] - tree.nodes[i].p_W).norm();
-                if (d < gap[s]) {
-                    gap[s] = d;
-                    nearest[s] = static_cast<int>(i);
+/// The points that are not supplied yet, and which node each is nearest to, kept up to date as nodes are added.
+class Supply
+{
+  public:
+    Supply(std::vector<Vec3> points, std::size_t firstSeen)
+        : m_points(std::move(points))
+        , m_nearest(m_points.size(), -1)
+        , m_gap(m_points.size(), 1e9)
+        , m_seen(firstSeen)
+    {
+    }
+
+    [[nodiscard]] bool isEmpty() const { return m_points.empty(); }
+
+    /// Looks at the nodes that are new, and drops the points that they supply.
+    void update(const VesselTree& tree)
+    {
+        for (std::size_t s = 0; s < m_points.size(); ++s) {
+            for (std::size_t i = m_seen; i < tree.nodes.size(); ++i) {
+                const double d = (m_points[s] - tree.nodes[i].p_W).norm();
+                if (d < m_gap[s]) {
+                    m_gap[s] = d;
+                    m_nearest[s] = static_cast<int>(i);
                 }
             }
         }
-        seen = tree.nodes.size();
-        for (std::size_t s = supplied.size(); s-- > 0;) {
-            if (gap[s] < kSettled_mm) {
-                supplied.erase(supplied.begin() + s);
-                nearest.erase(nearest.begin() + s);
-                gap.erase(gap.begin() + s);
+        m_seen = tree.nodes.size();
+        for (std::size_t s = m_points.size(); s-- > 0;) {
+            if (m_gap[s] < kSettled_mm) {
+                m_points.erase(m_points.begin() + s);
+                m_nearest.erase(m_nearest.begin() + s);
+                m_gap.erase(m_gap.begin() + s);
             }
-        }
-        std::vector<Vec3> pull(tree.nodes.size(), Vec3::Zero());
-        for (std::size_t s = 0; s < supplied.size(); ++s) {
-            pull[nearest[s]] += (supplied[s] - tree.nodes[nearest[s]].p_W).normalized();
-        }
-        const std::size_t before = tree.nodes.size();
-        for (std::size_t i = 0; i < before; ++i) {
-            if (pull[i].norm() < 1e-9) {
-                continue;
-            }
-            const VesselTree::Node& node = tree.nodes[i];
-            Vec3 direction = pull[i].normalized();
-            if (node.parent >= 0) {
-                direction += 0.45 * (node.p_W - tree.nodes[node.parent].p_W).normalized();
-            }
-            Vec3 p = node.p_W + kStep_mm * direction.normalized();
-            const double d = inside(p);
-            if (d > -kWall_mm) {
-                p -= (d + kWall_mm) * outward(inside, p);
-            }
-            // Two points that pull in opposite directions would add the same node again and again.
-            const bool isNew = std::none_of(tree.nodes.begin(), tree.nodes.end(), [&](const VesselTree::Node& other) {
-                return (other.p_W - p).norm() < 0.4 * kStep_mm;
-            });
-            if (isNew) {
-                tree.nodes.push_back({p, static_cast<int>(i), 0.0});
-            }
-        }
-        if (tree.nodes.size() == before) {
-            break;
         }
     }
 
+    /// @return for each node the sum of the directions to the points that it is nearest to.
+    [[nodiscard]] std::vector<Vec3> pull(const VesselTree& tree) const
+    {
+        std::vector<Vec3> pull(tree.nodes.size(), Vec3::Zero());
+        for (std::size_t s = 0; s < m_points.size(); ++s) {
+            pull[m_nearest[s]] += (m_points[s] - tree.nodes[m_nearest[s]].p_W).normalized();
+        }
+        return pull;
+    }
+
+  private:
+    std::vector<Vec3> m_points;
+    std::vector<int> m_nearest;
+    std::vector<double> m_gap;
+    std::size_t m_seen;
+};
+
+/// Adds a node beside each that is pulled. @return false when none could be added
+bool grow(VesselTree& tree, const std::vector<Vec3>& pull, const Distance& inside)
+{
+    const std::size_t before = tree.nodes.size();
+    for (std::size_t i = 0; i < before; ++i) {
+        if (pull[i].norm() < 1e-9) {
+            continue;
+        }
+        const VesselTree::Node& node = tree.nodes[i];
+        Vec3 direction = pull[i].normalized();
+        if (node.parent >= 0) {
+            direction += 0.45 * (node.p_W - tree.nodes[node.parent].p_W).normalized();
+        }
+        Vec3 p = node.p_W + kStep_mm * direction.normalized();
+        const double d = inside(p);
+        if (d > -kWall_mm) {
+            p -= (d + kWall_mm) * outward(inside, p);
+        }
+        // Two points that pull in opposite directions would add the same node again and again.
+        const bool isNew = std::none_of(tree.nodes.begin(), tree.nodes.end(), [&](const VesselTree::Node& other) {
+            return (other.p_W - p).norm() < 0.4 * kStep_mm;
+        });
+        if (isNew) {
+            tree.nodes.push_back({p, static_cast<int>(i), 0.0});
+        }
+    }
+    return tree.nodes.size() > before;
+}
+
+/// Each vessel as thick as what it supplies asks for: the cubes of the radii add up (Murray's law).
+void setRadii(VesselTree& tree, const Trunk& trunk)
+{
     std::vector<double> flow(tree.nodes.size(), 0.0); // r^3
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
         VesselTree::Node& node = tree.nodes[i];
         flow[i] = std::max(flow[i], std::pow(kTwig_mm, 3));
         node.radius_mm = std::cbrt(flow[i]);
-        if (i < firstFree) {
+        if (i < trunk.points_W.size()) {
             node.radius_mm = std::max(node.radius_mm, trunk.radius_mm);
         }
         if (node.parent >= 0) {
             flow[node.parent] += flow[i];
         }
     }
+}
+
+/// A branch goes on with the thickest of a node's children.
+void numberBranches(VesselTree& tree)
+{
     std::vector<int> thickest(tree.nodes.size(), -1);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const int parent = tree.nodes[i].parent;
@@ -243,6 +273,25 @@ VesselTree growTree(const Trunk& trunk, std::vector<Vec3> supplied, const Distan
         VesselTree::Node& node = tree.nodes[i];
         node.branch = thickest[node.parent] == static_cast<int>(i) ? tree.nodes[node.parent].branch : branches++;
     }
+}
+
+} // namespace
+
+VesselTree growTree(const Trunk& trunk, std::vector<Vec3> supplied, const Distance& inside)
+{
+    VesselTree tree;
+    for (std::size_t i = 0; i < trunk.points_W.size(); ++i) {
+        tree.nodes.push_back({trunk.points_W[i], static_cast<int>(i) - 1, 0.0});
+    }
+    Supply supply(std::move(supplied), trunk.points_W.size() - 1); // the trunk itself grows from its end alone
+    for (int round = 0; round < 200 && !supply.isEmpty(); ++round) {
+        supply.update(tree);
+        if (!grow(tree, supply.pull(tree), inside)) {
+            break;
+        }
+    }
+    setRadii(tree, trunk);
+    numberBranches(tree);
     smooth(tree);
     return tree;
 }

@@ -74,91 +74,113 @@ bool shareEdgeAt(const Triangle& a, std::uint32_t cornerA, const Triangle& b, st
     return a1 == b1 || a1 == b2 || a2 == b1 || a2 == b2;
 }
 
-} // namespace
-
-vtkSmartPointer<vtkPolyData> makeSurface(const geometry::RepairedMesh& surface)
+vtkSmartPointer<vtkFloatArray> arrayOf(const std::vector<float>& values, const char* name)
 {
-    const TriangleMesh& mesh = surface.mesh;
-    const std::size_t triangles = mesh.triangles.size();
-    const double sharp = std::cos(kFeatureAngle_deg * std::numbers::pi / 180.0);
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+}
 
-    std::vector<Vec3> faces(triangles);
-    for (std::size_t t = 0; t < triangles; ++t) {
-        faces[t] = faceNormal(mesh, mesh.triangles[t]);
-    }
-    const CornersOfVertices of = cornersOfVertices(mesh);
-
-    std::vector<float> points;
-    std::vector<float> normals;
-    points.reserve(mesh.vertices.size() * 3);
-    normals.reserve(mesh.vertices.size() * 3);
-    std::vector<std::int32_t> connectivity(triangles * 3);
-    std::vector<std::uint32_t> group; // of each corner of the vertex at hand
-    std::vector<std::uint32_t> queue;
-    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        const std::uint32_t begin = of.first[v];
-        const std::uint32_t count = of.first[v + 1] - begin;
-        group.assign(count, 0);
-        // Triangles round a vertex that meet smoothly, one over an edge to the next, share a point and a normal; a
-        // feature edge starts another.
-        for (std::uint32_t seed = 0, groups = 0; seed < count; ++seed) {
-            if (group[seed] != 0) {
-                continue;
-            }
-            const auto point = static_cast<std::int32_t>(points.size() / 3);
-            group[seed] = ++groups;
-            queue.assign(1, seed);
-            Vec3 sum = Vec3::Zero();
-            for (std::size_t q = 0; q < queue.size(); ++q) {
-                const std::uint32_t corner = of.corner[begin + queue[q]];
-                connectivity[corner] = point;
-                sum += cornerAngle(mesh, corner) * faces[corner / 3];
-                for (std::uint32_t other = 0; other < count; ++other) {
-                    const std::uint32_t otherCorner = of.corner[begin + other];
-                    if (group[other] == 0 && faces[corner / 3].dot(faces[otherCorner / 3]) > sharp &&
-                        shareEdgeAt(mesh.triangles[corner / 3], corner % 3, mesh.triangles[otherCorner / 3],
-                                    otherCorner % 3)) {
-                        group[other] = groups;
-                        queue.push_back(other);
-                    }
+/// The points of a mesh as they are shaded: triangles round a vertex that meet smoothly, one over an edge to the next,
+/// share a point and a normal; a feature edge starts another.
+class ShadedPoints
+{
+  public:
+    explicit ShadedPoints(const TriangleMesh& mesh)
+        : m_mesh(mesh)
+        , m_of(cornersOfVertices(mesh))
+        , m_faces(mesh.triangles.size())
+        , m_connectivity(mesh.triangles.size() * 3)
+    {
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            m_faces[t] = faceNormal(mesh, mesh.triangles[t]);
+        }
+        m_points.reserve(mesh.vertices.size() * 3);
+        m_normals.reserve(mesh.vertices.size() * 3);
+        for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+            m_isTaken.assign(m_of.first[v + 1] - m_of.first[v], 0);
+            for (std::uint32_t seed = 0; seed < m_isTaken.size(); ++seed) {
+                if (m_isTaken[seed] == 0) {
+                    addPoint(v, seed);
                 }
-            }
-            const double length = sum.norm();
-            const Vec3 normal = length > 0.0 ? Vec3(sum / length) : faces[of.corner[begin + seed] / 3];
-            for (int axis = 0; axis < 3; ++axis) {
-                points.push_back(static_cast<float>(mesh.vertices[v][axis]));
-                normals.push_back(static_cast<float>(normal[axis]));
             }
         }
     }
 
-    const auto arrayOf = [](const std::vector<float>& values, const char* name) {
-        auto array = vtkSmartPointer<vtkFloatArray>::New();
-        array->SetName(name);
-        array->SetNumberOfComponents(3);
-        array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
-        std::copy(values.begin(), values.end(), array->GetPointer(0));
-        return array;
-    };
-    auto vtkPts = vtkSmartPointer<vtkPoints>::New();
-    vtkPts->SetData(arrayOf(points, "Points"));
-
-    auto ids = vtkSmartPointer<vtkTypeInt32Array>::New();
-    ids->SetNumberOfTuples(static_cast<vtkIdType>(connectivity.size()));
-    std::copy(connectivity.begin(), connectivity.end(), ids->GetPointer(0));
-    auto offsets = vtkSmartPointer<vtkTypeInt32Array>::New();
-    offsets->SetNumberOfTuples(static_cast<vtkIdType>(triangles + 1));
-    for (std::size_t t = 0; t <= triangles; ++t) {
-        offsets->SetValue(static_cast<vtkIdType>(t), static_cast<std::int32_t>(3 * t));
+    [[nodiscard]] vtkSmartPointer<vtkPolyData> polyData() const
+    {
+        auto points = vtkSmartPointer<vtkPoints>::New();
+        points->SetData(arrayOf(m_points, "Points"));
+        auto ids = vtkSmartPointer<vtkTypeInt32Array>::New();
+        ids->SetNumberOfTuples(static_cast<vtkIdType>(m_connectivity.size()));
+        std::copy(m_connectivity.begin(), m_connectivity.end(), ids->GetPointer(0));
+        auto offsets = vtkSmartPointer<vtkTypeInt32Array>::New();
+        offsets->SetNumberOfTuples(static_cast<vtkIdType>(m_faces.size() + 1));
+        for (std::size_t t = 0; t <= m_faces.size(); ++t) {
+            offsets->SetValue(static_cast<vtkIdType>(t), static_cast<std::int32_t>(3 * t));
+        }
+        auto cells = vtkSmartPointer<vtkCellArray>::New();
+        cells->SetData(offsets, ids);
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points);
+        data->SetPolys(cells);
+        data->GetPointData()->SetNormals(arrayOf(m_normals, "Normals"));
+        return data;
     }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(offsets, ids);
 
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(vtkPts);
-    data->SetPolys(cells);
-    data->GetPointData()->SetNormals(arrayOf(normals, "Normals"));
-    return data;
+  private:
+    /// Adds the point of a vertex that its corner `seed` and those that meet it smoothly share.
+    void addPoint(std::uint32_t v, std::uint32_t seed)
+    {
+        const std::uint32_t* corners = &m_of.corner[m_of.first[v]];
+        const auto point = static_cast<std::int32_t>(m_points.size() / 3);
+        m_isTaken[seed] = 1;
+        m_queue.assign(1, seed);
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t q = 0; q < m_queue.size(); ++q) {
+            const std::uint32_t corner = corners[m_queue[q]];
+            m_connectivity[corner] = point;
+            sum += cornerAngle(m_mesh, corner) * m_faces[corner / 3];
+            for (std::uint32_t other = 0; other < m_isTaken.size(); ++other) {
+                if (m_isTaken[other] == 0 && meetSmoothly(corner, corners[other])) {
+                    m_isTaken[other] = 1;
+                    m_queue.push_back(other);
+                }
+            }
+        }
+        const double length = sum.norm();
+        const Vec3 normal = length > 0.0 ? Vec3(sum / length) : m_faces[corners[seed] / 3];
+        for (int axis = 0; axis < 3; ++axis) {
+            m_points.push_back(static_cast<float>(m_mesh.vertices[v][axis]));
+            m_normals.push_back(static_cast<float>(normal[axis]));
+        }
+    }
+
+    [[nodiscard]] bool meetSmoothly(std::uint32_t corner, std::uint32_t other) const
+    {
+        static const double sharp = std::cos(kFeatureAngle_deg * std::numbers::pi / 180.0);
+        return m_faces[corner / 3].dot(m_faces[other / 3]) > sharp &&
+               shareEdgeAt(m_mesh.triangles[corner / 3], corner % 3, m_mesh.triangles[other / 3], other % 3);
+    }
+
+    const TriangleMesh& m_mesh;
+    CornersOfVertices m_of;
+    std::vector<Vec3> m_faces; ///< normals
+    std::vector<float> m_points;
+    std::vector<float> m_normals;
+    std::vector<std::int32_t> m_connectivity;
+    std::vector<std::uint8_t> m_isTaken; ///< of each corner of the vertex at hand
+    std::vector<std::uint32_t> m_queue;
+};
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> makeSurface(const geometry::RepairedMesh& surface)
+{
+    return ShadedPoints(surface.mesh).polyData();
 }
 
 } // namespace palpate::scene

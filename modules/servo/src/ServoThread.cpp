@@ -74,16 +74,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
             isStopping = true;
             core.beginStop();
         }
-        if (isRearmRequested.exchange(false, std::memory_order_acq_rel)) {
-            core.rearm();
-            publishFault({});
-        }
-        if (map.fetch()) {
-            core.setMap(map.value().get());
-        }
-        core.setDelay(delayTicks.load(std::memory_order_relaxed));
-        takeScene(core);
-        beginRecording(core);
+        takeRequests(core);
 
         const bool wasFaulted = core.fault().kind != FaultKind::None;
         const device::DeviceState state = device->read(woke_ns);
@@ -105,9 +96,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
 
         ticks.fetch_add(1, std::memory_order_relaxed);
         if (wokeBefore_ns != 0) {
-            const std::int64_t waited_ns = woke_ns - wokeBefore_ns;
-            period.add(waited_ns);
-            periodError.add(std::llround(std::abs(static_cast<double>(waited_ns) - period_ns)));
+            notePeriod(woke_ns - wokeBefore_ns, period_ns);
         }
         wokeBefore_ns = woke_ns;
         lateness.add(woke_ns - deadline_ns);
@@ -133,6 +122,27 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
     }
     device->write(Vec3::Zero());
     isRunning.store(false, std::memory_order_release);
+}
+
+/// What the owner has asked for since the last tick.
+void ServoLoop::Impl::takeRequests(ServoCore& core) noexcept PALPATE_NONBLOCKING
+{
+    if (isRearmRequested.exchange(false, std::memory_order_acq_rel)) {
+        core.rearm();
+        publishFault({});
+    }
+    if (map.fetch()) {
+        core.setMap(map.value().get());
+    }
+    core.setDelay(delayTicks.load(std::memory_order_relaxed));
+    takeScene(core);
+    beginRecording(core);
+}
+
+void ServoLoop::Impl::notePeriod(std::int64_t waited_ns, double period_ns) noexcept PALPATE_NONBLOCKING
+{
+    period.add(waited_ns);
+    periodError.add(std::llround(std::abs(static_cast<double>(waited_ns) - period_ns)));
 }
 
 void ServoLoop::Impl::sleepUntil(std::int64_t deadline_ns) const noexcept

@@ -83,6 +83,8 @@ struct ServoLoop::Impl
 
     void runThread(std::latch& ready) noexcept;
     void run(std::latch& ready, bool& isReady);
+    void takeRequests(ServoCore& core) noexcept PALPATE_NONBLOCKING;
+    void notePeriod(std::int64_t waited_ns, double period_ns) noexcept PALPATE_NONBLOCKING;
     void takeScene(ServoCore& core) noexcept PALPATE_NONBLOCKING;
     void beginRecording(const ServoCore& core) noexcept PALPATE_NONBLOCKING;
     void publish(TickRecord& record) noexcept PALPATE_NONBLOCKING;

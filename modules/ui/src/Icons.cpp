@@ -11,14 +11,88 @@ namespace palpate::ui {
 
 namespace {
 
-/// Draws on a field of 24 by 24.
+// Symbols are drawn on a field of 24 by 24.
+
+void poly(QPainter& p, std::initializer_list<QPointF> points)
+{
+    p.drawPolyline(QPolygonF(points));
+}
+
+/// An outstretched finger on a surface.
+QPainterPath finger()
+{
+    QPainterPath finger;
+    finger.moveTo(9.2, 16);
+    finger.lineTo(9.2, 5.2);
+    finger.arcTo(QRectF(9.2, 3, 4.4, 4.4), 180, -180);
+    finger.lineTo(13.6, 10.2);
+    finger.lineTo(17.6, 11.2);
+    finger.quadTo(19.6, 11.8, 19.4, 14);
+    finger.lineTo(18.6, 18);
+    finger.quadTo(18, 21, 15, 21);
+    finger.lineTo(11.6, 21);
+    finger.quadTo(9.6, 21, 8.4, 19.4);
+    finger.lineTo(4.8, 14.6);
+    finger.quadTo(4.4, 13, 6, 12.8);
+    finger.quadTo(7, 12.8, 9.2, 15.4);
+    return finger;
+}
+
+void drawEye(QPainter& p, bool isOpen, const QColor& ink)
+{
+    QPainterPath lid;
+    lid.moveTo(2.5, 12);
+    lid.quadTo(12, 2.5, 21.5, 12);
+    lid.quadTo(12, 21.5, 2.5, 12);
+    p.drawPath(lid);
+    if (isOpen) {
+        p.setBrush(ink);
+        p.drawEllipse(QPointF(12, 12), 2.6, 2.6);
+    } else {
+        p.drawLine(QPointF(4, 4), QPointF(20, 20));
+    }
+}
+
+void drawArrowBack(QPainter& p)
+{
+    QPainterPath arrow;
+    arrow.moveTo(4.5, 9.5);
+    arrow.lineTo(14.5, 9.5);
+    arrow.cubicTo(22, 9.5, 22, 19, 14.5, 19);
+    arrow.lineTo(9, 19);
+    p.drawPath(arrow);
+    poly(p, {{8.8, 5}, {4.5, 9.5}, {8.8, 14}});
+}
+
+/// What is filled alone: what a player and a recorder have.
+void drawControl(QPainter& p, Symbol symbol)
+{
+    switch (symbol) {
+    case Symbol::Stop:
+        p.drawRoundedRect(QRectF(6.5, 6.5, 11, 11), 1, 1);
+        break;
+    case Symbol::Play:
+        p.drawPolygon(QPolygonF({{8, 5.5}, {18.5, 12}, {8, 18.5}}));
+        break;
+    case Symbol::Pause:
+        p.drawRect(QRectF(7, 6, 3, 12));
+        p.drawRect(QRectF(14, 6, 3, 12));
+        break;
+    case Symbol::Restart:
+        p.drawRect(QRectF(6, 6, 1.6, 12));
+        p.drawPolygon(QPolygonF({{18.5, 6}, {9.5, 12}, {18.5, 18}}));
+        break;
+    default:
+        break;
+    }
+}
+
 void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
 {
-    const auto poly = [&p](std::initializer_list<QPointF> points) { p.drawPolyline(QPolygonF(points)); };
     switch (symbol) {
     case Symbol::Open:
-        poly({{3, 18.5}, {3, 6}, {9, 6}, {11, 8.5}, {19, 8.5}, {19, 11}});
-        poly({{3, 18.5}, {6.2, 11}, {21.5, 11}, {18.5, 18.5}, {3, 18.5}});
+        poly(p, {{3, 18.5}, {3, 6}, {9, 6}, {11, 8.5}, {19, 8.5}, {19, 11}});
+        poly(p, {{3, 18.5}, {6.2, 11}, {21.5, 11}, {18.5, 18.5}, {3, 18.5}});
         break;
     case Symbol::Camera: // an orbit about a cube's corner: turning the view
         p.drawEllipse(QPointF(12, 12), 9.0, 3.8);
@@ -27,77 +101,40 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         p.drawEllipse(QPointF(12, 12), 1.2, 1.2);
         break;
     case Symbol::Hand:
-    case Symbol::HandOff: {
-        QPainterPath finger; // an outstretched finger on a surface
-        finger.moveTo(9.2, 16);
-        finger.lineTo(9.2, 5.2);
-        finger.arcTo(QRectF(9.2, 3, 4.4, 4.4), 180, -180);
-        finger.lineTo(13.6, 10.2);
-        finger.lineTo(17.6, 11.2);
-        finger.quadTo(19.6, 11.8, 19.4, 14);
-        finger.lineTo(18.6, 18);
-        finger.quadTo(18, 21, 15, 21);
-        finger.lineTo(11.6, 21);
-        finger.quadTo(9.6, 21, 8.4, 19.4);
-        finger.lineTo(4.8, 14.6);
-        finger.quadTo(4.4, 13, 6, 12.8);
-        finger.quadTo(7, 12.8, 9.2, 15.4);
-        p.drawPath(finger);
+    case Symbol::HandOff:
+        p.drawPath(finger());
         if (symbol == Symbol::HandOff) {
             p.drawLine(QPointF(3.5, 3.5), QPointF(20.5, 20.5));
         }
         break;
-    }
     case Symbol::Record:
         p.setPen(Qt::NoPen);
         p.setBrush(recordColour());
         p.drawEllipse(QPointF(12, 12), 6.5, 6.5);
         break;
     case Symbol::Stop:
-        p.setBrush(ink);
-        p.drawRoundedRect(QRectF(6.5, 6.5, 11, 11), 1, 1);
-        break;
     case Symbol::Play:
-        p.setBrush(ink);
-        p.drawPolygon(QPolygonF({{8, 5.5}, {18.5, 12}, {8, 18.5}}));
-        break;
     case Symbol::Pause:
-        p.setBrush(ink);
-        p.drawRect(QRectF(7, 6, 3, 12));
-        p.drawRect(QRectF(14, 6, 3, 12));
-        break;
     case Symbol::Restart:
         p.setBrush(ink);
-        p.drawRect(QRectF(6, 6, 1.6, 12));
-        p.drawPolygon(QPolygonF({{18.5, 6}, {9.5, 12}, {18.5, 18}}));
+        drawControl(p, symbol);
         break;
     case Symbol::Snapshot:
         p.drawRoundedRect(QRectF(3, 7.5, 18, 12), 2, 2);
-        poly({{8, 7.5}, {9.5, 5}, {14.5, 5}, {16, 7.5}});
+        poly(p, {{8, 7.5}, {9.5, 5}, {14.5, 5}, {16, 7.5}});
         p.drawEllipse(QPointF(12, 13.4), 3.6, 3.6);
         break;
     case Symbol::Fit:
-        poly({{4, 9}, {4, 4}, {9, 4}});
-        poly({{15, 4}, {20, 4}, {20, 9}});
-        poly({{20, 15}, {20, 20}, {15, 20}});
-        poly({{9, 20}, {4, 20}, {4, 15}});
+        poly(p, {{4, 9}, {4, 4}, {9, 4}});
+        poly(p, {{15, 4}, {20, 4}, {20, 9}});
+        poly(p, {{20, 15}, {20, 20}, {15, 20}});
+        poly(p, {{9, 20}, {4, 20}, {4, 15}});
         p.drawEllipse(QPointF(12, 12), 3.6, 3.6);
         break;
     case Symbol::Eye:
-    case Symbol::EyeOff: {
-        QPainterPath lid;
-        lid.moveTo(2.5, 12);
-        lid.quadTo(12, 2.5, 21.5, 12);
-        lid.quadTo(12, 21.5, 2.5, 12);
-        p.drawPath(lid);
-        if (symbol == Symbol::Eye) {
-            p.setBrush(ink);
-            p.drawEllipse(QPointF(12, 12), 2.6, 2.6);
-        } else {
-            p.drawLine(QPointF(4, 4), QPointF(20, 20));
-        }
+    case Symbol::EyeOff:
+        drawEye(p, symbol == Symbol::Eye, ink);
         break;
-    }
     case Symbol::Warning:
         p.setPen(QPen(warningColour(), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         p.drawPolygon(QPolygonF({{12, 3.5}, {21.5, 20}, {2.5, 20}}));
@@ -105,20 +142,13 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         p.drawPoint(QPointF(12, 17));
         break;
     case Symbol::Undo:
-    case Symbol::Redo: {
+    case Symbol::Redo:
         if (symbol == Symbol::Redo) {
             p.translate(24, 0);
             p.scale(-1, 1);
         }
-        QPainterPath arrow;
-        arrow.moveTo(4.5, 9.5);
-        arrow.lineTo(14.5, 9.5);
-        arrow.cubicTo(22, 9.5, 22, 19, 14.5, 19);
-        arrow.lineTo(9, 19);
-        p.drawPath(arrow);
-        poly({{8.8, 5}, {4.5, 9.5}, {8.8, 14}});
+        drawArrowBack(p);
         break;
-    }
     case Symbol::Keys:
         p.drawRoundedRect(QRectF(2.5, 6.5, 19, 11.5), 2, 2);
         for (const double x : {6.0, 10.0, 14.0, 18.0}) {
