@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow
     void makeStatusBar();
     void connectParts();
     QAction* makeAction(const QString& text, palpate::ui::Symbol symbol, const QKeySequence& key, const QString& tip);
-    void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::scene::ViewFrom from);
+    void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::view::ViewFrom from);
 
     void chooseFiles();
     bool saveScene();

@@ -24,7 +24,7 @@
 using namespace palpate;
 using namespace palpate::ui;
 
-void MainWindow::addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, scene::ViewFrom from)
+void MainWindow::addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, view::ViewFrom from)
 {
     QAction* action = menu.addAction(text, this, [this, from] {
         m_viewport->view().look(from);
@@ -52,13 +52,13 @@ void MainWindow::makeMenus()
     view->addAction(m_fitAction);
     view->addAction(m_showFindingsAction);
     view->addSeparator();
-    addViewKey(*view, tr("From the front (A)"), Qt::Key_1, scene::ViewFrom::Front);
-    addViewKey(*view, tr("From the back (P)"), Qt::CTRL | Qt::Key_1, scene::ViewFrom::Back);
-    addViewKey(*view, tr("From the left (L)"), Qt::Key_3, scene::ViewFrom::Left);
-    addViewKey(*view, tr("From the right (R)"), Qt::CTRL | Qt::Key_3, scene::ViewFrom::Right);
-    addViewKey(*view, tr("From the head (S)"), Qt::Key_7, scene::ViewFrom::Head);
-    addViewKey(*view, tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, scene::ViewFrom::Feet);
-    addViewKey(*view, tr("Oblique"), Qt::Key_0, scene::ViewFrom::Oblique);
+    addViewKey(*view, tr("From the front (A)"), Qt::Key_1, view::ViewFrom::Front);
+    addViewKey(*view, tr("From the back (P)"), Qt::CTRL | Qt::Key_1, view::ViewFrom::Back);
+    addViewKey(*view, tr("From the left (L)"), Qt::Key_3, view::ViewFrom::Left);
+    addViewKey(*view, tr("From the right (R)"), Qt::CTRL | Qt::Key_3, view::ViewFrom::Right);
+    addViewKey(*view, tr("From the head (S)"), Qt::Key_7, view::ViewFrom::Head);
+    addViewKey(*view, tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, view::ViewFrom::Feet);
+    addViewKey(*view, tr("Oblique"), Qt::Key_0, view::ViewFrom::Oblique);
     view->addSeparator();
     for (QDockWidget* dock : m_docks) {
         view->addAction(dock->toggleViewAction());

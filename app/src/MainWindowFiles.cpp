@@ -82,13 +82,13 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
     m_playback->setRecording(nullptr);
     m_files = scene->files;
-    std::vector<scene::ViewStructure> pictures;
+    std::vector<view::ViewStructure> pictures;
     pictures.reserve(scene->rows.size());
     for (const StructureRow& row : scene->rows) {
-        pictures.push_back({scene::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
+        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
                             row.loaded.description.palpable ? row.touch : nullptr});
     }
-    scene::SceneView& view = m_viewport->view();
+    view::SceneView& view = m_viewport->view();
     view.setStructures(std::move(pictures));
     m_model.setRows(std::move(scene->rows));
     m_document->take(*scene);
@@ -100,7 +100,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
         view.camera().SetViewUp(from.up_W.x(), from.up_W.y(), from.up_W.z());
         view.camera().SetViewAngle(from.viewAngle_deg);
     } else {
-        view.look(scene::ViewFrom::Oblique);
+        view.look(view::ViewFrom::Oblique);
     }
     m_palpation->setSceneSize(view.bounds().diagonal().norm());
     const core::Status started = m_live.start();

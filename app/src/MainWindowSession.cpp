@@ -78,7 +78,7 @@ void MainWindow::showMeasures()
 /// Marks the place that is touched, by the hand or in the recording that plays.
 void MainWindow::markFinding()
 {
-    const scene::TouchState& touch = m_viewport->view().cursor().state();
+    const view::TouchState& touch = m_viewport->view().cursor().state();
     if (!touch.isInContact) {
         say(tr("Nothing is touched: press on the place first, then mark it (M)."));
         return;

@@ -127,7 +127,7 @@ class ScreenshotRun : public QObject
     {
         m_window.viewport().refineNext();
         const QPixmap picture = m_window.grab();
-        const scene::TouchState& state = m_window.viewport().view().cursor().state();
+        const view::TouchState& state = m_window.viewport().view().cursor().state();
         if (!picture.save(m_file, "PNG")) {
             std::fprintf(stderr, "%s: the picture could not be written\n", m_file.toUtf8().constData());
             QCoreApplication::exit(1);

@@ -54,7 +54,7 @@ list | LC_ALL=C sort | awk -v root="$root" '
                 complain("the engine uses neither VTK, Qt Gui or Widgets, nor hidapi: " header)
             if (folder ~ /^(core|geometry|haptics)$/ && header ~ /^(Q[A-Z]|Qt|sqlite3)/)
                 complain(folder " uses Eigen and the standard library alone: " header)
-            if (folder == "scene" && header ~ /^(Q[A-Z]|Qt)/) complain("scene uses no Qt: " header)
+            if (folder == "view" && header ~ /^(Q[A-Z]|Qt)/) complain("view uses no Qt: " header)
             if (file ~ /^modules\/meshio\/include\// && header ~ /^vtk/) complain("VTK is private to meshio: " header)
         }
         close(root "/" file)

@@ -3,8 +3,8 @@
 
 #include "Balls.h"
 
-#include <palpate/scene/SurfaceMesh.h>
 #include <palpate/ui/StructureModel.h>
+#include <palpate/view/SurfaceMesh.h>
 
 namespace palpate::test {
 
@@ -14,7 +14,7 @@ inline ui::StructureRow row(const std::string& name, const geometry::TriangleMes
     ui::StructureRow made;
     made.loaded.description.name = name;
     made.loaded.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
-    made.picture = scene::makeSurface(*made.loaded.surface);
+    made.picture = view::makeSurface(*made.loaded.surface);
     made.touch = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*made.loaded.surface));
     return made;
 }

@@ -5,12 +5,12 @@
 
 #include <palpate/device/DevicePresets.h>
 #include <palpate/meshio/LoadScene.h>
-#include <palpate/scene/SurfaceMesh.h>
-#include <palpate/scene/SurfacePicker.h>
 #include <palpate/servo/PassivityController.h>
 #include <palpate/servo/ServoCore.h>
 #include <palpate/ui/HandSettings.h>
 #include <palpate/ui/StructureModel.h>
+#include <palpate/view/SurfaceMesh.h>
+#include <palpate/view/SurfacePicker.h>
 
 #include <numbers>
 #include <random>
@@ -53,7 +53,7 @@ class FittedHand : public QObject
         for (meshio::LoadedStructure& one : loaded.value().structures) {
             ui::StructureRow row;
             row.loaded = std::move(one);
-            row.picture = scene::makeSurface(*row.loaded.surface);
+            row.picture = view::makeSurface(*row.loaded.surface);
             if (row.loaded.description.palpable) {
                 row.touch =
                     std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*row.loaded.surface));
@@ -158,7 +158,7 @@ class FittedHand : public QObject
             g_W = tick.p_WG;
             isTouching = tick.structure >= 0;
             touched += isTouching ? 1 : 0;
-            const bool isIn = tick.structure != 0 && scene::isInside(liver, p_W); // the liver does not hold it
+            const bool isIn = tick.structure != 0 && view::isInside(liver, p_W); // the liver does not hold it
             if ((tick.flags & servo::kReset) != 0) {
                 wasOut = false; // begun anew, inside perhaps: let out
                 freed += isIn ? 1 : 0;

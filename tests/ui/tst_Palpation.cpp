@@ -27,12 +27,12 @@ class Palpation : public QObject
         m_palpation = std::make_unique<ui::PalpationController>(*m_viewport, *m_live, *m_model);
         std::vector<ui::StructureRow> rows;
         rows.push_back(test::row("liver", test::ball(50.0, 5)));
-        std::vector<scene::ViewStructure> pictures;
-        pictures.push_back({scene::StructureActor(rows[0].picture), rows[0].touch});
+        std::vector<view::ViewStructure> pictures;
+        pictures.push_back({view::StructureActor(rows[0].picture), rows[0].touch});
         m_viewport->view().setStructures(std::move(pictures));
         m_model->setRows(std::move(rows));
         (void)m_viewport->rayAt({0, 0}); // gives the window its size
-        m_viewport->view().look(scene::ViewFrom::Front);
+        m_viewport->view().look(view::ViewFrom::Front);
         m_palpation->setSceneSize(200.0);
         QVERIFY(m_live->start().isOk());
         connect(m_palpation.get(), &ui::PalpationController::touched, this,
@@ -56,7 +56,7 @@ class Palpation : public QObject
         // Straight onto the sphere: 4 mm at 0.5 N/mm, but for the tilt of the facet that is hit.
         QVERIFY2(std::abs(m_reading->force_N - 2.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
         QVERIFY(m_reading->constraints >= 1);
-        const scene::TouchState& shown = m_viewport->view().cursor().state();
+        const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isInContact);
         QVERIFY(std::abs(shown.p_WG.norm() - 50.0) < 0.1);
     }
@@ -66,7 +66,7 @@ class Palpation : public QObject
         m_palpation->moveTo({300, 200});
         QTRY_VERIFY(m_reading.has_value());
         QVERIFY(m_reading->structure.isEmpty());
-        const scene::TouchState& shown = m_viewport->view().cursor().state();
+        const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isPresent && !shown.isInContact);
         QVERIFY(std::abs(shown.p_WH.norm() - 52.0) < 0.1);
     }

@@ -22,13 +22,13 @@ class Viewport : public QObject
         QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
         m_viewport = std::make_unique<ui::VtkViewport>();
         m_viewport->resize(500, 400);
-        std::vector<scene::ViewStructure> pictures;
+        std::vector<view::ViewStructure> pictures;
         const ui::StructureRow row = test::row("ball", test::ball(20.0, 4));
-        pictures.push_back({scene::StructureActor(row.picture, {{0.9, 0.1, 0.1}, 1.0, true}), row.touch});
+        pictures.push_back({view::StructureActor(row.picture, {{0.9, 0.1, 0.1}, 1.0, true}), row.touch});
         m_viewport->view().setStructures(std::move(pictures));
         m_viewport->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
-        m_viewport->view().look(scene::ViewFrom::Front);
+        m_viewport->view().look(view::ViewFrom::Front);
     }
     void cleanup() { m_viewport.reset(); }
 

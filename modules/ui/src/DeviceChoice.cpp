@@ -173,7 +173,7 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::make(const std
 core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated()
 {
     const QPointF middle(0.5 * m_viewport.width(), 0.5 * m_viewport.height());
-    const scene::Ray ray = m_viewport.rayAt(middle);
+    const view::Ray ray = m_viewport.rayAt(middle);
     const auto pick = m_viewport.view().pick(ray);
     if (!pick) {
         return Status(StatusCode::Empty, "the simulated hand palpates what is in the middle of the view: found nothing "

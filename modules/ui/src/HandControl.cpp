@@ -227,7 +227,7 @@ QString HandControl::inside() const
     }
     for (const StructureRow& one : m_model.rows()) {
         if (one.touch != nullptr && StructureModel::isFelt(one.loaded.description) &&
-            one.loaded.surface->report.isClosed() && scene::isInside(*one.touch, tick.p_WH)) {
+            one.loaded.surface->report.isClosed() && view::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);
         }
     }

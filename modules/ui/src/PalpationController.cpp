@@ -97,7 +97,7 @@ void PalpationController::moveTo(const QPointF& place)
     point(m_viewport.rayAt(place));
 }
 
-void PalpationController::point(const scene::Ray& ray)
+void PalpationController::point(const view::Ray& ray)
 {
     const auto pick = m_viewport.view().pick(ray);
     m_hand.pointAt(ray.p_W, ray.d_W, pick ? std::optional(pick->hit.p_W) : std::nullopt);
@@ -172,7 +172,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     m_shown_ns = now_ns;
     // What the hand feels: of a device that pushes, what it was given, nothing after a fault.
     const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.f_W;
-    scene::TouchState state;
+    view::TouchState state;
     state.p_WH = tick.p_WH;
     state.p_WG = tick.p_WG;
     state.f_W = f_W;

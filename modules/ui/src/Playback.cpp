@@ -137,7 +137,7 @@ void Playback::showMoment(double time_s)
     if (!tick) {
         return;
     }
-    scene::TouchState state;
+    view::TouchState state;
     state.p_WH = tick->p_WH;
     state.p_WG = tick->p_WG;
     state.f_W = tick->f_W;

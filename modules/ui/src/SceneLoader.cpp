@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/SceneLoader.h"
 
-#include <palpate/scene/SurfaceMesh.h>
 #include <palpate/session/GeometryHash.h>
+#include <palpate/view/SurfaceMesh.h>
 
 #include <QElapsedTimer>
 
@@ -124,7 +124,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
             if (job->isCancelled) {
                 break;
             }
-            row.picture = scene::makeSurface(*row.loaded.surface);
+            row.picture = view::makeSurface(*row.loaded.surface);
             if (row.loaded.description.palpable) {
                 row.touch =
                     std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*row.loaded.surface));

@@ -161,7 +161,7 @@ bool StructureModel::isFelt(const meshio::SceneStructure& structure) noexcept
     return structure.palpable && structure.visible;
 }
 
-scene::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& structure)
+view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& structure)
 {
     return {structure.colour, structure.opacity, structure.visible};
 }

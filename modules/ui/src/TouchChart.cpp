@@ -3,7 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 
-#include <palpate/scene/ColourMap.h>
+#include <palpate/view/ColourMap.h>
 
 #include <QLocale>
 #include <QPainter>
@@ -144,7 +144,7 @@ void ForceBar::paintEvent(QPaintEvent*)
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(bar, 3, 3);
     if (share() > 0.0) {
-        const scene::Colour c = scene::cividis(share());
+        const view::Colour c = view::cividis(share());
         QRectF filled = bar.adjusted(1, 1, -1, -1);
         filled.setWidth(std::max(2.0, filled.width() * share()));
         painter.setPen(QPen(palette().color(QPalette::Text), 1.0));

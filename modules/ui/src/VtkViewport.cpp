@@ -188,14 +188,14 @@ void VtkViewport::setMode(Mode mode)
     setCursor(mode == Mode::Palpate ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-scene::Ray VtkViewport::rayAt(const QPointF& place)
+view::Ray VtkViewport::rayAt(const QPointF& place)
 {
     fitSize();
     const double ratio = devicePixelRatioF();
     return m_view.rayThrough(place.x() * ratio, (height() - place.y()) * ratio);
 }
 
-std::optional<scene::Ray> VtkViewport::pointerRay()
+std::optional<view::Ray> VtkViewport::pointerRay()
 {
     return m_isPointerInside ? std::optional(rayAt(m_pointer)) : std::nullopt;
 }

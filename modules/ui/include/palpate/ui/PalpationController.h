@@ -42,7 +42,7 @@ class PalpationController : public QObject
     void depthChanged(double depth_mm);
 
   private:
-    void point(const scene::Ray& ray);
+    void point(const view::Ray& ray);
     void press();
     void run();
     void step();
@@ -55,7 +55,7 @@ class PalpationController : public QObject
     PointerHand m_hand;
     QTimer m_timer;
     servo::TickRecord m_tick;
-    scene::TouchState m_shown;
+    view::TouchState m_shown;
     std::int64_t m_shown_ns = 0;
     std::int64_t m_pressed_ns = 0;
     bool m_isPalpating = false;

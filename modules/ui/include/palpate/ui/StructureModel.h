@@ -4,8 +4,8 @@
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
-#include <palpate/scene/StructureActor.h>
 #include <palpate/session/Recording.h>
+#include <palpate/view/StructureActor.h>
 
 #include <QAbstractTableModel>
 #include <QUndoStack>
@@ -65,7 +65,7 @@ class StructureModel : public QAbstractTableModel
 
     /// A structure is felt when it is palpable and shown: a hidden one must not be a wall that nobody sees.
     [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
-    [[nodiscard]] static scene::Appearance appearanceOf(const meshio::SceneStructure& structure);
+    [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
     /// What the servo thread can feel now; numbers are the rows.
     /// @param fingertip_mm  radius of the ball that touches, 0 = a point
     /// @param greatest  stiffness and damping above what the device holds stably are bounded by it

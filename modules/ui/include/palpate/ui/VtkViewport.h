@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/scene/SceneView.h>
+#include <palpate/view/SceneView.h>
 
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
@@ -36,13 +36,13 @@ class VtkViewport : public QOpenGLWidget
     explicit VtkViewport(QWidget* parent = nullptr);
     ~VtkViewport() override;
 
-    [[nodiscard]] scene::SceneView& view() noexcept { return m_view; }
+    [[nodiscard]] view::SceneView& view() noexcept { return m_view; }
     [[nodiscard]] Mode mode() const noexcept { return m_mode; }
     void setMode(Mode mode);
     /// The ray under the pointer; nothing when it is outside.
-    [[nodiscard]] std::optional<scene::Ray> pointerRay();
+    [[nodiscard]] std::optional<view::Ray> pointerRay();
     /// The ray through a place of the widget, in logical pixels from its upper left.
-    [[nodiscard]] scene::Ray rayAt(const QPointF& place);
+    [[nodiscard]] view::Ray rayAt(const QPointF& place);
     /// Makes the next frame as good as a still one, for a picture that is kept.
     void refineNext();
     /// Time that the newest frame took to draw. [ms]
@@ -81,7 +81,7 @@ class VtkViewport : public QOpenGLWidget
     void blitToWidget();
     void judgeSpeed();
 
-    scene::SceneView m_view;
+    view::SceneView m_view;
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
     QPointF m_pointer;

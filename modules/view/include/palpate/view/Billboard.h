@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/view/ColourMap.h"
+
+#include <palpate/core/Types.h>
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+namespace palpate::view {
+
+using core::Vec3;
+
+/// What a shape of constant size on screen needs to know of the view: its axes and how large a pixel is where.
+struct ViewFrame
+{
+    Vec3 eye_W = Vec3::Zero();
+    Vec3 right_W = Vec3::UnitX();
+    Vec3 up_W = Vec3::UnitY();
+    Vec3 back_W = Vec3::UnitZ(); ///< towards the viewer
+    double height_px = 1.0;
+    double scale = 1.0; ///< perspective: height of the view at distance 1; parallel: height of the view [mm]
+    bool isParallel = false;
+    double pixelRatio = 1.0; ///< device pixels of one logical pixel
+
+    /// Reads the camera and size of a renderer. @param pixelRatio  of the screen it is shown on
+    [[nodiscard]] static ViewFrame of(vtkRenderer& renderer, double pixelRatio);
+    /// Size of a logical pixel at a point. [mm]
+    [[nodiscard]] double mmPerPixel(const Vec3& p_W) const;
+};
+
+/// Turns an unlit flat shape made in pixels (x right, y up, z to the viewer) to the viewer at `p_W`.
+void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame);
+
+/// Makes a flat ring for `placeBillboard`. @param lift_px  towards the viewer, so that rings of one place have an order
+[[nodiscard]] vtkSmartPointer<vtkActor> makeRing(double inner_px, double outer_px, const Colour& colour,
+                                                 double lift_px);
+
+/// A straight line of constant width on screen that faces the viewer.
+class BillboardLine
+{
+  public:
+    BillboardLine(double width_px, const Colour& colour);
+    void place(const Vec3& from_W, const Vec3& to_W, const ViewFrame& frame);
+    [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
+
+  private:
+    vtkSmartPointer<vtkActor> m_actor;
+    double m_width_px;
+};
+
+} // namespace palpate::view

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/view/CameraPresets.h"
+#include "palpate/view/FindingMarkers.h"
+#include "palpate/view/OrientationCube.h"
+#include "palpate/view/ScaleBar.h"
+#include "palpate/view/StructureActor.h"
+#include "palpate/view/SurfacePicker.h"
+#include "palpate/view/TouchCursor.h"
+
+#include <vtkRenderWindow.h>
+
+#include <memory>
+#include <vector>
+
+namespace palpate::view {
+
+/// A structure of the view: what is drawn, and what the pointer can find.
+struct ViewStructure
+{
+    StructureActor picture;
+    std::shared_ptr<const geometry::SurfaceIndex> touchable; ///< null: the pointer passes through it
+};
+
+/// What a ray meets first.
+struct ScenePick
+{
+    std::size_t structure = 0; ///< number in the view
+    RayHit hit;
+};
+
+/// The picture: tissue under a three-point light that moves with the camera, the cursor over it, the patient's axes and
+/// a scale. It draws into a render window that somebody else owns and asks to render.
+/// @par Thread One, that of the render window.
+class SceneView
+{
+  public:
+    SceneView();
+    ~SceneView();
+    SceneView(const SceneView&) = delete;
+    SceneView& operator=(const SceneView&) = delete;
+
+    /// Adds the view's renderers. @param window  must outlive the view or `detach`
+    void attach(vtkRenderWindow& window);
+    void detach();
+
+    void setStructures(std::vector<ViewStructure> structures);
+    [[nodiscard]] std::size_t structureCount() const noexcept { return m_structures.size(); }
+    [[nodiscard]] const ViewStructure& structure(std::size_t i) const { return m_structures[i]; }
+    void setAppearance(std::size_t i, const Appearance& appearance);
+    void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
+    void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
+
+    [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
+    [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
+    [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
+    [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
+    [[nodiscard]] vtkCamera& camera() noexcept { return *m_solid->GetActiveCamera(); }
+
+    void look(ViewFrom from);
+    void fitAll();
+    /// Moves focus and camera alike, so that `p_W` is in the middle.
+    void centreOn(const Vec3& p_W);
+
+    /// @param x,y  device pixels from the lower left of the view
+    [[nodiscard]] Ray rayThrough(double x, double y);
+    /// The nearest structure that is shown and touchable.
+    [[nodiscard]] std::optional<ScenePick> pick(const Ray& ray) const;
+
+    /// Box of the structures shown [mm]; of all when none is.
+    [[nodiscard]] core::Box bounds() const;
+
+    /// Fits clipping, cursor, scale and cube to the camera. Before each frame.
+    /// @param pixelRatio  device pixels of one logical pixel
+    void prepareFrame(double pixelRatio);
+    /// Smooth edges; cheap on a graphics card, felt on none.
+    void setSmoothEdges(bool isOn) { m_solid->SetUseFXAA(isOn); }
+    /// Sorts translucent surfaces by depth peeling; else only their front faces are drawn, once, which takes a fraction
+    /// of the time and is right for one closed organ.
+    void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
+    /// Darkens what lies in folds. For graphics cards: it costs many times the frame without it.
+    void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
+
+  private:
+    [[nodiscard]] double aspect() const;
+
+    vtkSmartPointer<vtkRenderer> m_solid;
+    vtkSmartPointer<vtkRenderer> m_overlay;
+    OrientationCube m_cube;
+    ScaleBar m_scaleBar;
+    TouchCursor m_cursor;
+    FindingMarkers m_findings;
+    std::vector<ViewStructure> m_structures;
+    vtkSmartPointer<vtkRenderWindow> m_window;
+    bool m_hasOcclusion = false;
+    bool m_isSorted = true;
+};
+
+} // namespace palpate::view

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/view/ColourMap.h"
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace palpate::view {
+
+/// How a structure looks.
+struct Appearance
+{
+    Colour colour{0.85, 0.6, 0.5};
+    double opacity = 1.0; ///< 0 … 1; below 1 what lies behind shows
+    bool isVisible = true;
+};
+
+/// One structure in the view: soft specular on smooth shading, its inner side a little darker.
+/// @par Thread Make it anywhere; once it is in a view, the view's thread only.
+class StructureActor
+{
+  public:
+    /// @param surface  from `makeSurface`
+    explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {});
+
+    void setAppearance(const Appearance& appearance);
+    [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
+    [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
+
+  private:
+    vtkSmartPointer<vtkActor> m_actor;
+    Appearance m_appearance;
+};
+
+} // namespace palpate::view

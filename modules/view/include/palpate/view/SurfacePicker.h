@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Types.h>
+#include <palpate/geometry/SurfaceIndex.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace palpate::view {
+
+using core::Vec3;
+
+/// A half line from the viewer into the scene.
+struct Ray
+{
+    Vec3 p_W = Vec3::Zero();  ///< start [mm]
+    Vec3 d_W = Vec3::UnitZ(); ///< unit direction
+};
+
+/// Where a ray first meets a surface.
+struct RayHit
+{
+    double distance_mm = 0.0;   ///< along the ray
+    Vec3 p_W = Vec3::Zero();    ///< [mm]
+    Vec3 n_W = Vec3::UnitZ();   ///< unit normal of the triangle, turned towards the ray's start
+    std::uint32_t triangle = 0; ///< position in the index
+};
+
+/// Finds the first triangle that a ray meets, from either side, over the hierarchy of the haptic copy: what the pointer
+/// shows is exactly what the hand will touch. About log n: microseconds on a million triangles.
+/// @return nothing when the ray misses
+[[nodiscard]] std::optional<RayHit> firstHit(const geometry::SurfaceIndex& surface, const Ray& ray);
+
+/// Tells whether a point is inside a closed surface: a ray from it leaves an odd number of times. For a person's eyes:
+/// a ray that grazes an edge may count wrong, and of a surface without an inside it says nothing.
+[[nodiscard]] bool isInside(const geometry::SurfaceIndex& surface, const Vec3& p_W);
+
+} // namespace palpate::view

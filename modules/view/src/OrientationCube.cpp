@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/OrientationCube.h"
+
+#include <palpate/core/Types.h>
+
+#include <vtkAnnotatedCubeActor.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+namespace palpate::view {
+
+OrientationCube::OrientationCube()
+    : m_renderer(vtkSmartPointer<vtkRenderer>::New())
+{
+    vtkNew<vtkAnnotatedCubeActor> cube;
+    cube->SetXPlusFaceText("L"); // LPS: x grows to the patient's left, y to the back, z to the head
+    cube->SetXMinusFaceText("R");
+    cube->SetYPlusFaceText("P");
+    cube->SetYMinusFaceText("A");
+    cube->SetZPlusFaceText("S");
+    cube->SetZMinusFaceText("I");
+    cube->SetXFaceTextRotation(0);
+    cube->SetYFaceTextRotation(0);
+    cube->SetZFaceTextRotation(-90);
+    cube->SetFaceTextScale(0.62);
+    cube->SetTextEdgesVisibility(0);
+    cube->GetCubeProperty()->SetColor(0.86, 0.88, 0.90);
+    cube->GetCubeProperty()->SetAmbient(0.35);
+    cube->GetCubeProperty()->SetDiffuse(0.65);
+    for (vtkProperty* letter :
+         {cube->GetXPlusFaceProperty(), cube->GetXMinusFaceProperty(), cube->GetYPlusFaceProperty(),
+          cube->GetYMinusFaceProperty(), cube->GetZPlusFaceProperty(), cube->GetZMinusFaceProperty()}) {
+        letter->SetColor(0.10, 0.14, 0.20);
+        letter->LightingOff();
+        letter->SetInterpolationToFlat();
+    }
+    m_renderer->AddActor(cube);
+    m_renderer->SetLayer(1);
+    m_renderer->InteractiveOff();
+}
+
+void OrientationCube::place(vtkCamera& main, const int size_px[2], double pixelRatio)
+{
+    const double side = 84.0 * pixelRatio;
+    const double left = 10.0 * pixelRatio;
+    const double width = std::max(1, size_px[0]);
+    const double height = std::max(1, size_px[1]);
+    m_renderer->SetViewport(std::min(1.0, left / width), std::min(1.0, left / height),
+                            std::min(1.0, (left + side) / width), std::min(1.0, (left + side) / height));
+    const core::Vec3 back = (core::Vec3(main.GetPosition()) - core::Vec3(main.GetFocalPoint())).normalized();
+    vtkCamera* camera = m_renderer->GetActiveCamera();
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(4.2 * back.x(), 4.2 * back.y(), 4.2 * back.z());
+    camera->SetViewUp(main.GetViewUp());
+    camera->SetViewAngle(26.0);
+    camera->SetClippingRange(1.0, 8.0);
+}
+
+} // namespace palpate::view

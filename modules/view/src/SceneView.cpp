@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/SceneView.h"
+
+#include <vtkLightKit.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::view {
+
+namespace {
+
+core::Box boxOf(vtkActor* actor)
+{
+    const double* b = actor->GetMapper()->GetBounds();
+    return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
+}
+
+} // namespace
+
+SceneView::SceneView()
+    : m_solid(vtkSmartPointer<vtkRenderer>::New())
+    , m_overlay(vtkSmartPointer<vtkRenderer>::New())
+{
+    m_solid->GradientBackgroundOn();
+    setBackground({0.20, 0.23, 0.27}, {0.36, 0.41, 0.47}, {0.95, 0.96, 0.97});
+    // Front layers of translucent tissue are peeled off in order; what lies behind the fourth adds nothing one can see.
+    m_solid->UseDepthPeelingOn();
+    m_solid->SetMaximumNumberOfPeels(4);
+    m_solid->SetOcclusionRatio(0.05);
+    vtkNew<vtkLightKit> lights;
+    lights->SetKeyLightIntensity(0.82);
+    lights->SetKeyLightWarmth(0.56);
+    lights->SetFillLightWarmth(0.46);
+    lights->SetKeyToFillRatio(2.6);
+    lights->SetKeyToBackRatio(3.6);
+    lights->SetKeyToHeadRatio(3.4);
+    lights->AddLightsToRenderer(m_solid);
+    m_solid->AutomaticLightCreationOff();
+
+    m_overlay->SetLayer(1);
+    m_overlay->InteractiveOff();
+    m_overlay->SetActiveCamera(m_solid->GetActiveCamera());
+    m_solid->GetActiveCamera()->SetViewAngle(30.0);
+    m_cursor.addTo(*m_solid, *m_overlay);
+    m_findings.addTo(*m_overlay);
+    m_scaleBar.addTo(*m_overlay);
+}
+
+SceneView::~SceneView()
+{
+    detach();
+}
+
+void SceneView::attach(vtkRenderWindow& window)
+{
+    detach();
+    m_window = &window;
+    window.SetNumberOfLayers(2);
+    window.SetMultiSamples(0); // peeling needs unsampled depth; edges are smoothed afterwards
+    window.SetAlphaBitPlanes(1);
+    for (vtkRenderer* renderer : {m_solid.Get(), m_overlay.Get(), m_cube.renderer()}) {
+        window.AddRenderer(renderer);
+    }
+}
+
+void SceneView::detach()
+{
+    if (m_window == nullptr) {
+        return;
+    }
+    for (vtkRenderer* renderer : {m_solid.Get(), m_overlay.Get(), m_cube.renderer()}) {
+        m_window->RemoveRenderer(renderer);
+    }
+    m_window = nullptr;
+}
+
+void SceneView::setStructures(std::vector<ViewStructure> structures)
+{
+    for (const ViewStructure& old : m_structures) {
+        m_solid->RemoveActor(old.picture.actor());
+    }
+    m_structures = std::move(structures);
+    for (const ViewStructure& one : m_structures) {
+        m_solid->AddActor(one.picture.actor());
+    }
+}
+
+void SceneView::setAppearance(std::size_t i, const Appearance& appearance)
+{
+    m_structures[i].picture.setAppearance(appearance);
+}
+
+void SceneView::setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface)
+{
+    m_structures[i].touchable = std::move(surface);
+}
+
+void SceneView::setBackground(const Colour& bottom, const Colour& top, const Colour& text)
+{
+    m_solid->SetBackground(bottom[0], bottom[1], bottom[2]);
+    m_solid->SetBackground2(top[0], top[1], top[2]);
+    m_scaleBar.setColour(text);
+}
+
+double SceneView::aspect() const
+{
+    const int* size = m_solid->GetSize();
+    return size[0] > 0 && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.5;
+}
+
+void SceneView::look(ViewFrom from)
+{
+    lookFrom(camera(), from, bounds(), aspect());
+}
+
+void SceneView::fitAll()
+{
+    fit(camera(), bounds(), aspect());
+}
+
+void SceneView::centreOn(const Vec3& p_W)
+{
+    const Vec3 shift = p_W - Vec3(camera().GetFocalPoint());
+    const Vec3 position = Vec3(camera().GetPosition()) + shift;
+    camera().SetFocalPoint(p_W.x(), p_W.y(), p_W.z());
+    camera().SetPosition(position.x(), position.y(), position.z());
+}
+
+Ray SceneView::rayThrough(double x, double y)
+{
+    const ViewFrame frame = ViewFrame::of(*m_solid, 1.0);
+    const int* size = m_solid->GetSize();
+    const double right = (x - 0.5 * size[0]) / frame.height_px * frame.scale;
+    const double up = (y - 0.5 * size[1]) / frame.height_px * frame.scale;
+    if (frame.isParallel) {
+        return {frame.eye_W + right * frame.right_W + up * frame.up_W, -frame.back_W};
+    }
+    return {frame.eye_W, (right * frame.right_W + up * frame.up_W - frame.back_W).normalized()};
+}
+
+std::optional<ScenePick> SceneView::pick(const Ray& ray) const
+{
+    std::optional<ScenePick> best;
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        const ViewStructure& one = m_structures[i];
+        if (one.touchable == nullptr || !one.picture.appearance().isVisible) {
+            continue;
+        }
+        const auto hit = firstHit(*one.touchable, ray);
+        if (hit && (!best || hit->distance_mm < best->hit.distance_mm)) {
+            best = ScenePick{i, *hit};
+        }
+    }
+    return best;
+}
+
+core::Box SceneView::bounds() const
+{
+    core::Box shown;
+    core::Box all;
+    for (const ViewStructure& one : m_structures) {
+        const core::Box box = boxOf(one.picture.actor());
+        all.extend(box);
+        if (one.picture.appearance().isVisible) {
+            shown.extend(box);
+        }
+    }
+    return shown.isEmpty() ? all : shown;
+}
+
+void SceneView::prepareFrame(double pixelRatio)
+{
+    const ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
+    m_cursor.place(frame);
+    m_findings.place(frame);
+    core::Box box = bounds();
+    box.extend(m_cursor.bounds());
+    box.extend(m_findings.bounds());
+    if (!box.isEmpty()) {
+        // Room for the ball and its rings, which have a size on screen and none in space.
+        const double room = 20.0 * frame.mmPerPixel(box.center());
+        const Vec3 low = box.min() - Vec3::Constant(room);
+        const Vec3 high = box.max() + Vec3::Constant(room);
+        const double bounds[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+        m_solid->ResetCameraClippingRange(bounds);
+    }
+    const int* size = m_solid->GetSize();
+    m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, size[0]);
+    if (m_window != nullptr) {
+        m_cube.place(camera(), m_window->GetSize(), pixelRatio);
+    }
+    m_solid->SetUseDepthPeeling(m_isSorted);
+    for (const ViewStructure& one : m_structures) {
+        const bool isFrontOnly = !m_isSorted && one.picture.appearance().opacity < 1.0;
+        one.picture.actor()->GetProperty()->SetBackfaceCulling(isFrontOnly);
+    }
+    // Occlusion is computed from the depth of what is opaque: behind translucent tissue it would darken the wrong
+    // place.
+    const bool isOpaque = std::all_of(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
+        return !one.picture.appearance().isVisible || one.picture.appearance().opacity >= 1.0;
+    });
+    m_solid->SetUseSSAO(m_hasOcclusion && isOpaque && !box.isEmpty());
+    if (m_solid->GetUseSSAO()) {
+        m_solid->SetSSAORadius(0.05 * box.diagonal().norm());
+        m_solid->SetSSAOBias(0.001 * box.diagonal().norm());
+        m_solid->SetSSAOKernelSize(64);
+        m_solid->SSAOBlurOn();
+    }
+}
+
+} // namespace palpate::view

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/StructureActor.h"
+
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+namespace palpate::view {
+
+StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearance)
+    : m_actor(vtkSmartPointer<vtkActor>::New())
+{
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(surface);
+    mapper->ScalarVisibilityOff();
+    m_actor->SetMapper(mapper);
+    vtkProperty* look = m_actor->GetProperty();
+    look->SetInterpolationToPhong();
+    look->SetAmbient(0.06);
+    look->SetDiffuse(0.92);
+    look->SetSpecular(0.22);
+    look->SetSpecularPower(22.0);
+    vtkNew<vtkProperty> inside;
+    m_actor->SetBackfaceProperty(inside);
+    setAppearance(appearance);
+}
+
+void StructureActor::setAppearance(const Appearance& appearance)
+{
+    m_appearance = appearance;
+    m_appearance.opacity = std::clamp(appearance.opacity, 0.0, 1.0);
+    Colour colour = m_appearance.colour;
+    m_actor->GetProperty()->SetColor(colour.data());
+    m_actor->GetProperty()->SetOpacity(m_appearance.opacity);
+    // The inner side shows through the mouth of an open vessel: darker and without shine, so that it reads as inside.
+    vtkProperty* inside = m_actor->GetBackfaceProperty();
+    inside->DeepCopy(m_actor->GetProperty());
+    inside->SetSpecular(0.0);
+    inside->SetColor(0.72 * colour[0], 0.72 * colour[1], 0.72 * colour[2]);
+    m_actor->SetVisibility(m_appearance.isVisible && m_appearance.opacity > 0.0);
+}
+
+} // namespace palpate::view

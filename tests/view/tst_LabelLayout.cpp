@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/view/LabelLayout.h>
+
+#include <random>
+
+using namespace palpate;
+using Point = Eigen::Vector2d;
+
+namespace {
+
+constexpr double kDisc_px = 6.5;
+
+std::vector<view::DiscLabel> labelsAt(const std::vector<Point>& discs)
+{
+    std::vector<view::DiscLabel> labels;
+    for (const Point& disc : discs) {
+        labels.push_back({disc, Point(22, 16), Point::Zero(), false});
+    }
+    return labels;
+}
+
+bool overlap(const Point& a, const Point& aSize, const Point& b, const Point& bSize)
+{
+    return ((a - b).cwiseAbs().array() < 0.5 * (aSize + bSize).array()).all();
+}
+
+/// Empty when no text covers another or a disc.
+QString whatIsCovered(const std::vector<view::DiscLabel>& labels)
+{
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t k = 0; k < labels.size(); ++k) {
+            const Point centre = labels[i].disc_px + labels[i].offset_px;
+            const Point other = labels[k].disc_px + labels[k].offset_px;
+            if (overlap(centre, labels[i].size_px, labels[k].disc_px, Point::Constant(2.0 * kDisc_px))) {
+                return QStringLiteral("label %1 covers disc %2").arg(i).arg(k);
+            }
+            if (i != k && overlap(centre, labels[i].size_px, other, labels[k].size_px)) {
+                return QStringLiteral("labels %1 and %2").arg(i).arg(k);
+            }
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+class LabelLayout : public QObject
+{
+    Q_OBJECT
+  private Q_SLOTS:
+    void aloneItIsUpAndRightWithoutALine()
+    {
+        auto labels = labelsAt({Point(0, 0), Point(200, 50)});
+        view::placeLabels(labels, kDisc_px);
+        for (const view::DiscLabel& one : labels) {
+            QVERIFY(one.offset_px.x() > 0.0 && one.offset_px.y() > 0.0);
+            QVERIFY(!one.isMoved);
+        }
+    }
+
+    void nothingIsCovered_data()
+    {
+        QTest::addColumn<std::vector<Point>>("discs");
+        QTest::newRow("side by side") << std::vector<Point>{Point(0, 0), Point(8, 0)};
+        QTest::newRow("one above the other") << std::vector<Point>{Point(0, 0), Point(0, 8)};
+        QTest::newRow("in one place") << std::vector<Point>{Point(5, 5), Point(5, 5)};
+        QTest::newRow("eight in one place") << std::vector<Point>(8, Point(-3, 40));
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            std::mt19937 random(seed);
+            std::vector<Point> discs;
+            for (int i = 0; i < 20; ++i) {
+                const double x = 0.01 * static_cast<double>(random() % 16000);
+                discs.emplace_back(x, 0.01 * static_cast<double>(random() % 16000));
+            }
+            QTest::addRow("20 in 160 pixels, seed %u", seed) << discs;
+        }
+    }
+    void nothingIsCovered()
+    {
+        QFETCH(const std::vector<Point>, discs);
+        auto labels = labelsAt(discs);
+        view::placeLabels(labels, kDisc_px);
+        QCOMPARE(whatIsCovered(labels), QString());
+    }
+
+    void aMovedLabelStaysWhereItIsWhileTheViewTurns()
+    {
+        auto labels = labelsAt({Point(0, 0), Point(8, 0)});
+        view::placeLabels(labels, kDisc_px);
+        QVERIFY(labels[1].isMoved);
+        const Point before = labels[1].offset_px;
+        for (int step = 0; step < 40; ++step) { // 23 degrees
+            const double angle = -0.01 * step;
+            labels[1].disc_px = Point(8 * std::cos(angle), 8 * std::sin(angle));
+            view::placeLabels(labels, kDisc_px);
+            QCOMPARE(whatIsCovered(labels), QString());
+            QVERIFY(labels[1].offset_px == before);
+        }
+        labels[1].disc_px = Point(80, 0);
+        view::placeLabels(labels, kDisc_px);
+        QVERIFY(!labels[1].isMoved);
+    }
+
+    void withNoRoomAtAllTheUsualPlaceIsTaken()
+    {
+        auto labels = labelsAt(std::vector<Point>(300, Point(0, 0)));
+        view::placeLabels(labels, kDisc_px);
+        QVERIFY(!labels.back().isMoved);
+        QVERIFY(labels.back().offset_px == labels.front().offset_px);
+    }
+};
+
+PALPATE_TEST(LabelLayout)
+#include "tst_LabelLayout.moc"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls.h"
+#include "TestRunner.h"
+
+#include <palpate/view/SceneView.h>
+#include <palpate/view/SurfaceMesh.h>
+
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QImage>
+
+#include <cstdlib>
+
+using namespace palpate;
+using core::Vec3;
+
+namespace {
+
+view::ViewStructure makeStructure(const geometry::TriangleMesh& mesh, const view::Appearance& appearance)
+{
+    const auto repaired = geometry::repair(mesh);
+    return {view::StructureActor(view::makeSurface(repaired), appearance),
+            std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(repaired))};
+}
+
+} // namespace
+
+/// Draws into a window that is never shown.
+class SceneView : public QObject
+{
+    Q_OBJECT
+  private Q_SLOTS:
+    void init()
+    {
+        if (std::getenv("DISPLAY") == nullptr) {
+            QSKIP("no display: run under xvfb-run to test what is drawn");
+        }
+        m_window = vtkSmartPointer<vtkRenderWindow>::New();
+        m_window->SetOffScreenRendering(1);
+        m_window->SetSize(400, 300);
+        m_view = std::make_unique<view::SceneView>();
+        m_view->attach(*m_window);
+        std::vector<view::ViewStructure> structures;
+        structures.push_back(makeStructure(test::ball(20.0, 4), {{0.9, 0.1, 0.1}, 1.0, true}));
+        structures.push_back(makeStructure(test::ball(6.0, 3, Vec3(0, 10, 0)), {{0.1, 0.2, 0.9}, 1.0, true}));
+        m_view->setStructures(std::move(structures));
+        m_view->look(view::ViewFrom::Front);
+    }
+    void cleanup()
+    {
+        m_view.reset();
+        m_window = nullptr;
+    }
+    void tissueIsDrawnInItsColour()
+    {
+        const auto middle = pixel(200, 150);
+        QVERIFY(middle[0] > 2 * middle[1] && middle[0] > 2 * middle[2]);
+        const auto corner = pixel(390, 290);
+        QVERIFY(std::abs(corner[0] - corner[1]) < 40); // background, grey
+    }
+    void hiddenStructureShowsWhatIsBehind()
+    {
+        m_view->setAppearance(0, {{0.9, 0.1, 0.1}, 1.0, false});
+        const auto middle = pixel(200, 150);
+        QVERIFY(middle[2] > 2 * middle[0]);
+    }
+    void translucentStructureLetsTheInnerOneThrough()
+    {
+        const auto before = pixel(200, 150);
+        m_view->setAppearance(0, {{0.9, 0.1, 0.1}, 0.4, true});
+        const auto after = pixel(200, 150);
+        QVERIFY(after[2] > before[2] + 20);
+        QVERIFY(after[0] > after[1]); // still reddish
+    }
+    void pointerFindsTheFrontOfTheNearestStructure()
+    {
+        (void)pixel(0, 0);
+        const auto pick = m_view->pick(m_view->rayThrough(200, 150));
+        QVERIFY(pick.has_value());
+        QCOMPARE(pick->structure, std::size_t{0});
+        QVERIFY((pick->hit.p_W - Vec3(0, -20, 0)).norm() < 0.3);
+    }
+    void pointerPassesThroughWhatIsHiddenOrNotPalpable()
+    {
+        (void)pixel(0, 0);
+        m_view->setTouchable(0, nullptr);
+        auto pick = m_view->pick(m_view->rayThrough(200, 150));
+        QVERIFY(pick.has_value());
+        QCOMPARE(pick->structure, std::size_t{1});
+        m_view->setAppearance(1, {{0.1, 0.2, 0.9}, 1.0, false});
+        QVERIFY(!m_view->pick(m_view->rayThrough(200, 150)).has_value());
+    }
+    void rayGoesThroughItsPixel()
+    {
+        (void)pixel(0, 0);
+        const view::Ray ray = m_view->rayThrough(320, 90);
+        const Vec3 p = ray.p_W + 50.0 * ray.d_W;
+        m_view->renderer().SetWorldPoint(p.x(), p.y(), p.z(), 1.0);
+        m_view->renderer().WorldToDisplay();
+        const double* display = m_view->renderer().GetDisplayPoint();
+        QVERIFY(std::abs(display[0] - 320) < 0.01 && std::abs(display[1] - 90) < 0.01);
+    }
+    void cursorIsDrawnOverTheTissueThatHidesIt()
+    {
+        const auto before = pixel(200, 150);
+        view::TouchState state;
+        state.isPresent = true;
+        state.isInContact = true;
+        state.p_WG = Vec3(0, 20, 0); // on the far side
+        state.p_WH = Vec3(0, 12, 0);
+        state.f_W = Vec3(0, 1, 0);
+        m_view->cursor().setState(state);
+        int changed = 0;
+        for (int dy = -12; dy <= 12; ++dy) {
+            for (int dx = -12; dx <= 12; ++dx) {
+                const auto now = pixelOf(200 + dx, 150 + dy, dx == -12 && dy == -12);
+                changed += std::abs(now[1] - before[1]) > 60 ? 1 : 0;
+            }
+        }
+        QVERIFY2(changed > 30, qPrintable(QString::number(changed))); // the outline, light on red
+    }
+    void scaleBarSaysARoundLength()
+    {
+        (void)pixel(0, 0);
+        QVERIFY(m_view->scaleBar().text().ends_with(" mm"));
+        QCOMPARE(view::roundScaleLength(37.0), 20.0);
+        QCOMPARE(view::roundScaleLength(50.0), 50.0);
+        QCOMPARE(view::roundScaleLength(0.0123), 0.01);
+    }
+    void occlusionAndSmoothEdgesKeepThePicture()
+    {
+        m_view->setAmbientOcclusion(true);
+        m_view->setSmoothEdges(true);
+        const auto middle = pixel(200, 150);
+        QVERIFY(middle[0] > 2 * middle[1]);
+    }
+    void orientationCubeNamesTheSideSeen()
+    {
+        // Its face takes the lower left corner: light, with a dark letter.
+        int light = 0;
+        int dark = 0;
+        for (int y = 25; y < 80; ++y) {
+            for (int x = 25; x < 80; ++x) {
+                const auto p = pixelOf(x, y, x == 25 && y == 25);
+                light += p[1] > 150 ? 1 : 0;
+                dark += p[1] < 60 ? 1 : 0;
+            }
+        }
+        QVERIFY2(light > 800 && dark > 100, qPrintable(QStringLiteral("%1 %2").arg(light).arg(dark)));
+    }
+    void picturesForTheEye()
+    {
+        // Kept where PALPATE_TEST_PICTURES says, for a person to look at.
+        const char* folder = std::getenv("PALPATE_TEST_PICTURES");
+        if (folder == nullptr) {
+            QSKIP("set PALPATE_TEST_PICTURES to a folder to keep pictures of each view");
+        }
+        const std::pair<const char*, view::ViewFrom> views[] = {
+            {"front", view::ViewFrom::Front}, {"back", view::ViewFrom::Back}, {"left", view::ViewFrom::Left},
+            {"right", view::ViewFrom::Right}, {"head", view::ViewFrom::Head}, {"feet", view::ViewFrom::Feet}};
+        for (const auto& [name, from] : views) {
+            m_view->look(from);
+            (void)pixel(0, 0);
+            QImage image(400, 300, QImage::Format_RGB888);
+            for (int y = 0; y < 300; ++y) {
+                for (int x = 0; x < 400; ++x) {
+                    const auto p = pixelOf(x, 299 - y, false);
+                    image.setPixel(x, y, qRgb(p[0], p[1], p[2]));
+                }
+            }
+            QVERIFY(
+                image.save(QStringLiteral("%1/%2.png").arg(QString::fromLocal8Bit(folder), QString::fromLatin1(name))));
+        }
+    }
+
+  private:
+    std::array<int, 3> pixelOf(int x, int y, bool isDrawn)
+    {
+        if (isDrawn || m_pixels->GetNumberOfTuples() == 0) {
+            m_view->prepareFrame(1.0);
+            m_window->Render();
+            m_window->GetPixelData(0, 0, 399, 299, 1, m_pixels, 0);
+        }
+        unsigned char rgb[3] = {0, 0, 0};
+        m_pixels->GetTypedTuple(y * 400 + x, rgb);
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+    std::array<int, 3> pixel(int x, int y) { return pixelOf(x, y, true); }
+
+    vtkSmartPointer<vtkRenderWindow> m_window;
+    vtkNew<vtkUnsignedCharArray> m_pixels;
+    std::unique_ptr<view::SceneView> m_view;
+};
+
+PALPATE_TEST(SceneView)
+#include "tst_SceneView.moc"
