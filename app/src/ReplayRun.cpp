@@ -191,7 +191,7 @@ bool ReplayRun::take(const servo::TickRecord& tick, std::string_view structure)
 {
     m_summary->add(tick, structure);
     if (m_csv) {
-        m_csv->write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, structure, tick.solve_ns});
+        m_csv->write(tick, structure);
     }
     if (m_writer) {
         m_writeStatus = m_writer->append(tick);
@@ -235,7 +235,7 @@ Status ReplayRun::feel()
         return status;
     }
     session::replay(*m_scene, m_motion,
-                    [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); });
+                    [this](const servo::TickRecord& tick) { return take(tick, name(tick.felt.structure)); });
     return m_writeStatus;
 }
 
@@ -306,8 +306,8 @@ Status ReplayRun::feelLive()
     loop.rate_Hz = 1.0 / m_motion.dt_s;
     loop.cpu = m_options.cpu;
     const auto result = replayLive(
-        m_scene, hand, loop, begin, [this](const servo::TickRecord& tick) { return take(tick, name(tick.structure)); },
-        idle);
+        m_scene, hand, loop, begin,
+        [this](const servo::TickRecord& tick) { return take(tick, name(tick.felt.structure)); }, idle);
     if (!result.isOk()) {
         return result.status();
     }

@@ -51,7 +51,7 @@ void ReplaySummary::add(const servo::TickRecord& tick, std::string_view structur
 {
     m_measures.add(tick, structure);
     m_solve_ns.push_back(tick.solve_ns);
-    m_mostIterations = std::max(m_mostIterations, tick.iterations);
+    m_mostIterations = std::max(m_mostIterations, tick.felt.iterations);
     m_iterationBounds += (tick.flags & servo::kIterationLimit) != 0 ? 1 : 0;
     m_gated += (tick.flags & servo::kInputGated) != 0 ? 1 : 0;
 }

@@ -13,15 +13,15 @@ core::Status exportTicks(const session::RecordingReader& reader, const std::file
     if (!csv.isOk()) {
         return csv.status();
     }
-    const core::Status status = reader.forEach(
-        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-        [&](const servo::TickRecord& tick) {
-            if ((tick.flags & servo::kNoHand) == 0) {
-                const std::string name = reader.structureName(tick);
-                csv.value().write({tick.tick, tick.p_WH, tick.p_WG, tick.f_W, tick.constraints, name, tick.solve_ns});
-            }
-            return true;
-        });
+    const core::Status status =
+        reader.forEach(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+                       [&](const servo::TickRecord& tick) {
+                           if ((tick.flags & servo::kNoHand) == 0) {
+                               const std::string name = reader.structureName(tick);
+                               csv.value().write(tick, name);
+                           }
+                           return true;
+                       });
     return status.isOk() ? csv.value().finish() : status;
 }
 

@@ -160,8 +160,9 @@ core::Status compareRecordings(const std::filesystem::path& kept, const std::fil
     }
     const auto close = [](const core::Vec3& a, const core::Vec3& b) { return (a - b).norm() <= 1e-6; };
     const auto same = [&close](const servo::TickRecord& a, const servo::TickRecord& b) {
-        return a.tick == b.tick && close(a.p_WH, b.p_WH) && close(a.p_WG, b.p_WG) && close(a.f_W, b.f_W) &&
-               close(a.fSent_W, b.fSent_W) && a.structure == b.structure && a.flags == b.flags;
+        return a.tick == b.tick && close(a.p_WH, b.p_WH) && close(a.felt.p_WG, b.felt.p_WG) &&
+               close(a.felt.f_W, b.felt.f_W) && close(a.fSent_W, b.fSent_W) && a.felt.structure == b.felt.structure &&
+               a.flags == b.flags;
     };
     const auto [a, b] = std::mismatch(ticks[0].begin(), ticks[0].end(), ticks[1].begin(), ticks[1].end(), same);
     if (a != ticks[0].end() || b != ticks[1].end()) {

@@ -160,7 +160,7 @@ class CommandLine : public QObject
         }
         const auto read = reader.value()->forEach(0, 1 << 20, [&](servo::TickRecord tick) {
             if (tick.tick >= from) {
-                tick.p_WG.z() += off_mm;
+                tick.felt.p_WG.z() += off_mm;
             }
             return writer.value()->append(tick).isOk();
         });

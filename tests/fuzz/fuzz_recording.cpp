@@ -26,7 +26,7 @@ std::string recording(std::int64_t ticks)
         servo::TickRecord tick;
         tick.tick = i;
         tick.p_WH = core::Vec3(0.1 * static_cast<double>(i), 0.0, std::sin(0.01 * static_cast<double>(i)));
-        tick.p_WG = tick.p_WH;
+        tick.felt.p_WG = tick.p_WH;
         require(writer.value()->append(tick).isOk(), "a tick can be written");
     }
     require(writer.value()->finish().isOk(), "a recording can be ended");

@@ -84,8 +84,10 @@ std::vector<Vec3> palpatingMotion(int ticks)
     return motion;
 }
 
-bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b) noexcept
+bool isSameTick(const servo::TickRecord& first, const servo::TickRecord& second) noexcept
 {
+    const haptics::TickResult& a = first.felt;
+    const haptics::TickResult& b = second.felt;
     const auto isSame = [](const Vec3& u, const Vec3& v) {
         return std::memcmp(u.data(), v.data(), 3 * sizeof(double)) == 0;
     };

@@ -270,7 +270,7 @@ class RealtimeSafety : public QObject
                     state.p_D *= 1e9;
                 }
                 const TickRecord record = core.tick(state, 1'000'000LL * i);
-                contacts += record.structure >= 0 ? 1 : 0;
+                contacts += record.felt.structure >= 0 ? 1 : 0;
                 core.noteOverrun(isHostile && i % 400 < 30, 1'000'000LL * i);
                 if (core.fault().kind != palpate::servo::FaultKind::None && i % 50 == 0) {
                     ++faults;

@@ -115,7 +115,7 @@ class SceneChanges : public QObject
             state.p_D = Vec3(0, 0, 20.0 + 0.005 * i); // out through the surface at tick 2000
             state.time_ns = now_ns;
             const TickRecord tick = core.tick(state, now_ns);
-            QVERIFY(tick.fSent_W.isZero(0.0) && tick.structure == -1);
+            QVERIFY(tick.fSent_W.isZero(0.0) && tick.felt.structure == -1);
         }
     }
 };

@@ -244,8 +244,8 @@ class WorkspaceMap : public QObject
             last = hand.core.forceForDevice();
             most = std::max(most, last.norm());
             clutched += (tick.flags & palpate::servo::kClutched) != 0 ? 1 : 0;
-            if (tick.structure >= 0) {
-                QVERIFY2(tick.p_WG.norm() > 29.8, qPrintable(QString("tick %1").arg(i)));
+            if (tick.felt.structure >= 0) {
+                QVERIFY2(tick.felt.p_WG.norm() > 29.8, qPrintable(QString("tick %1").arg(i)));
             }
         }
         QVERIFY(most > 2.0);
@@ -306,7 +306,7 @@ class WorkspaceMap : public QObject
         hand.core.setMap(settings);
         tick = hand.tick(Vec3::Zero());
         QVERIFY((tick.flags & palpate::servo::kReset) != 0);
-        QVERIFY(tick.fSent_W.isZero(0.0) && tick.structure == -1);
+        QVERIFY(tick.fSent_W.isZero(0.0) && tick.felt.structure == -1);
     }
 };
 

@@ -116,11 +116,11 @@ bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b)
         }
         return true;
     };
-    return a.tick == b.tick && a.time_ns == b.time_ns && same(a.p_WH, b.p_WH) && same(a.p_WG, b.p_WG) &&
-           same(a.f_W, b.f_W) && same(a.fSent_W, b.fSent_W) && a.structure == b.structure &&
-           (a.structure < 0 || a.triangle == b.triangle) && a.scene == b.scene && a.buttons == b.buttons &&
-           a.solve_ns == b.solve_ns && a.iterations == b.iterations && a.flags == b.flags &&
-           a.constraints == b.constraints;
+    return a.tick == b.tick && a.time_ns == b.time_ns && same(a.p_WH, b.p_WH) && same(a.felt.p_WG, b.felt.p_WG) &&
+           same(a.felt.f_W, b.felt.f_W) && same(a.fSent_W, b.fSent_W) && a.felt.structure == b.felt.structure &&
+           (a.felt.structure < 0 || a.felt.triangle == b.felt.triangle) && a.scene == b.scene &&
+           a.buttons == b.buttons && a.solve_ns == b.solve_ns && a.felt.iterations == b.felt.iterations &&
+           a.flags == b.flags && a.felt.constraints == b.felt.constraints;
 }
 
 bool runSql(const std::filesystem::path& path, const std::string& sql)

@@ -24,9 +24,9 @@ class Measures : public QObject
         servo::TickRecord record;
         record.tick = number;
         record.p_WH = core::Vec3(0, 0, hip_z);
-        record.p_WG = core::Vec3(0, 0, god_z);
-        record.f_W = core::Vec3(0, 0, force_z);
-        record.structure = force_z > 0.0 ? 0 : -1;
+        record.felt.p_WG = core::Vec3(0, 0, god_z);
+        record.felt.f_W = core::Vec3(0, 0, force_z);
+        record.felt.structure = force_z > 0.0 ? 0 : -1;
         return record;
     }
 
@@ -88,7 +88,7 @@ class Measures : public QObject
         const auto feel = [&](int ticks, double speed_mm_per_s, double force_N) {
             for (int i = 0; i < ticks; ++i) {
                 servo::TickRecord record = tick(number++, -force_N, 0.0, force_N);
-                record.p_WG.x() = speed_mm_per_s * 1e-3 * i;
+                record.felt.p_WG.x() = speed_mm_per_s * 1e-3 * i;
                 phases.add(record);
             }
         };
@@ -168,7 +168,7 @@ class Measures : public QObject
                                             isFirst    ? 1.0
                                             : isSecond ? 0.5
                                                        : 0.0);
-            record.p_WH.x() = record.p_WG.x() = i < 250 ? 0.0 : 12.0;
+            record.p_WH.x() = record.felt.p_WG.x() = i < 250 ? 0.0 : 12.0;
             record.scene = 1;
             record.flags = i == 250 ? servo::kReset : 0;
             QVERIFY(writer.value()->append(record).isOk());

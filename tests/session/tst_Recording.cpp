@@ -41,8 +41,8 @@ class Recording : public QObject
         auto ticks = test::palpationTicks(2000);
         // What a table easily loses: the sign of a zero, the smallest and largest numbers, whole numbers.
         ticks[10].p_WH = core::Vec3(-0.0, 0.0, 5e-324);
-        ticks[10].p_WG = core::Vec3(0.0, 0.0, 5e-324);
-        ticks[10].f_W = core::Vec3(-0.0, 0.0, 0.0);
+        ticks[10].felt.p_WG = core::Vec3(0.0, 0.0, 5e-324);
+        ticks[10].felt.f_W = core::Vec3(-0.0, 0.0, 0.0);
         ticks[11].fSent_W = core::Vec3(3.0, -7.0, 1.7976931348623157e308);
         ticks[12].buttons = 0xffffffffu;
         ticks[12].solve_ns = 0xffffffffu;
@@ -121,7 +121,7 @@ class Recording : public QObject
     void tenMinutesFitInAHundredMegabytes()
     {
         auto ticks = test::palpationTicks(350);
-        while (!ticks.empty() && ticks.back().structure < 0) {
+        while (!ticks.empty() && ticks.back().felt.structure < 0) {
             ticks.pop_back();
         }
         QVERIFY(!ticks.empty());
@@ -132,9 +132,9 @@ class Recording : public QObject
             servo::TickRecord tick = pattern;
             tick.tick = 600000 + i;
             tick.time_ns = tick.tick * 1000003;
-            tick.triangle = 1'000'000;
+            tick.felt.triangle = 1'000'000;
             tick.solve_ns = 70000;
-            tick.fSent_W = tick.f_W + core::Vec3(0.1, 0.1, 0.1); // the gate acts all the time
+            tick.fSent_W = tick.felt.f_W + core::Vec3(0.1, 0.1, 0.1); // the gate acts all the time
             ticks.push_back(tick);
         }
         QVERIFY(test::writeRecording(path("d.palpate"), ticks));

@@ -59,7 +59,7 @@ class Replay : public QObject
             QCOMPARE(ticks[i].tick, static_cast<std::int64_t>(i));
             QCOMPARE(ticks[i].p_WH, motion.p_WH[i]);
         }
-        QCOMPARE(ticks.front().p_WG, motion.p_WH.front());
+        QCOMPARE(ticks.front().felt.p_WG, motion.p_WH.front());
     }
 
     void forceIsSpringAndDamper()
@@ -73,13 +73,13 @@ class Replay : public QObject
             const auto& tick = ticks[i];
             if (tick.p_WH.z() < 20.0) {
                 ++contacts;
-                QCOMPARE(tick.structure, 0);
-                QVERIFY(std::abs(tick.p_WG.z() - 20.0) < 1e-6);
+                QCOMPARE(tick.felt.structure, 0);
+                QVERIFY(std::abs(tick.felt.p_WG.z() - 20.0) < 1e-6);
                 const Vec3 v = (tick.p_WH - motion.p_WH[i - 1]) / motion.dt_s;
-                QVERIFY((tick.f_W - (k * (tick.p_WG - tick.p_WH) - b * v)).norm() < 1e-12);
+                QVERIFY((tick.felt.f_W - (k * (tick.felt.p_WG - tick.p_WH) - b * v)).norm() < 1e-12);
             } else if (tick.p_WH.z() > 20.001) {
-                QCOMPARE(tick.structure, -1);
-                QCOMPARE(tick.f_W, Vec3(0, 0, 0));
+                QCOMPARE(tick.felt.structure, -1);
+                QCOMPARE(tick.felt.f_W, Vec3(0, 0, 0));
             }
         }
         QVERIFY(contacts > 100);
@@ -109,7 +109,7 @@ class Replay : public QObject
         int contacts = 0;
         unsigned seen = 0;
         for (const auto& tick : ticks) {
-            contacts += tick.structure >= 0 ? 1 : 0;
+            contacts += tick.felt.structure >= 0 ? 1 : 0;
             seen |= tick.flags;
         }
         QVERIFY(contacts > 500);
@@ -137,8 +137,8 @@ class Replay : public QObject
         QFETCH(int, tick);
         QFETCH(bool, isForce);
         auto ticks = test::palpationTicks(2000);
-        double& value =
-            isForce ? ticks[static_cast<std::size_t>(tick)].f_W.y() : ticks[static_cast<std::size_t>(tick)].p_WG.y();
+        double& value = isForce ? ticks[static_cast<std::size_t>(tick)].felt.f_W.y()
+                                : ticks[static_cast<std::size_t>(tick)].felt.p_WG.y();
         value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ 1u); // the last bit
         QVERIFY(test::writeRecording(path("b.palpate"), ticks));
         const auto result = again("b.palpate");
@@ -175,16 +175,16 @@ class Replay : public QObject
         QFETCH(bool, isRounding);
         auto ticks = test::palpationTicks(2000);
         std::size_t at = 600; // on the second scene
-        while (ticks[at].structure < 0) {
+        while (ticks[at].felt.structure < 0) {
             ++at;
         }
         const auto scene = session::rebuildScene(test::palpationScenes()[1], test::boxSurfaces());
         const double skin_mm = scene.value()->layer(0).skin_mm;
         QVERIFY(skin_mm > 0.0);
-        ticks[at].p_WG.y() += skins * skin_mm;
-        ticks[at].f_W.y() += pushed * skin_mm * scene.value()->structures()[0].tissue.stiffness_N_per_mm;
-        ticks[at].structure = structure;
-        ticks[at].triangle += static_cast<std::uint32_t>(triangle);
+        ticks[at].felt.p_WG.y() += skins * skin_mm;
+        ticks[at].felt.f_W.y() += pushed * skin_mm * scene.value()->structures()[0].tissue.stiffness_N_per_mm;
+        ticks[at].felt.structure = structure;
+        ticks[at].felt.triangle += static_cast<std::uint32_t>(triangle);
         QVERIFY(test::writeRecording(path("r.palpate"), ticks));
         const auto result = again("r.palpate");
         QVERIFY2(result.isOk(), result.status().message().c_str());
@@ -209,19 +209,19 @@ class Replay : public QObject
     {
         auto ticks = test::palpationTicks(2000);
         std::size_t at = 600;
-        while (ticks[at].structure < 0) {
+        while (ticks[at].felt.structure < 0) {
             ++at;
         }
-        ticks[at].structure = -1; // but pressed: no rounding takes that away
-        ticks[at].p_WG = ticks[at].p_WH;
-        ticks[at].f_W = Vec3::Zero();
+        ticks[at].felt.structure = -1; // but pressed: no rounding takes that away
+        ticks[at].felt.p_WG = ticks[at].p_WH;
+        ticks[at].felt.f_W = Vec3::Zero();
         QVERIFY(test::writeRecording(path("m.palpate"), ticks));
         const auto pressed = again("m.palpate");
         QVERIFY2(pressed.isOk(), pressed.status().message().c_str());
         QCOMPARE(*pressed.value().firstBeyond, ticks[at].tick);
 
         ticks = test::palpationTicks(2000);
-        ticks[at].structure = -1; // the same place and force
+        ticks[at].felt.structure = -1; // the same place and force
         QVERIFY(test::writeRecording(path("m.palpate"), ticks));
         const auto grazed = again("m.palpate");
         QVERIFY2(grazed.isOk(), grazed.status().message().c_str());
@@ -251,21 +251,16 @@ class Replay : public QObject
                 info.firstTick = 400;
                 info.firstGeneration = 1;
             }
-            const auto result = palpator.step(motion.p_WH[i], 1e-3);
             servo::TickRecord tick;
             tick.tick = static_cast<std::int64_t>(i);
             tick.scene = 1;
             tick.p_WH = motion.p_WH[i];
-            tick.p_WG = result.p_WG;
-            tick.f_W = result.f_W;
-            tick.structure = result.structure;
-            tick.triangle = result.triangle;
-            tick.constraints = result.constraints;
+            tick.felt = palpator.step(motion.p_WH[i], 1e-3);
             if (i >= 400) {
                 ticks.push_back(tick);
             }
         }
-        QVERIFY(ticks.front().structure >= 0);
+        QVERIFY(ticks.front().felt.structure >= 0);
         {
             auto writer = session::RecordingWriter::create(path("c.palpate"), info);
             auto scenes = test::palpationScenes();
@@ -284,7 +279,7 @@ class Replay : public QObject
     {
         auto ticks = test::palpationTicks(2000);
         std::size_t firstLost = 1000;
-        while (ticks[firstLost + 10].structure < 0) {
+        while (ticks[firstLost + 10].felt.structure < 0) {
             ++firstLost;
         }
         ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(firstLost),

@@ -29,9 +29,18 @@ class TickCsv : public QObject
         const QString path = folder.filePath("t.csv");
         auto csv = session::TickCsv::create(path.toStdString());
         QVERIFY(csv.isOk());
-        csv.value().write(
-            {7, core::Vec3(1, -2.5, 0.1), core::Vec3(1, 2, 3), core::Vec3(0, 0, 1e-300), 2, "liver", 321});
-        csv.value().write({8, core::Vec3(0, 0, 0), core::Vec3(0, 0, 0), core::Vec3(0, 0, 0), 0, "", 40});
+        servo::TickRecord tick;
+        tick.tick = 7;
+        tick.p_WH = core::Vec3(1, -2.5, 0.1);
+        tick.felt.p_WG = core::Vec3(1, 2, 3);
+        tick.felt.f_W = core::Vec3(0, 0, 1e-300);
+        tick.felt.constraints = 2;
+        tick.solve_ns = 321;
+        csv.value().write(tick, "liver");
+        tick = {};
+        tick.tick = 8;
+        tick.solve_ns = 40;
+        csv.value().write(tick, "");
         QVERIFY(!QFile::exists(path)); // not before it is whole
         QVERIFY(csv.value().finish().isOk());
         QCOMPARE(contents(path),
@@ -65,10 +74,8 @@ class TickCsv : public QObject
         const QTemporaryDir folder;
         const QString path = folder.filePath("t.csv");
         auto csv = session::TickCsv::create(path.toStdString());
-        session::TickRow row;
         for (const char* name : {"left lobe", "a,b", "say \"ah\""}) {
-            row.structure = name;
-            csv.value().write(row);
+            csv.value().write({}, name);
         }
         QVERIFY(csv.value().finish().isOk());
         const QByteArray text = contents(path);
@@ -88,7 +95,7 @@ class TickCsv : public QObject
         const QByteArray before = contents(path);
         {
             auto second = session::TickCsv::create(path.toStdString());
-            second.value().write({});
+            second.value().write({}, "");
         }
         QCOMPARE(contents(path), before);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);

@@ -155,10 +155,10 @@ class FittedHand : public QObject
             most_N = std::max(most_N, f_D.norm());
             last_D = f_D;
             p_W = tick.p_WH;
-            g_W = tick.p_WG;
-            isTouching = tick.structure >= 0;
+            g_W = tick.felt.p_WG;
+            isTouching = tick.felt.structure >= 0;
             touched += isTouching ? 1 : 0;
-            const bool isIn = tick.structure != 0 && view::isInside(liver, p_W); // the liver does not hold it
+            const bool isIn = tick.felt.structure != 0 && view::isInside(liver, p_W); // the liver does not hold it
             if ((tick.flags & servo::kReset) != 0) {
                 wasOut = false; // begun anew, inside perhaps: let out
                 freed += isIn ? 1 : 0;

@@ -164,7 +164,7 @@ class Palpation : public QObject
         QCOMPARE(reader.value()->scenes().front().structures.front().name, std::string("liver"));
         const auto last = reader.value()->at(reader.value()->extent().lastTick);
         QVERIFY(last.has_value());
-        QVERIFY(std::abs(last->f_W.norm() - 2.0) < 0.02);
+        QVERIFY(std::abs(last->felt.f_W.norm() - 2.0) < 0.02);
     }
 
   private:

@@ -110,7 +110,7 @@ double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setu
                 core::Box box;
                 bool isTouching = false;
                 closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3& tip_W) {
-                    isTouching = tick.structure >= 0;
+                    isTouching = tick.felt.structure >= 0;
                     if (static_cast<double>(tick.tick) >= from_s * setup.rate_Hz) {
                         box.extend(tip_W);
                     }
@@ -152,8 +152,8 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
             }
             closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3&) {
                 // Where the gate bounds the force as well, what it takes is not the controller's doing.
-                const double force_N = tick.f_W.norm();
-                if (tick.structure >= 0 &&
+                const double force_N = tick.felt.f_W.norm();
+                if (tick.felt.structure >= 0 &&
                     force_N<setup.preset.maxForce_N&& static_cast<double>(tick.tick)> kEaseIn_s * setup.rate_Hz) {
                     ticks.emplace_back(force_N, tick.fDamping_W.norm());
                     largest_N = std::max(largest_N, force_N);

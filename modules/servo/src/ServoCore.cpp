@@ -7,17 +7,25 @@
 
 namespace palpate::servo {
 
-haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
-                             double dt_s) noexcept PALPATE_NONBLOCKING
+void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING
 {
-    if ((flags & kNoHand) != 0) {
-        return {};
+    tick.felt = {};
+    tick.solve_ns = 0;
+    if ((tick.flags & kNoHand) != 0) {
+        return;
     }
-    const FlushDenormals flushed;
-    if ((flags & kReset) != 0) {
-        palpator.reset();
+    const std::int64_t begin_ns = core::monotonicNow_ns();
+    {
+        const FlushDenormals flushed;
+        if ((tick.flags & kReset) != 0) {
+            palpator.reset();
+        }
+        tick.felt = palpator.step(tick.p_WH, dt_s);
     }
-    return palpator.step(p_WH, dt_s);
+    tick.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - begin_ns);
+    if (tick.felt.status == haptics::TickStatus::IterationLimit) {
+        tick.flags |= kIterationLimit;
+    }
 }
 
 ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLimits& passivity) noexcept
@@ -63,22 +71,10 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         }
     }
 
-    const std::int64_t begin_ns = core::monotonicNow_ns();
-    const haptics::TickResult felt = feelTick(m_palpator, mapped.p_W, static_cast<std::uint16_t>(flags), m_dt_s);
-    const std::int64_t solve_ns = core::monotonicNow_ns() - begin_ns;
-    if (input.isPresent) {
-        record.solve_ns = core::shortDuration_ns(solve_ns);
-    }
-    record.p_WG = felt.p_WG;
-    record.n_W = felt.n_W;
-    record.f_W = felt.f_W;
-    record.structure = felt.structure;
-    record.triangle = felt.triangle;
-    record.iterations = felt.iterations;
-    record.constraints = felt.constraints;
-    if (felt.status == haptics::TickStatus::IterationLimit) {
-        flags |= kIterationLimit;
-    }
+    record.flags = static_cast<std::uint16_t>(flags);
+    feelTick(m_palpator, m_dt_s, record);
+    flags = record.flags;
+    const haptics::TickResult& felt = record.felt;
 
     // Clutched, the device moves through nothing; the god-object stays where it is.
     const bool isFelt = input.isPresent && !mapped.isClutched;
@@ -101,7 +97,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     m_sent_D = m_gate.release(request);
     m_passivity.noteSent(m_sent_D);
     record.fSent_W = m_map.toScene(m_sent_D);
-    if (record.fSent_W != record.f_W) {
+    if (record.fSent_W != felt.f_W) {
         flags |= kOutputGated;
     }
     record.flags = static_cast<std::uint16_t>(flags);

@@ -59,7 +59,7 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
     for (Sum& sum : m_sums) {
         FindingMeasures& m = sum.measures;
         const bool wasThere = sum.isThere && goesOn;
-        sum.isThere = tick.structure >= 0 && (tick.p_WG - m.finding.p_W).norm() <= m_distance_mm;
+        sum.isThere = tick.felt.structure >= 0 && (tick.felt.p_WG - m.finding.p_W).norm() <= m_distance_mm;
         if (!sum.isThere) {
             continue;
         }
@@ -68,9 +68,9 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
         }
         m.visits += wasThere ? 0 : 1;
         ++sum.ticks;
-        sum.force_N += tick.f_W.norm();
-        m.peakForce_N = std::max(m.peakForce_N, tick.f_W.norm());
-        m.peakDepth_mm = std::max(m.peakDepth_mm, (tick.p_WG - tick.p_WH).norm());
+        sum.force_N += tick.felt.f_W.norm();
+        m.peakForce_N = std::max(m.peakForce_N, tick.felt.f_W.norm());
+        m.peakDepth_mm = std::max(m.peakDepth_mm, (tick.felt.p_WG - tick.p_WH).norm());
     }
 }
 

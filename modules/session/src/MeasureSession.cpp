@@ -42,13 +42,13 @@ class Surfaces
 
     void add(const servo::TickRecord& tick, double dt_s)
     {
-        if (m_lastScene != tick.scene || m_lastStructure != tick.structure) {
+        if (m_lastScene != tick.scene || m_lastStructure != tick.felt.structure) {
             m_lastScene = tick.scene;
-            m_lastStructure = tick.structure;
+            m_lastStructure = tick.felt.structure;
             m_last = surfaceOf(tick);
         }
         if (m_last != nullptr) {
-            m_last->add(tick.p_WG, tick.f_W.norm(), dt_s);
+            m_last->add(tick.felt.p_WG, tick.felt.f_W.norm(), dt_s);
         }
     }
 
@@ -81,8 +81,8 @@ class Surfaces
     TouchedSurface* surfaceOf(const servo::TickRecord& tick)
     {
         const SceneRecord* scene = m_reader.scene(tick.scene);
-        const auto number = static_cast<std::size_t>(tick.structure);
-        if (scene == nullptr || tick.structure < 0 || number >= scene->structures.size()) {
+        const auto number = static_cast<std::size_t>(tick.felt.structure);
+        if (scene == nullptr || tick.felt.structure < 0 || number >= scene->structures.size()) {
             return nullptr;
         }
         const StructureRecord& structure = scene->structures[number];

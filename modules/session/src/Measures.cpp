@@ -47,19 +47,19 @@ void MeasureAccumulator::add(const servo::TickRecord& tick, std::string_view str
     const bool goesOn = follows(m_previous, tick);
     if (goesOn) {
         m_sum.pathLength_mm += (tick.p_WH - m_previous->p_WH).norm();
-        if (tick.structure >= 0 && m_previous->structure >= 0) {
-            m_sum.contactPath_mm += (tick.p_WG - m_previous->p_WG).norm();
+        if (tick.felt.structure >= 0 && m_previous->felt.structure >= 0) {
+            m_sum.contactPath_mm += (tick.felt.p_WG - m_previous->felt.p_WG).norm();
         }
     }
-    if (tick.structure >= 0) {
-        m_sum.contacts += goesOn && m_previous->structure >= 0 ? 0 : 1;
+    if (tick.felt.structure >= 0) {
+        m_sum.contacts += goesOn && m_previous->felt.structure >= 0 ? 0 : 1;
         auto found = m_structures.find(structure);
         if (found == m_structures.end()) {
             found = m_structures.emplace(structure, Samples{}).first;
         }
         for (Samples* samples : {&m_all, &found->second}) {
-            samples->forces_N.push_back(tick.f_W.norm());
-            samples->depths_mm.push_back((tick.p_WG - tick.p_WH).norm());
+            samples->forces_N.push_back(tick.felt.f_W.norm());
+            samples->depths_mm.push_back((tick.felt.p_WG - tick.p_WH).norm());
         }
     }
     m_previous = tick;

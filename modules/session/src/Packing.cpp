@@ -2,6 +2,7 @@
 #include "Packing.h"
 
 #include "MetaTable.h"
+#include "TickColumns.h"
 
 #include <QCryptographicHash>
 
@@ -70,23 +71,20 @@ bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept
     return sameBits(a.x(), b.x()) && sameBits(a.y(), b.y()) && sameBits(a.z(), b.z());
 }
 
-void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firstTime_ns)
+void packTick(std::string& out, const servo::TickRecord& tick)
 {
-    put(out, tick.tick);
-    put(out, tick.time_ns - firstTime_ns);
-    put(out, tick.p_WH);
-    put(out, tick.p_WG);
-    put(out, tick.f_W);
-    put(out, tick.fSent_W);
-    const bool touches = tick.structure >= 0;
-    put(out, touches ? tick.structure : std::int32_t{-1});
-    put(out, touches ? tick.triangle : std::uint32_t{0});
-    put(out, tick.scene);
-    put(out, tick.buttons);
-    put(out, tick.solve_ns);
-    put(out, tick.iterations);
-    put(out, tick.flags);
-    put(out, tick.constraints);
+    const servo::TickRecord none;
+    for (const std::size_t width : {8U, 4U, 2U, 1U}) {
+        for (const TickColumn& column : kTickColumns) {
+            const bool isNull = column.null == Null::InFreeSpace && tick.felt.structure < 0;
+            useValue(column, isNull ? none : tick, [&]<class Value>(const Value& value) {
+                constexpr std::size_t kWidth = std::is_same_v<Value, core::Vec3> ? sizeof(double) : sizeof(Value);
+                if (column.isStored && kWidth == width) {
+                    put(out, value);
+                }
+            });
+        }
+    }
 }
 
 void packScene(std::string& out, const SceneRecord& scene)

@@ -19,8 +19,10 @@ namespace palpate::session::internal {
 [[nodiscard]] bool sameBits(double a, double b) noexcept;
 [[nodiscard]] bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept;
 
-/// Appends what a checksum covers of a tick, as resources/docs/recording.md lists it.
-void packTick(std::string& out, const servo::TickRecord& tick, std::int64_t firstTime_ns);
+/// Appends what a checksum covers of a tick: what is stored of it, NULLs filled in, from the wide numbers to the
+/// narrow.
+/// @param tick  `time_ns` since the recording's first
+void packTick(std::string& out, const servo::TickRecord& tick);
 
 /// What the checksum of a scene covers.
 void packScene(std::string& out, const SceneRecord& scene);

@@ -3,6 +3,7 @@
 
 #include "Database.h"
 #include "Schema.h"
+#include "TickTable.h"
 #include "palpate/session/Recording.h"
 
 #include <algorithm>
@@ -145,9 +146,10 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid)
     if (!is<std::monostate>(row[0])) {
         return nullptr; // the others' first column is the rowid, which stands elsewhere
     }
-    switch (columns) {
-    case kFlags + 1:
+    if (columns == tickColumnCount()) {
         return "ticks";
+    }
+    switch (columns) {
     case 7:
         return "meshes";
     case 6:
@@ -309,7 +311,7 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
     // Thrown away in the end: nothing need survive a crash.
     if (Status status = database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id=" +
                                          std::to_string(kRecordingApplicationId) + "; PRAGMA user_version=" +
-                                         std::to_string(kRecordingVersion) + "; BEGIN;" + kSchema);
+                                         std::to_string(kRecordingVersion) + "; BEGIN;" + schema());
         !status.isOk()) {
         return status;
     }

@@ -59,25 +59,25 @@ void PhaseAccumulator::close(std::vector<Phase>& phases, bool& isOpen) const
 void PhaseAccumulator::add(const servo::TickRecord& tick)
 {
     m_firstTick = m_firstTick.value_or(tick.tick);
-    const bool goesOn = follows(m_previous, tick) && m_previous->structure >= 0;
+    const bool goesOn = follows(m_previous, tick) && m_previous->felt.structure >= 0;
     m_previous = tick;
-    if (tick.structure < 0 || !goesOn || (m_block && m_block->phase.ticks == m_blockTicks)) {
+    if (tick.felt.structure < 0 || !goesOn || (m_block && m_block->phase.ticks == m_blockTicks)) {
         close(m_phases, m_isOpen);
         m_block.reset();
     }
-    if (tick.structure < 0) {
+    if (tick.felt.structure < 0) {
         m_isOpen = false;
         return;
     }
     if (!m_block) {
         m_block = Block{};
         m_block->goesOn = goesOn;
-        m_block->first_WG = tick.p_WG;
+        m_block->first_WG = tick.felt.p_WG;
         m_block->phase.firstTick = tick.tick;
         m_block->phase.start_s = static_cast<double>(tick.tick - *m_firstTick) * m_dt_s;
     }
-    const double force_N = tick.f_W.norm();
-    m_block->last_WG = tick.p_WG;
+    const double force_N = tick.felt.f_W.norm();
+    m_block->last_WG = tick.felt.p_WG;
     m_block->sumForce_N += force_N;
     m_block->phase.peakForce_N = std::max(m_block->phase.peakForce_N, force_N);
     ++m_block->phase.ticks;

@@ -206,9 +206,10 @@ const SceneRecord* RecordingReader::scene(std::uint32_t generation) const noexce
 std::string RecordingReader::structureName(const servo::TickRecord& tick) const
 {
     const SceneRecord* felt = scene(tick.scene);
-    const auto number = static_cast<std::size_t>(tick.structure);
-    return tick.structure < 0 || felt == nullptr || number >= felt->structures.size() ? std::string()
-                                                                                      : felt->structures[number].name;
+    const auto number = static_cast<std::size_t>(tick.felt.structure);
+    return tick.felt.structure < 0 || felt == nullptr || number >= felt->structures.size()
+               ? std::string()
+               : felt->structures[number].name;
 }
 
 Status RecordingReader::forEach(std::int64_t first, std::int64_t last,

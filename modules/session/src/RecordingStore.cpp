@@ -21,15 +21,6 @@ std::string_view blobOf(const std::vector<T>& values)
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// The three columns of a vector; NULLs when it equals what they stand for.
-void bindVector(Statement& row, int column, const core::Vec3& v, const core::Vec3& implied)
-{
-    const bool isImplied = sameBits(v, implied);
-    for (int i = 0; i < 3; ++i) {
-        isImplied ? row.bindNull(column + i) : row.bind(column + i, v[i]);
-    }
-}
-
 /// What the chain of checks begins with: the line that covers the metadata.
 std::string firstLink(const MetaTable& meta)
 {
@@ -47,7 +38,7 @@ Status RecordingStore::makeFile(const std::filesystem::path& path, const MetaTab
     Database& database = opened.value();
     Status status =
         database.execute("PRAGMA application_id=" + std::to_string(kRecordingApplicationId) +
-                         "; PRAGMA user_version=" + std::to_string(kRecordingVersion) + "; BEGIN;" + kSchema);
+                         "; PRAGMA user_version=" + std::to_string(kRecordingVersion) + "; BEGIN;" + schema());
     Statement insert = database.prepare("INSERT INTO meta VALUES(?, ?)");
     for (auto pair = meta.begin(); status.isOk() && pair != meta.end(); ++pair) {
         insert.bind(0, pair->first);
@@ -83,7 +74,7 @@ core::Result<std::unique_ptr<RecordingStore>> RecordingStore::open(const std::fi
 
 RecordingStore::RecordingStore(Database database)
     : m_database(std::move(database))
-    , m_insertTick(m_database.prepare(kInsertTick))
+    , m_insertTick(m_database.prepare(insertTick().c_str()))
     , m_insertCheck(m_database.prepare(kInsertCheck))
     , m_insertEvent(m_database.prepare("INSERT INTO events VALUES(?, ?, ?, ?)"))
     , m_insertScene(m_database.prepare("INSERT INTO scenes VALUES(?, ?, ?)"))
@@ -205,34 +196,6 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
     return {};
 }
 
-bool RecordingStore::storeTick(const servo::TickRecord& tick)
-{
-    using namespace internal;
-    Statement& row = m_insertTick;
-    row.bind(kTick, tick.tick);
-    row.bind(kTime, tick.time_ns - m_firstTime_ns);
-    for (int i = 0; i < 3; ++i) {
-        row.bind(kHip + i, tick.p_WH[i]);
-    }
-    bindVector(row, kGod, tick.p_WG, tick.p_WH);
-    bindVector(row, kForce, tick.f_W, core::Vec3::Zero());
-    bindVector(row, kSent, tick.fSent_W, tick.f_W);
-    if (tick.structure >= 0) {
-        row.bind(kStructure, std::int64_t{tick.structure});
-        row.bind(kTriangle, std::int64_t{tick.triangle});
-    } else {
-        row.bindNull(kStructure);
-        row.bindNull(kTriangle);
-    }
-    row.bind(kConstraints, std::int64_t{tick.constraints});
-    row.bind(kScene, std::int64_t{tick.scene});
-    row.bind(kButtons, std::int64_t{tick.buttons});
-    row.bind(kSolve, std::int64_t{tick.solve_ns});
-    row.bind(kIterations, std::int64_t{tick.iterations});
-    row.bind(kFlags, std::int64_t{tick.flags});
-    return row.step() == Statement::Step::Done;
-}
-
 Status RecordingStore::storeTicks(const RecordingBatch& batch, std::string& hash)
 {
     std::string content;
@@ -240,10 +203,13 @@ Status RecordingStore::storeTicks(const RecordingBatch& batch, std::string& hash
         const std::size_t end = std::min(batch.ticks.size(), first + m_ticksPerCheck);
         content.clear();
         for (std::size_t i = first; i < end; ++i) {
-            if (!storeTick(batch.ticks[i])) {
+            servo::TickRecord tick = batch.ticks[i];
+            tick.time_ns -= m_firstTime_ns;
+            bindTick(m_insertTick, tick);
+            if (m_insertTick.step() != Statement::Step::Done) {
                 return failed();
             }
-            packTick(content, batch.ticks[i], m_firstTime_ns);
+            packTick(content, tick);
         }
         if (Status status =
                 storeCheck(kTicksCheck, batch.ticks[first].tick, batch.ticks[end - 1].tick, end - first, content, hash);

@@ -52,7 +52,6 @@ class RecordingStore
     core::Status storeEmbedded(const StructureSource& source);
     core::Status storeEvents(const RecordingBatch& batch, std::string& hash);
     core::Status storeTicks(const RecordingBatch& batch, std::string& hash);
-    bool storeTick(const servo::TickRecord& tick);
     core::Status storeCheck(const char* kind, std::int64_t first, std::int64_t last, std::size_t rows,
                             const std::string& content, std::string& hash);
     [[nodiscard]] core::Status failed() const { return m_database.error("cannot be written"); }

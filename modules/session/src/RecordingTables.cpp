@@ -17,43 +17,6 @@ using Step = Statement::Step;
 
 namespace {
 
-core::Vec3 vector(const Statement& row, int column)
-{
-    return {row.real(column), row.real(column + 1), row.real(column + 2)};
-}
-
-/// A vector whose NULLs stand for `implied`.
-core::Vec3 vector(const Statement& row, int column, const core::Vec3& implied)
-{
-    return row.isNull(column) ? implied : vector(row, column);
-}
-
-servo::TickRecord readTick(const Statement& row)
-{
-    servo::TickRecord tick;
-    tick.tick = row.integer(kTick);
-    tick.time_ns = row.integer(kTime);
-    tick.p_WH = vector(row, kHip);
-    tick.p_WG = vector(row, kGod, tick.p_WH);
-    tick.f_W = vector(row, kForce, core::Vec3::Zero());
-    tick.fSent_W = vector(row, kSent, tick.f_W);
-    if (!row.isNull(kStructure)) {
-        tick.structure = static_cast<std::int32_t>(row.integer(kStructure));
-        tick.triangle = static_cast<std::uint32_t>(row.integer(kTriangle));
-        const core::Vec3 push = tick.p_WG - tick.p_WH;
-        if (const double depth = push.norm(); depth > 0.0) {
-            tick.n_W = push / depth;
-        }
-    }
-    tick.constraints = static_cast<std::uint8_t>(row.integer(kConstraints));
-    tick.scene = static_cast<std::uint32_t>(row.integer(kScene));
-    tick.buttons = static_cast<std::uint32_t>(row.integer(kButtons));
-    tick.solve_ns = static_cast<std::uint32_t>(row.integer(kSolve));
-    tick.iterations = static_cast<std::uint32_t>(row.integer(kIterations));
-    tick.flags = static_cast<std::uint16_t>(row.integer(kFlags));
-    return tick;
-}
-
 /// Copies a blob into numbers. @return false when its length is no whole number of them
 template<class T>
 bool copyBlob(const std::string& bytes, std::vector<T>& out)
@@ -154,8 +117,7 @@ Status RecordingTables::readChecks(std::vector<Check>& out) const
 Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
                                   const std::function<bool(const servo::TickRecord&)>& sink) const
 {
-    static const std::string kSql = std::string(kSelectTicks) + "WHERE tick BETWEEN ? AND ? ORDER BY tick";
-    Statement row = m_database.prepare(kSql.c_str());
+    Statement row = m_database.prepare(selectTicks("WHERE tick BETWEEN ? AND ? ORDER BY tick").c_str());
     row.bind(0, first);
     row.bind(1, last);
     Step step = row.step();
@@ -175,8 +137,7 @@ Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
 
 std::optional<servo::TickRecord> RecordingTables::tickAt(std::int64_t tick) const
 {
-    static const std::string kSql = std::string(kSelectTicks) + "WHERE tick <= ? ORDER BY tick DESC LIMIT 1";
-    Statement row = m_database.prepare(kSql.c_str());
+    Statement row = m_database.prepare(selectTicks("WHERE tick <= ? ORDER BY tick DESC LIMIT 1").c_str());
     row.bind(0, tick);
     return row.step() == Step::Row ? std::optional(readTick(row)) : std::nullopt;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Replay.h"
 
-#include <palpate/core/Clock.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
@@ -13,30 +12,14 @@ namespace {
 
 servo::TickRecord feel(haptics::Palpator& palpator, const Motion& motion, std::size_t tick)
 {
-    const Vec3& p_WH = motion.p_WH[tick];
-    const std::uint16_t flags = tick == 0 ? servo::kReset : 0;
-    const std::int64_t start_ns = core::monotonicNow_ns();
-    const haptics::TickResult result = servo::feelTick(palpator, p_WH, flags, motion.dt_s);
-    const std::int64_t end_ns = core::monotonicNow_ns();
-
     servo::TickRecord record;
     record.tick = static_cast<std::int64_t>(tick);
     record.time_ns = std::llround(static_cast<double>(tick) * motion.dt_s * 1e9);
     record.scene = 1;
-    record.p_WH = p_WH;
-    record.p_WG = result.p_WG;
-    record.n_W = result.n_W;
-    record.f_W = result.f_W;
-    record.fSent_W = result.f_W;
-    record.structure = result.structure;
-    record.triangle = result.triangle;
-    record.solve_ns = core::shortDuration_ns(end_ns - start_ns);
-    record.iterations = result.iterations;
-    record.constraints = result.constraints;
-    record.flags = flags;
-    if (result.status == haptics::TickStatus::IterationLimit) {
-        record.flags |= servo::kIterationLimit;
-    }
+    record.p_WH = motion.p_WH[tick];
+    record.flags = tick == 0 ? servo::kReset : 0;
+    servo::feelTick(palpator, motion.dt_s, record);
+    record.fSent_W = record.felt.f_W;
     return record;
 }
 

@@ -2,7 +2,6 @@
 #include "Packing.h"
 #include "palpate/session/Replay.h"
 
-#include <palpate/core/Clock.h>
 #include <palpate/core/Numbers.h>
 #include <palpate/servo/ServoCore.h>
 
@@ -95,7 +94,7 @@ class Resimulator
         }
         std::uint16_t flags = row.flags;
         if (m_isLost) {
-            const bool isFree = row.structure < 0 && internal::sameBits(row.p_WG, row.p_WH);
+            const bool isFree = row.felt.structure < 0 && internal::sameBits(row.felt.p_WG, row.p_WH);
             if ((flags & servo::kReset) == 0 && (!isFree || (flags & servo::kNoHand) != 0)) {
                 ++m_result.unverified;
                 return true;
@@ -106,18 +105,11 @@ class Resimulator
             m_isLost = false;
         }
         servo::TickRecord now = row;
-        const std::int64_t start_ns = core::monotonicNow_ns();
-        const haptics::TickResult felt = servo::feelTick(m_palpator, row.p_WH, flags, m_recording.info().dt_s);
-        now.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - start_ns);
+        now.flags = flags;
+        servo::feelTick(m_palpator, m_recording.info().dt_s, now);
+        now.flags = row.flags;
         ++m_result.compared;
         if ((flags & servo::kNoHand) == 0) {
-            now.p_WG = felt.p_WG;
-            now.n_W = felt.n_W;
-            now.f_W = felt.f_W;
-            now.structure = felt.structure;
-            now.triangle = felt.triangle;
-            now.constraints = felt.constraints;
-            now.iterations = felt.iterations;
             compare(row, now);
         }
         return !m_sink || m_sink(now);
@@ -125,28 +117,30 @@ class Resimulator
 
     void compare(const servo::TickRecord& row, const servo::TickRecord& now)
     {
-        const bool isSamePlace = internal::sameBits(row.p_WG, now.p_WG);
-        const bool isSameForce = internal::sameBits(row.f_W, now.f_W);
+        const haptics::TickResult& was = row.felt;
+        const haptics::TickResult& is = now.felt;
+        const bool isSamePlace = internal::sameBits(was.p_WG, is.p_WG);
+        const bool isSameForce = internal::sameBits(was.f_W, is.f_W);
         const bool isSameTouch =
-            row.structure == now.structure && row.constraints == now.constraints && row.triangle == now.triangle;
+            was.structure == is.structure && was.constraints == is.constraints && was.triangle == is.triangle;
         if (isSamePlace && isSameForce && isSameTouch) {
             return;
         }
         ++m_result.differing;
-        const double apart_mm = (row.p_WG - now.p_WG).norm();
-        const double apart_N = (row.f_W - now.f_W).norm();
+        const double apart_mm = (was.p_WG - is.p_WG).norm();
+        const double apart_N = (was.f_W - is.f_W).norm();
         m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
         m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
         const std::string tick = "tick " + std::to_string(row.tick) + ": ";
         const auto places = [&] {
-            return tick + "god-object recorded at " + text(row.p_WG) + ", now " + text(now.p_WG) +
+            return tick + "god-object recorded at " + text(was.p_WG) + ", now " + text(is.p_WG) +
                    apart(apart_mm, " mm");
         };
         const auto forces = [&] {
-            return tick + "force recorded as " + text(row.f_W) + ", now " + text(now.f_W) + apart(apart_N, " N");
+            return tick + "force recorded as " + text(was.f_W) + ", now " + text(is.f_W) + apart(apart_N, " N");
         };
         const auto touches = [&] {
-            return tick + "structure, triangle and constraints recorded as " + touch(row) + ", now " + touch(now);
+            return tick + "structure, triangle and constraints recorded as " + touch(was) + ", now " + touch(is);
         };
         if (!m_result.firstDifference) {
             m_result.firstDifference = row.tick;
@@ -154,9 +148,9 @@ class Resimulator
         }
         // Not comparisons that a NaN passes.
         const bool isNear = apart_mm <= m_rounding_mm;
-        const bool isAlike = apart_N <= m_rounding_N + kForceRounding * row.f_W.norm();
+        const bool isAlike = apart_N <= m_rounding_N + kForceRounding * was.f_W.norm();
         // Where it touches next to nothing, one build may touch what the other just misses.
-        const bool isSameStructure = row.structure == now.structure || row.structure < 0 || now.structure < 0;
+        const bool isSameStructure = was.structure == is.structure || was.structure < 0 || is.structure < 0;
         if (!(isNear && isAlike && isSameStructure) && !m_result.firstBeyond) {
             m_result.firstBeyond = row.tick;
             m_result.beyond = !isNear ? places() : !isAlike ? forces() : touches();
@@ -170,11 +164,11 @@ class Resimulator
         return ", " + std::string(digits, end.ptr) + unit + " apart";
     }
 
-    static std::string touch(const servo::TickRecord& tick)
+    static std::string touch(const haptics::TickResult& felt)
     {
         std::string out(1, '(');
-        out += std::to_string(tick.structure) + ' ' + std::to_string(tick.triangle) + ' ';
-        return out + std::to_string(tick.constraints) + ')';
+        out += std::to_string(felt.structure) + ' ' + std::to_string(felt.triangle) + ' ';
+        return out + std::to_string(felt.constraints) + ')';
     }
 
     /// How far rounding can bring what is felt on a scene apart.

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/TickCsv.h"
 
+#include "TickColumns.h"
+
 #include <palpate/core/Numbers.h>
 
+#include <algorithm>
+#include <concepts>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace palpate::session {
 
@@ -22,6 +28,37 @@ void appendText(std::string& line, std::string_view text)
     line += '"';
 }
 
+/// What the CSV shows, in its order.
+const std::vector<internal::TickColumn>& shownColumns()
+{
+    static const std::vector<internal::TickColumn> kShown = [] {
+        std::vector<internal::TickColumn> columns;
+        std::copy_if(std::begin(internal::kTickColumns), std::end(internal::kTickColumns), std::back_inserter(columns),
+                     [](const internal::TickColumn& column) { return column.csv > 0; });
+        std::sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.csv < b.csv; });
+        return columns;
+    }();
+    return kShown;
+}
+
+void appendValue(std::string& line, const core::Vec3& v)
+{
+    for (int i = 0; i < 3; ++i) {
+        line += i > 0 ? "," : "";
+        core::appendNumber(line, v[i]);
+    }
+}
+
+void appendValue(std::string& line, double value)
+{
+    core::appendNumber(line, value);
+}
+
+void appendValue(std::string& line, std::integral auto value)
+{
+    line += std::to_string(value);
+}
+
 } // namespace
 
 TickCsv::TickCsv(AtomicFile file)
@@ -36,26 +73,26 @@ core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path)
         return file.status();
     }
     TickCsv csv(std::move(file).value());
-    csv.m_file.write(kHeader);
-    csv.m_file.write("\n");
+    for (const internal::TickColumn& column : shownColumns()) {
+        for (const std::string& name : internal::columnNames(column)) {
+            csv.m_line += (csv.m_line.empty() ? "" : ",") + name;
+        }
+    }
+    csv.m_file.write(csv.m_line + '\n');
     return csv;
 }
 
-void TickCsv::write(const TickRow& row)
+void TickCsv::write(const servo::TickRecord& tick, std::string_view structure)
 {
-    m_line = std::to_string(row.tick);
-    for (const core::Vec3* v : {&row.p_WH, &row.p_WG, &row.f_W}) {
-        for (const double value : *v) {
-            m_line += ',';
-            core::appendNumber(m_line, value);
+    m_line.clear();
+    for (const internal::TickColumn& column : shownColumns()) {
+        m_line += m_line.empty() ? "" : ",";
+        if (column.name == "structure") {
+            appendText(m_line, structure);
+        } else {
+            internal::useValue(column, tick, [this](const auto& value) { appendValue(m_line, value); });
         }
     }
-    m_line += ',';
-    m_line += std::to_string(row.constraints);
-    m_line += ',';
-    appendText(m_line, row.structure);
-    m_line += ',';
-    m_line += std::to_string(row.solve_ns);
     m_line += '\n';
     m_file.write(m_line);
 }

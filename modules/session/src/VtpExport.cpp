@@ -31,12 +31,12 @@ Status writePathVtp(const std::filesystem::path& path, const RecordingReader& re
                                ends.push_back(static_cast<std::int64_t>(points.size()));
                            }
                            points.push_back(tick.p_WH);
-                           god.push_back(tick.p_WG);
-                           forces.push_back(tick.f_W);
-                           forces_N.push_back(tick.f_W.norm());
-                           depths_mm.push_back((tick.p_WG - tick.p_WH).norm());
+                           god.push_back(tick.felt.p_WG);
+                           forces.push_back(tick.felt.f_W);
+                           forces_N.push_back(tick.felt.f_W.norm());
+                           depths_mm.push_back((tick.felt.p_WG - tick.p_WH).norm());
                            times_s.push_back(static_cast<double>(tick.tick - first) * reader.info().dt_s);
-                           structures.push_back(tick.structure);
+                           structures.push_back(tick.felt.structure);
                            return true;
                        });
     if (!status.isOk()) {

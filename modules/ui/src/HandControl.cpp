@@ -127,7 +127,7 @@ void HandControl::fit(MapFill fill)
 bool HandControl::isTouching() const
 {
     const servo::TickRecord& tick = m_live.newest();
-    return (tick.flags & servo::kNoHand) == 0 && tick.structure >= 0 && tick.structure < m_model.rowCount();
+    return (tick.flags & servo::kNoHand) == 0 && tick.felt.structure >= 0 && tick.felt.structure < m_model.rowCount();
 }
 
 std::optional<HandControl::Filled> HandControl::scene()
@@ -140,7 +140,7 @@ std::optional<HandControl::Filled> HandControl::organ()
 {
     int row = m_structures.currentRow();
     if (isTouching()) {
-        row = m_live.newest().structure;
+        row = m_live.newest().felt.structure;
     } else if (const auto ray = m_viewport.pointerRay()) {
         if (const auto pick = m_viewport.view().pick(*ray)) {
             row = static_cast<int>(pick->structure);
@@ -158,7 +158,7 @@ std::optional<HandControl::Filled> HandControl::organ()
 std::optional<HandControl::Filled> HandControl::lump()
 {
     if (isTouching()) {
-        return Filled{lumpAt(m_live.newest().p_WG), tr("10 mm where the hand touches")};
+        return Filled{lumpAt(m_live.newest().felt.p_WG), tr("10 mm where the hand touches")};
     }
     if (const auto ray = m_viewport.pointerRay()) {
         if (const auto pick = m_viewport.view().pick(*ray)) {
@@ -222,7 +222,7 @@ HandStatus::Clutch HandControl::clutch() const
 QString HandControl::inside() const
 {
     const servo::TickRecord& tick = m_live.newest();
-    if (m_live.map().isDirect || (tick.flags & servo::kNoHand) != 0 || tick.structure >= 0) {
+    if (m_live.map().isDirect || (tick.flags & servo::kNoHand) != 0 || tick.felt.structure >= 0) {
         return {};
     }
     for (const StructureRow& one : m_model.rows()) {

@@ -140,7 +140,7 @@ void PalpationController::step()
         // The device is told nothing of a hovering hand, so its ticks say nothing of it: show where it hovers.
         servo::TickRecord hover;
         hover.p_WH = *m_hand.hip(now_s);
-        hover.p_WG = hover.p_WH;
+        hover.felt.p_WG = hover.p_WH;
         show(hover, now_ns);
         return;
     }
@@ -171,13 +171,13 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     }
     m_shown_ns = now_ns;
     // What the hand feels: of a device that pushes, what it was given, nothing after a fault.
-    const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.f_W;
+    const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.felt.f_W;
     view::TouchState state;
     state.p_WH = tick.p_WH;
-    state.p_WG = tick.p_WG;
+    state.p_WG = tick.felt.p_WG;
     state.f_W = f_W;
     state.fingertip_mm = m_live.fingertip_mm();
-    state.isInContact = tick.structure >= 0;
+    state.isInContact = tick.felt.structure >= 0;
     state.isPresent = true;
     if (!m_shown.isPresent || state.p_WH != m_shown.p_WH || state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {
         m_shown = state;
@@ -188,13 +188,13 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     reading.time_s = seconds(now_ns);
     reading.solveP99_us = m_live.solveP99_us();
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
-    if (state.isInContact && tick.structure < m_model.rowCount()) {
-        const meshio::SceneStructure& structure = m_model.structure(tick.structure);
+    if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
+        const meshio::SceneStructure& structure = m_model.structure(tick.felt.structure);
         reading.structure = readableName(structure.name);
         reading.stiffness_N_per_mm = structure.stiffness_N_per_mm;
         reading.force_N = f_W.norm();
-        reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
-        reading.constraints = tick.constraints;
+        reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
+        reading.constraints = tick.felt.constraints;
     }
     Q_EMIT touched(reading);
 }

@@ -118,15 +118,15 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
     TouchReading reading;
     reading.time_s = time_s;
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
-    if (tick.structure >= 0) {
+    if (tick.felt.structure >= 0) {
         reading.structure = m_recording->structureName(tick);
         if (reading.structure.isEmpty()) {
-            reading.structure = tr("structure %1").arg(tick.structure + 1);
+            reading.structure = tr("structure %1").arg(tick.felt.structure + 1);
         }
         reading.stiffness_N_per_mm = m_recording->stiffness_N_per_mm(tick);
-        reading.force_N = tick.f_W.norm();
-        reading.depth_mm = (tick.p_WG - tick.p_WH).norm();
-        reading.constraints = tick.constraints;
+        reading.force_N = tick.felt.f_W.norm();
+        reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
+        reading.constraints = tick.felt.constraints;
     }
     m_touch.show(reading);
 }
@@ -139,10 +139,10 @@ void Playback::showMoment(double time_s)
     }
     view::TouchState state;
     state.p_WH = tick->p_WH;
-    state.p_WG = tick->p_WG;
-    state.f_W = tick->f_W;
+    state.p_WG = tick->felt.p_WG;
+    state.f_W = tick->felt.f_W;
     state.fingertip_mm = m_recording->fingertip_mm(*tick);
-    state.isInContact = tick->structure >= 0;
+    state.isInContact = tick->felt.structure >= 0;
     state.isPresent = (tick->flags & servo::kNoHand) == 0;
     m_viewport.view().cursor().setState(state);
     m_viewport.update();

@@ -63,8 +63,8 @@ double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
 double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
-    const auto number = static_cast<std::size_t>(std::max(0, tick.structure));
-    return scene != nullptr && tick.structure >= 0 && number < scene->structures.size()
+    const auto number = static_cast<std::size_t>(std::max(0, tick.felt.structure));
+    return scene != nullptr && tick.felt.structure >= 0 && number < scene->structures.size()
                ? scene->structures[number].tissue.stiffness_N_per_mm
                : 0.0;
 }
@@ -114,7 +114,7 @@ void RecordedTouch::startOverview()
             reader.value()->forEach(extent.firstTick, extent.lastTick, [&](const servo::TickRecord& tick) {
                 const double place = static_cast<double>(tick.tick - extent.firstTick) / ticks;
                 const auto bin = std::min(kBins - 1, static_cast<std::size_t>(place * static_cast<double>(kBins)));
-                peaks[bin] = std::max(peaks[bin], static_cast<float>(tick.f_W.norm()));
+                peaks[bin] = std::max(peaks[bin], static_cast<float>(tick.felt.f_W.norm()));
                 return !m_isClosing;
             });
         if (status.isOk() && !m_isClosing) {

@@ -12,16 +12,15 @@
 
 namespace palpate::servo {
 
-/// Feels one tick as its record says: nothing when `flags` has kNoHand, from anew when it has kReset. The servo thread
-/// and every replay call this and nothing else, so that rows (p_WH, flags) and the nominal period are all a replay
-/// needs. Where a row's `scene` differs from the one before, call `palpator.setScene` first.
-/// Numbers below the smallest normal one count as zero meanwhile, on whatever thread this runs: they would cost a
-/// hundred times the time, and a replay must give the same bits.
-/// @param p_WH  HIP after the safety gate [mm]
+/// Feels the tick whose record has `p_WH` and `flags`: nothing when they have kNoHand, from anew when they have kReset.
+/// Puts in what was felt, the time of that one solver call, and kIterationLimit. The servo thread and every replay call
+/// this and nothing else, so that rows (p_WH, flags) and the nominal period are all a replay needs. Where a row's
+/// `scene` differs from the one before, call `palpator.setScene` first. Numbers below the smallest normal one count as
+/// zero meanwhile, on whatever thread this runs: they would cost a hundred times the time, and a replay must give the
+/// same bits.
 /// @param dt_s  nominal period, 1 / rate [s]
 /// @par Real-time Wait-free.
-[[nodiscard]] haptics::TickResult feelTick(haptics::Palpator& palpator, const Vec3& p_WH, std::uint16_t flags,
-                                           double dt_s) noexcept PALPATE_NONBLOCKING;
+void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING;
 
 /// One servo tick without a thread, a clock or a device: safety gate in, workspace map, model, passivity controller,
 /// safety gate out. The gate and the controller work in the device's frame, where hand and motors are.

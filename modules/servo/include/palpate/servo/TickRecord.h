@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Types.h>
+#include <palpate/haptics/Palpator.h>
 
 #include <cstdint>
 #include <type_traits>
@@ -24,26 +25,22 @@ enum TickFlag : std::uint16_t
     kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
 };
 
-/// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window.
+/// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window. What a recording
+/// keeps of it, and under which names, is listed in session/src/TickColumns.h.
 struct TickRecord
 {
     std::int64_t tick = 0;          ///< since the servo started
     std::int64_t time_ns = 0;       ///< monotonic
     Vec3 p_WH = Vec3::Zero();       ///< HIP that was solved, after the safety gate [mm]
-    Vec3 p_WG = Vec3::Zero();       ///< god-object [mm]
-    Vec3 n_W = Vec3::Zero();        ///< contact direction, unit, zero in free space
-    Vec3 f_W = Vec3::Zero();        ///< force of the model [N]
+    haptics::TickResult felt;       ///< god-object, contact and force of the model, not bounded by the device
     Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate, as seen in the scene [N]
-    Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for [N]
-    double energy_mJ = 0.0;         ///< that the hand put in since contact began and has not got back; < 0: it got more
-    std::int32_t structure = -1;    ///< number in the scene, -1 in free space
-    std::uint32_t triangle = 0;     ///< in the structure's mesh as given to `geometry::repair`
-    std::uint32_t scene = 0;        ///< generation number of the scene that was felt, see ServoLoop::setScene
-    std::uint32_t buttons = 0;
+    Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for; not recorded [N]
+    double energy_mJ = 0.0;    ///< that the hand put in since contact began and has not got back; < 0: it got more; not
+                               ///< recorded
+    std::uint32_t scene = 0;   ///< generation number of the scene that was felt, see ServoLoop::setScene
+    std::uint32_t buttons = 0; ///< of the device, a bit each
     std::uint32_t solve_ns = 0; ///< time in the solver
-    std::uint32_t iterations = 0;
-    std::uint16_t flags = 0; ///< TickFlag
-    std::uint8_t constraints = 0;
+    std::uint16_t flags = 0;    ///< TickFlag
 };
 static_assert(std::is_trivially_destructible_v<TickRecord>); // crosses threads in a PlainCopy
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Packing.h"
+#include "TestRunner.h"
+#include "TickColumns.h"
+#include "TickTable.h"
+
+#include <QFile>
+#include <QTest>
+
+using namespace palpate;
+using namespace palpate::session::internal;
+
+/// The one list of what a tick has, against what says the same elsewhere.
+class TickColumns : public QObject
+{
+    Q_OBJECT
+  private Q_SLOTS:
+    void pageTellsEachColumnInItsOrder()
+    {
+        QFile page(QStringLiteral(PALPATE_SOURCE_DIR "/resources/docs/recording.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(page.readAll());
+        for (const bool isStored : {true, false}) {
+            QString table;
+            for (const TickColumn& column : kTickColumns) {
+                if (column.isStored == isStored) {
+                    QStringList names;
+                    for (const std::string& name : columnNames(column)) {
+                        names << QString::fromStdString(name);
+                    }
+                    table += QStringLiteral("| %1 | %2 |\n")
+                                 .arg(names.join(QStringLiteral(", ")),
+                                      QString::fromUtf8(column.meaning.data(), qsizetype(column.meaning.size())));
+                }
+            }
+            QVERIFY2(text.contains("|---|---|\n" + table + '\n'), qPrintable("expected the table:\n" + table));
+        }
+    }
+
+    void eachBitOfWhatIsStoredCountsInTheChecksum()
+    {
+        servo::TickRecord tick;
+        tick.felt.structure = 2; // touched: nothing of it is left out
+        std::string before;
+        packTick(before, tick);
+        int stored = 0;
+        for (const TickColumn& column : kTickColumns) {
+            servo::TickRecord other = tick;
+            useValue(column, other, []<class Value>(Value& value) {
+                if constexpr (std::is_same_v<Value, core::Vec3>) {
+                    value.z() = -0.0;
+                } else {
+                    value = Value(value + 1);
+                }
+            });
+            std::string after;
+            packTick(after, other);
+            QCOMPARE(after != before, column.isStored);
+            QCOMPARE(after.size(), before.size());
+            stored += column.isStored ? int(columnNames(column).size()) : 0;
+        }
+        QCOMPARE(std::size_t(stored), tickColumnCount());
+    }
+
+    void theTableIsThatOfVersion2()
+    {
+        QCOMPARE(createTicks(),
+                 std::string("CREATE TABLE ticks(tick INTEGER PRIMARY KEY, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
+                             "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
+                             "constraints, scene, buttons, solve_ns, iterations, flags);\n"));
+    }
+};
+
+PALPATE_TEST(TickColumns)
+#include "tst_TickColumns.moc"
