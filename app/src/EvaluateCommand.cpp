@@ -3,11 +3,11 @@
 #include "Console.h"
 #include "PhantomFolder.h"
 #include "ProgressLine.h"
-#include "SceneForTouch.h"
 
 #include <palpate/evaluation/Report.h>
 #include <palpate/session/MotionFile.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/study/RecordedScene.h>
 
 #include <CLI/CLI.hpp>
 
@@ -74,7 +74,7 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_
     for (const fs::path& path : options.scenes) {
         meshio::ReadOptions read;
         read.unit_mm = unit_mm;
-        auto loaded = loadSceneOrFolder(path, read);
+        auto loaded = study::openScene(path, read);
         if (!loaded.isOk()) {
             return loaded.status();
         }

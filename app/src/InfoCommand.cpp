@@ -2,9 +2,10 @@
 #include "Commands.h"
 #include "Console.h"
 #include "InfoReport.h"
-#include "SceneForTouch.h"
 
 #include <palpate/session/RecordingReader.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedScene.h>
 
 #include <CLI/CLI.hpp>
 #include <QJsonArray>
@@ -46,14 +47,14 @@ core::Result<FileReport> examine(const std::filesystem::path& file, const meshio
     FileReport report;
     report.path = file;
     auto start = std::chrono::steady_clock::now();
-    auto loaded = loadSceneOrFolder(file, options);
+    auto loaded = study::openScene(file, options);
     if (!loaded.isOk()) {
         return loaded.status();
     }
     report.scene = std::move(loaded).value();
     report.load_s = secondsSince(start);
     start = std::chrono::steady_clock::now();
-    const auto scene = sceneForTouch(report.scene);
+    const auto scene = study::hapticScene(report.scene);
     report.index_s = secondsSince(start);
     start = std::chrono::steady_clock::now();
     for (const auto& structure : scene->structures()) {
@@ -62,7 +63,7 @@ core::Result<FileReport> examine(const std::filesystem::path& file, const meshio
     }
     report.examine_s = secondsSince(start);
     report.touchBytes = scene->byteSize();
-    report.touchTriangles = triangleCount(*scene);
+    report.touchTriangles = study::triangleCount(*scene);
     return report;
 }
 

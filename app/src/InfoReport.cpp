@@ -2,7 +2,8 @@
 #include "InfoReport.h"
 
 #include "Console.h"
-#include "SceneForTouch.h"
+
+#include <palpate/study/StructureSources.h>
 
 #include <QJsonArray>
 
@@ -148,7 +149,7 @@ void printReport(const FileReport& report)
 QJsonObject toJson(const FileReport& report)
 {
     const auto count = [](std::size_t n) { return static_cast<qint64>(n); };
-    const auto sources = structureSources(report.scene);
+    const auto sources = study::sourcesOf(report.scene);
     QJsonArray structures;
     for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
         const meshio::LoadedStructure& structure = report.scene.structures[i];

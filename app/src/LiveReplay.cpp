@@ -3,6 +3,7 @@
 
 #include <palpate/device/PlaybackDevice.h>
 #include <palpate/device/SimulatedHand.h>
+#include <palpate/study/LiveSession.h>
 
 #include <chrono>
 #include <optional>
@@ -11,14 +12,12 @@
 namespace palpate::app {
 
 using core::Status;
-using core::StatusCode;
 using namespace std::chrono_literals;
 
 namespace {
 
 constexpr double kSettle_s = 0.25; // of no hand, so that recording has begun before the first row is played
 constexpr auto kDrainInterval = 20ms;
-constexpr auto kStartTimeout = 2s;
 
 } // namespace
 
@@ -66,22 +65,17 @@ core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> 
                                     const std::function<Status(const servo::RecordingStart&)>& begin,
                                     const session::TickSink& sink, const std::function<void()>& idle)
 {
-    device::HapticDevice& device = *hand.device;
-    servo::ServoLoop loop;
-    loop.setScene(std::move(scene));
-    if (Status status = loop.start(device, options); !status.isOk()) {
+    study::LiveSession live;
+    servo::ServoLoop& loop = live.loop();
+    live.setScene(std::move(scene), {});
+    if (Status status = live.start(*hand.device, options); !status.isOk()) {
         return status;
     }
-    loop.startRecording();
-    servo::RecordingStart start;
-    const auto deadline = std::chrono::steady_clock::now() + kStartTimeout;
-    while (!loop.fetchRecordingStart(start)) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            return Status(StatusCode::Internal, "the servo thread does not answer");
-        }
-        std::this_thread::sleep_for(1ms);
+    const auto start = live.takeTicks();
+    if (!start.isOk()) {
+        return start.status();
     }
-    if (Status status = begin(start); !status.isOk()) {
+    if (Status status = begin(start.value()); !status.isOk()) {
         return status;
     }
 
@@ -111,7 +105,7 @@ core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> 
     if (const servo::FaultReport report = loop.fault(); report.isFaulted()) {
         result.fault = report.message;
     }
-    loop.stop();
+    live.stop();
     drain();
     result.lost = hand.rows < 0 ? static_cast<std::int64_t>(loop.droppedTicks()) : hand.rows - felt;
     result.overruns = loop.timing().overruns;

@@ -2,8 +2,9 @@
 #include "MainWindow.h"
 #include "Paths.h"
 #include "PhantomFolder.h"
-#include "SceneForTouch.h"
 
+#include <palpate/session/Findings.h>
+#include <palpate/study/RecordedScene.h>
 #include <palpate/ui/Theme.h>
 
 #include <QCoreApplication>
@@ -55,7 +56,7 @@ MainWindow::MainWindow()
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(this);
     m_document = new SceneDocument(m_model, this);
-    m_loader.setReader(app::loadSceneOrFolder);
+    m_loader.setReader(study::openScene);
     connectParts();
     styleView();
     refreshRecent();
@@ -305,6 +306,10 @@ void MainWindow::connectParts()
     connect(m_fitLumpAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Lump); });
     connect(m_handControl, &HandControl::said, this, [this](const QString& line) { say(line); });
     connect(m_document, &SceneDocument::findingsChanged, this, &MainWindow::showFindings);
+    connect(m_document, &SceneDocument::marked, this,
+            [this](const core::Finding& finding) { m_live.note("finding", session::findingJson(finding)); });
+    connect(m_document, &SceneDocument::unmarked, this,
+            [this](const core::Finding& finding) { m_live.note("finding-undone", session::findingJson(finding)); });
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
 }
 

@@ -4,8 +4,6 @@
 #include "MeasuresDialog.h"
 #include "Paths.h"
 
-#include <palpate/session/Findings.h>
-
 #include <QInputDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -83,30 +81,23 @@ void MainWindow::markFinding()
         say(tr("Nothing is touched: press on the place first, then mark it (M)."));
         return;
     }
-    session::Finding finding;
+    core::Finding finding;
     finding.name = tr("Finding %1").arg(m_document->findings().size() + 1).toStdString();
     finding.structure = m_touchedStructure.toStdString();
     finding.p_W = touch.p_WG;
     finding.force_N = touch.f_W.norm();
     finding.depth_mm = (touch.p_WG - touch.p_WH).norm();
-    meshio::SceneFinding kept;
-    kept.name = finding.name;
-    kept.p_W = finding.p_W;
-    kept.structure = finding.structure;
-    kept.force_N = finding.force_N;
-    kept.depth_mm = finding.depth_mm;
-    m_document->addFinding(kept);
-    m_live.note("finding", session::findingJson(finding));
+    m_document->addFinding(finding);
     say(tr("%1 marked on %2 with %3 N")
             .arg(QString::fromStdString(finding.name), m_touchedStructure,
-                 QLocale().toString(finding.force_N, 'f', 2)));
+                 QLocale().toString(*finding.force_N, 'f', 2)));
 }
 
 /// Where findings are, in the view and for fitting a lump to the device.
 void MainWindow::showFindings()
 {
     std::vector<core::Vec3> places;
-    for (const meshio::SceneFinding& finding : m_document->findings()) {
+    for (const core::Finding& finding : m_document->findings()) {
         places.push_back(finding.p_W);
     }
     m_viewport->view().findings().set(places);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuresDialog.h"
 
-#include "SessionExport.h"
-
-#include <palpate/session/VtpExport.h>
+#include <palpate/study/SessionExport.h>
 #include <palpate/ui/SessionPanel.h>
 #include <palpate/ui/StructureModel.h>
 
@@ -170,7 +168,7 @@ void MeasuresDialog::exportCsv()
         return;
     }
     const auto reader = session::RecordingReader::open(m_recording);
-    tell(reader.isOk() ? app::exportTicks(*reader.value(), chosen.toStdU16String()) : reader.status(),
+    tell(reader.isOk() ? study::exportTicks(*reader.value(), chosen.toStdU16String()) : reader.status(),
          tr("Written to %1").arg(chosen));
 }
 
@@ -185,9 +183,9 @@ void MeasuresDialog::exportVtp()
     }
     const std::filesystem::path path = chosen.toStdU16String();
     const auto reader = session::RecordingReader::open(m_recording);
-    core::Status status = reader.isOk() ? session::writePathVtp(path, *reader.value()) : reader.status();
+    core::Status status = reader.isOk() ? study::exportPath(*reader.value(), path) : reader.status();
     if (status.isOk()) {
-        status = session::writeSurfaceVtp(app::surfaceFileOf(path), *m_measures);
+        status = study::exportSurface(*m_measures, study::surfaceFileOf(path));
     }
     tell(status, tr("Written to %1 and beside it").arg(chosen));
 }

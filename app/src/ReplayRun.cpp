@@ -3,8 +3,11 @@
 
 #include "Console.h"
 #include "Devices.h"
-#include "SceneForTouch.h"
 #include "SessionReport.h"
+
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/StructureSources.h>
 
 #include <chrono>
 #include <utility>
@@ -138,17 +141,17 @@ Status ReplayRun::loadScene()
     meshio::ReadOptions readOptions;
     readOptions.unit_mm = m_unit_mm;
     readOptions.isPartial = m_options.isPartial;
-    const auto loaded = loadSceneOrFolder(m_options.scene, readOptions);
+    const auto loaded = study::openScene(m_options.scene, readOptions);
     if (!loaded.isOk()) {
         return loaded.status();
     }
     m_cost.load_s = seconds(start);
     start = std::chrono::steady_clock::now();
-    m_scene = sceneForTouch(loaded.value());
+    m_scene = study::hapticScene(loaded.value());
     m_cost.index_s = seconds(start);
     m_cost.name = m_options.scene.filename().string();
     m_cost.structures = m_scene->structures().size();
-    m_cost.triangles = triangleCount(*m_scene);
+    m_cost.triangles = study::triangleCount(*m_scene);
     m_cost.bytes = m_scene->byteSize();
     if (m_cost.triangles == 0) {
         return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
@@ -161,10 +164,7 @@ Status ReplayRun::loadScene()
         m_scene = std::make_shared<haptics::HapticScene>(session::withTissue(*m_scene, m_stiffness, m_damping));
     }
     if (m_recording || !m_options.record.empty()) {
-        m_sources = structureSources(loaded.value());
-        for (std::size_t i = 0; m_options.embeds && i < m_sources.size(); ++i) {
-            m_sources[i].embed = loaded.value().structures[i].surface;
-        }
+        m_sources = study::sourcesOf(loaded.value(), m_options.embeds);
     }
     m_summary.emplace(m_cost, m_motion.dt_s);
     m_summary->reserve(m_motion.p_WH.size());
@@ -201,7 +201,7 @@ bool ReplayRun::take(const servo::TickRecord& tick, std::string_view structure)
 
 Status ReplayRun::checkSameGeometry() const
 {
-    const session::SurfacesByHash surfaces = surfacesByHash(*m_scene, m_sources);
+    const session::SurfacesByHash surfaces = study::surfacesByHash(*m_scene, m_sources);
     for (const session::SceneRecord& record : m_recording->scenes()) {
         if (const auto built = session::rebuildScene(record, surfaces); !built.isOk()) {
             return {built.status().code(), m_options.scene.string() + ": " + built.status().message() +
@@ -241,8 +241,8 @@ Status ReplayRun::feel()
 
 Status ReplayRun::feelRecording()
 {
-    const auto result =
-        session::resimulate(*m_recording, surfacesByHash(*m_scene, m_sources), [this](const servo::TickRecord& tick) {
+    const auto result = session::resimulate(
+        *m_recording, study::surfacesByHash(*m_scene, m_sources), [this](const servo::TickRecord& tick) {
             return (tick.flags & servo::kNoHand) != 0 || take(tick, m_recording->structureName(tick));
         });
     if (!result.isOk()) {

@@ -2,9 +2,9 @@
 #include "ReplaySummary.h"
 
 #include "Console.h"
-#include "MeasuresReport.h"
 
 #include <palpate/session/Recording.h>
+#include <palpate/study/SessionExport.h>
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -98,7 +98,7 @@ std::string ReplaySummary::json() const
 {
     const session::Measures m = m_measures.result();
     const SolveTimes t = solveTimes();
-    QJsonObject root = sumsJson(m);
+    QJsonObject root = study::sumsJson(m);
     root["palpate"] = text(session::palpateVersion());
     root["build"] = text(session::buildId());
     root["scene"] = QJsonObject{{"name", text(m_cost.name)},

@@ -39,7 +39,7 @@ bool isCopy(const std::filesystem::path& file)
 class SceneDocument::AddFinding final : public QUndoCommand
 {
   public:
-    AddFinding(SceneDocument& document, meshio::SceneFinding finding)
+    AddFinding(SceneDocument& document, core::Finding finding)
         : QUndoCommand(tr("Mark %1").arg(QString::fromStdString(finding.name)))
         , m_document(document)
         , m_finding(std::move(finding))
@@ -49,16 +49,18 @@ class SceneDocument::AddFinding final : public QUndoCommand
     {
         m_document.m_rest.findings.push_back(m_finding);
         Q_EMIT m_document.findingsChanged();
+        Q_EMIT m_document.marked(m_finding);
     }
     void undo() override
     {
         m_document.m_rest.findings.pop_back();
         Q_EMIT m_document.findingsChanged();
+        Q_EMIT m_document.unmarked(m_finding);
     }
 
   private:
     SceneDocument& m_document;
-    meshio::SceneFinding m_finding;
+    core::Finding m_finding;
 };
 
 SceneDocument::SceneDocument(ui::StructureModel& model, QObject* parent)
@@ -105,7 +107,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     Q_EMIT findingsChanged();
 }
 
-void SceneDocument::addFinding(const meshio::SceneFinding& finding)
+void SceneDocument::addFinding(const core::Finding& finding)
 {
     m_model.undoStack().push(new AddFinding(*this, finding));
 }

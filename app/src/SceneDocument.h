@@ -28,12 +28,9 @@ class SceneDocument : public QObject
     /// The scene file that it came from or was saved to; empty when there is none.
     [[nodiscard]] const std::filesystem::path& file() const noexcept { return m_file; }
     [[nodiscard]] bool isModified() const { return !m_model.undoStack().isClean(); }
-    [[nodiscard]] const std::vector<palpate::meshio::SceneFinding>& findings() const noexcept
-    {
-        return m_rest.findings;
-    }
-    /// Adds a finding, undoably.
-    void addFinding(const palpate::meshio::SceneFinding& finding);
+    [[nodiscard]] const std::vector<palpate::core::Finding>& findings() const noexcept { return m_rest.findings; }
+    /// Adds a finding, undoably; `marked` and `unmarked` tell each time that it comes or goes.
+    void addFinding(const palpate::core::Finding& finding);
 
     /// Saves all of it: what could not be opened and what this version does not know is kept.
     palpate::core::Status save(const std::filesystem::path& file, const palpate::meshio::SceneCamera& camera);
@@ -45,6 +42,8 @@ class SceneDocument : public QObject
 
   Q_SIGNALS:
     void findingsChanged();
+    void marked(const palpate::core::Finding& finding);
+    void unmarked(const palpate::core::Finding& finding);
 
   private:
     class AddFinding;

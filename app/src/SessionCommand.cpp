@@ -2,8 +2,6 @@
 #include "Commands.h"
 #include "Console.h"
 #include "MeasuresReport.h"
-#include "RecordedScene.h"
-#include "SessionExport.h"
 #include "SessionReport.h"
 
 #include <palpate/session/AtomicFile.h>
@@ -11,7 +9,9 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
-#include <palpate/session/VtpExport.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/SessionExport.h>
+#include <palpate/study/StructureSources.h>
 
 #include <CLI/CLI.hpp>
 
@@ -55,7 +55,7 @@ int runVerify(const SessionOptions& options)
     }
     print("%s: database sound, checksums of %s ticks right\n", options.file.string().c_str(),
           grouped(reader.extent().ticks).c_str());
-    const auto surfaces = recordedSurfaces(reader, options.scene);
+    const auto surfaces = study::recordedSurfaces(reader, options.scene);
     if (!surfaces.isOk()) {
         if (!options.scene.empty()) {
             return report(surfaces.status());
@@ -63,7 +63,7 @@ int runVerify(const SessionOptions& options)
         printError("not computed again: " + surfaces.status().message() + "; say where the scene is with --scene");
         return kSomeLost;
     }
-    const auto result = session::resimulate(reader, indexed(surfaces.value()));
+    const auto result = session::resimulate(reader, study::indexedByHash(surfaces.value()));
     if (!result.isOk()) {
         return report({result.status().code(), options.file.string() + ": " + result.status().message()});
     }
@@ -103,7 +103,7 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
     if (!distance.isOk()) {
         return distance.status();
     }
-    const auto surfaces = recordedSurfaces(reader, options.scene);
+    const auto surfaces = study::recordedSurfaces(reader, options.scene);
     if (!surfaces.isOk() && !options.scene.empty()) {
         return surfaces.status();
     }
@@ -149,7 +149,7 @@ int runMeasure(const SessionOptions& options)
     }
     printMeasures(measures.value());
     if (json) {
-        json->write(measuresJson(measures.value()));
+        json->write(study::measuresJson(measures.value()));
         if (const Status status = json->finish(); !status.isOk()) {
             return report(status);
         }
@@ -167,7 +167,7 @@ int runExport(const SessionOptions& options)
         return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
     }
     // The path and the touched surface are two things: each is a file of its own.
-    const std::filesystem::path surface = surfaceFileOf(options.vtp);
+    const std::filesystem::path surface = study::surfaceFileOf(options.vtp);
     std::vector<std::filesystem::path> outputs;
     if (!options.csv.empty()) {
         outputs.push_back(options.csv);
@@ -179,19 +179,19 @@ int runExport(const SessionOptions& options)
         return report(status);
     }
     if (!options.csv.empty()) {
-        if (const Status status = exportTicks(*opened.value(), options.csv); !status.isOk()) {
+        if (const Status status = study::exportTicks(*opened.value(), options.csv); !status.isOk()) {
             return report(status);
         }
     }
     if (options.vtp.empty()) {
         return kDone;
     }
-    if (const Status status = session::writePathVtp(options.vtp, *opened.value()); !status.isOk()) {
+    if (const Status status = study::exportPath(*opened.value(), options.vtp); !status.isOk()) {
         return report(status);
     }
     bool isWhole = true;
     const auto measures = measure(*opened.value(), options, isWhole);
-    Status status = measures.isOk() ? session::writeSurfaceVtp(surface, measures.value()) : measures.status();
+    Status status = measures.isOk() ? study::exportSurface(measures.value(), surface) : measures.status();
     if (status.code() == StatusCode::Empty) {
         printError(status.message());
         return kSomeLost;

@@ -2,9 +2,10 @@
 #include "Commands.h"
 #include "Console.h"
 #include "ProgressLine.h"
-#include "SceneForTouch.h"
 
 #include <palpate/evaluation/Stability.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedScene.h>
 
 #include <CLI/CLI.hpp>
 
@@ -100,12 +101,12 @@ int runStability(const StabilityOptions& options)
     } else {
         meshio::ReadOptions read;
         read.unit_mm = unit.value();
-        const auto loaded = loadSceneOrFolder(options.scene, read);
+        const auto loaded = study::openScene(options.scene, read);
         if (!loaded.isOk()) {
             return report(loaded.status());
         }
         subject = options.scene.filename().string();
-        shapes.push_back(stability::shapeOf(subject, *sceneForTouch(loaded.value())));
+        shapes.push_back(stability::shapeOf(subject, *study::hapticScene(loaded.value())));
         if (shapes.front().holds.empty()) {
             return report(Status(StatusCode::Empty,
                                  options.scene.string() + ": found nothing to press, expected a palpable surface"));

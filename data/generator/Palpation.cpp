@@ -4,10 +4,10 @@
 #include "Phantom.h"
 
 #include <palpate/device/SimulatedHand.h>
-#include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/servo/ServoCore.h>
-#include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingWriter.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/StructureSources.h>
 
 #include <cmath>
 #include <numbers>
@@ -120,30 +120,11 @@ device::HandScript palpationScript()
 core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::HandScript& script,
                              const std::filesystem::path& path)
 {
-    std::vector<haptics::HapticStructure> structures;
-    std::vector<session::StructureSource> sources;
-    for (const meshio::LoadedStructure& structure : loaded.structures) {
-        const meshio::SceneStructure& description = structure.description;
-        haptics::HapticStructure haptic;
-        haptic.name = description.name;
-        haptic.tissue = {description.stiffness_N_per_mm, description.damping_Ns_per_mm};
-        haptic.layer = description.layer;
-        if (description.palpable) {
-            haptic.surface =
-                std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*structure.surface));
-        }
-        structures.push_back(std::move(haptic));
-
-        session::StructureSource source;
-        source.mesh = description.mesh.filename().string();
-        source.part = description.part;
-        source.unit_mm = description.unit_mm;
-        source.flipped = description.flipped;
-        source.sha256 = session::geometryHash(structure.surface->mesh);
-        source.X_WM = description.X_WM;
-        sources.push_back(std::move(source));
+    const std::shared_ptr<const haptics::HapticScene> scene = study::hapticScene(loaded);
+    std::vector<session::StructureSource> sources = study::sourcesOf(loaded);
+    for (session::StructureSource& source : sources) {
+        source.mesh = std::filesystem::path(source.mesh).filename().string();
     }
-    const haptics::HapticScene scene(std::move(structures));
 
     device::SimulatedHandOptions options;
     options.preset = *device::findDevicePreset("omega");
@@ -155,7 +136,7 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
 
     constexpr std::uint32_t kGeneration = 1;
     servo::ServoCore servo(servo::GateLimits::forDevice(hand.info()), kRate_Hz);
-    servo.setScene(&scene, kGeneration);
+    servo.setScene(scene.get(), kGeneration);
 
     session::RecordingInfo info;
     info.rate_Hz = kRate_Hz;
@@ -170,7 +151,7 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
     if (!writer.isOk()) {
         return writer.status();
     }
-    if (core::Status added = writer.value()->addScene(session::describeScene(kGeneration, scene, sources));
+    if (core::Status added = writer.value()->addScene(session::describeScene(kGeneration, *scene, sources));
         !added.isOk()) {
         return added;
     }

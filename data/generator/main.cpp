@@ -5,9 +5,9 @@
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/meshio/SceneFile.h>
-#include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Replay.h>
+#include <palpate/study/StructureSources.h>
 
 #include <algorithm>
 #include <array>
@@ -32,13 +32,6 @@ std::string stlName(std::string name)
 /// @param isExact  every bit must be the same; else what rounds otherwise in another build may differ by as much
 core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::path& recording, bool isExact)
 {
-    session::SurfacesByHash surfaces;
-    for (const meshio::LoadedStructure& structure : scene.structures) {
-        if (structure.description.palpable) {
-            surfaces[session::geometryHash(structure.surface->mesh)] =
-                std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*structure.surface));
-        }
-    }
     const auto reader = session::RecordingReader::open(recording);
     if (!reader.isOk()) {
         return reader.status();
@@ -46,7 +39,7 @@ core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::pat
     if (core::Status status = reader.value()->verify(); !status.isOk()) {
         return status;
     }
-    const auto again = session::resimulate(*reader.value(), surfaces);
+    const auto again = session::resimulate(*reader.value(), study::indexedByHash(study::meshesByHash(scene)));
     if (!again.isOk()) {
         return {again.status().code(), recording.string() + ": " + again.status().message()};
     }

@@ -71,6 +71,10 @@ class Document : public QObject
         scene.unopened = {gone};
         document.take(scene);
         QVERIFY(!document.isModified());
+        std::vector<std::string> told; // what a recording that runs is told
+        connect(&document, &SceneDocument::marked, this, [&](const core::Finding& f) { told.push_back("+" + f.name); });
+        connect(&document, &SceneDocument::unmarked, this,
+                [&](const core::Finding& f) { told.push_back("-" + f.name); });
         document.addFinding({"new", {4, 5, 6}, "hard"});
         meshio::SceneStructure edited = model.structure(0);
         edited.stiffness_N_per_mm = 0.9;
@@ -84,6 +88,7 @@ class Document : public QObject
         model.undoStack().redo();
         model.undoStack().redo();
         QCOMPARE(document.findings().size(), std::size_t{2});
+        QCOMPARE(told, (std::vector<std::string>{"+new", "-new", "+new"}));
         QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.9);
 
         QVERIFY(QDir(m_folder.path()).mkpath("elsewhere"));

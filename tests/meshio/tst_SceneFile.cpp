@@ -59,10 +59,10 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
     QCOMPARE(back.value().findings.size(), std::size_t{2});
-    const meshio::SceneFinding& found = back.value().findings[0];
+    const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
     QVERIFY(found.structure == "left lobe" && found.force_N == 1.75 && found.depth_mm == 0.0);
-    const meshio::SceneFinding& bare = back.value().findings[1];
+    const core::Finding& bare = back.value().findings[1];
     QVERIFY(bare.structure.empty() && !bare.force_N && !bare.depth_mm);
 }
 

@@ -173,7 +173,8 @@ class Measures : public QObject
             record.flags = i == 250 ? servo::kReset : 0;
             QVERIFY(writer.value()->append(record).isOk());
         }
-        session::Finding finding{"lump", "sheet", Vec3(1, 0, 0), 1.0, 2.0};
+        const core::Finding finding{
+            .name = "lump", .p_W = Vec3(1, 0, 0), .structure = "sheet", .force_N = 1.0, .depth_mm = 2.0};
         QVERIFY(writer.value()->addEvent({150, "finding", session::findingJson(finding)}).isOk());
         QVERIFY(writer.value()->addEvent({160, "note", "{}"}).isOk());
         QVERIFY(writer.value()->finish().isOk());

@@ -4,6 +4,7 @@
 #include "ClosestPoint.h"
 
 #include <palpate/session/GeometryHash.h>
+#include <palpate/study/HapticCopy.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,9 +21,7 @@ constexpr double kTouch_mm = 1e-3, kTouchShare = 4e-6;
 struct Part
 {
     const geometry::RepairedMesh* mesh;
-    std::string name;
-    double stiffness_N_per_mm;
-    std::uint32_t layer;
+    meshio::SceneStructure description;
 };
 
 /// Layers keep their order and lose gaps in their numbers; those beyond the most are merged, as in HapticScene.
@@ -30,11 +29,11 @@ void numberLayers(std::vector<Part>& parts)
 {
     std::set<std::uint32_t> used;
     for (const Part& part : parts) {
-        used.insert(part.layer);
+        used.insert(part.description.layer);
     }
     for (Part& part : parts) {
-        const auto rank = static_cast<std::size_t>(std::distance(used.begin(), used.find(part.layer)));
-        part.layer = static_cast<std::uint32_t>(std::min(rank, haptics::HapticScene::kMaxLayers - 1));
+        const auto rank = static_cast<std::size_t>(std::distance(used.begin(), used.find(part.description.layer)));
+        part.description.layer = static_cast<std::uint32_t>(std::min(rank, haptics::HapticScene::kMaxLayers - 1));
     }
 }
 
@@ -49,12 +48,7 @@ std::shared_ptr<const Subject> make(std::string name, std::vector<Part> parts)
     const auto started = std::chrono::steady_clock::now();
     std::vector<haptics::HapticStructure> structures;
     for (const Part& part : parts) {
-        haptics::HapticStructure structure;
-        structure.name = part.name;
-        structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*part.mesh));
-        structure.tissue.stiffness_N_per_mm = part.stiffness_N_per_mm;
-        structure.layer = part.layer;
-        structures.push_back(std::move(structure));
+        structures.push_back(study::hapticStructure(part.description, study::indexed(*part.mesh)));
     }
     subject->scene = std::make_shared<const haptics::HapticScene>(std::move(structures));
     subject->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
@@ -65,8 +59,9 @@ std::shared_ptr<const Subject> make(std::string name, std::vector<Part> parts)
         std::vector<SubjectStructure> described;
         std::size_t triangles = 0;
         for (const Part& part : parts) {
-            if (part.layer == layer) {
-                described.push_back({part.name, part.stiffness_N_per_mm, layer, static_cast<std::uint32_t>(triangles)});
+            if (part.description.layer == layer) {
+                described.push_back({part.description.name, part.description.stiffness_N_per_mm, layer,
+                                     static_cast<std::uint32_t>(triangles)});
                 members.push_back(part.mesh);
                 triangles += part.mesh->mesh.triangles.size();
             }
@@ -138,7 +133,7 @@ std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedS
     for (const meshio::LoadedStructure& structure : scene.structures) {
         const meshio::SceneStructure& d = structure.description;
         if (d.palpable && structure.surface != nullptr && !structure.surface->mesh.triangles.empty()) {
-            parts.push_back({structure.surface.get(), d.name, d.stiffness_N_per_mm, d.layer});
+            parts.push_back({structure.surface.get(), d});
         }
     }
     return make(std::move(name), std::move(parts));
@@ -147,7 +142,9 @@ std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedS
 std::shared_ptr<const Subject> subjectOf(std::string name, const geometry::TriangleMesh& mesh)
 {
     const geometry::RepairedMesh repaired = geometry::repair(mesh);
-    return repaired.mesh.triangles.empty() ? nullptr : make(name, {{&repaired, name, 0.5, 0}});
+    meshio::SceneStructure description; // with a new structure's tissue, in layer 0
+    description.name = name;
+    return repaired.mesh.triangles.empty() ? nullptr : make(name, {{&repaired, description}});
 }
 
 } // namespace palpate::evaluation

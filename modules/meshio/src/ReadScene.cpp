@@ -157,7 +157,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     i = 0;
     for (const QJsonObject& object : fields.objects("findings")) {
         JsonFields entry(object, file, "findings[" + std::to_string(i++) + "]", status);
-        SceneFinding finding;
+        core::Finding finding;
         entry.read("name", finding.name);
         entry.read("note", finding.note);
         entry.read("structure", finding.structure);

@@ -86,7 +86,7 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         out["camera"] = camera;
     }
     QJsonArray findings;
-    for (const SceneFinding& finding : scene.findings) {
+    for (const core::Finding& finding : scene.findings) {
         QJsonObject one = unknownFields(finding.extra);
         one["name"] = text(finding.name);
         one["position"] = triple(finding.p_W);

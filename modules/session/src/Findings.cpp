@@ -8,33 +8,75 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <iterator>
 
 namespace palpate::session {
 
-std::string findingJson(const Finding& finding)
+namespace {
+
+std::optional<double> numberIn(const QJsonObject& json, const char* key)
 {
-    const QJsonObject json{{"name", QString::fromStdString(finding.name)},
-                           {"structure", QString::fromStdString(finding.structure)},
-                           {"position", QJsonArray{finding.p_W.x(), finding.p_W.y(), finding.p_W.z()}},
-                           {"force_N", finding.force_N},
-                           {"depth_mm", finding.depth_mm}};
+    const QJsonValue value = json[QLatin1String(key)];
+    return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+}
+
+/// @return nothing without a position.
+std::optional<core::Finding> findingIn(const std::string& text)
+{
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    const QJsonArray position = json["position"].toArray();
+    if (position.size() != 3) {
+        return std::nullopt;
+    }
+    core::Finding finding;
+    finding.name = json["name"].toString().toStdString();
+    finding.p_W = {position[0].toDouble(), position[1].toDouble(), position[2].toDouble()};
+    finding.note = json["note"].toString().toStdString();
+    finding.structure = json["structure"].toString().toStdString();
+    finding.force_N = numberIn(json, "force_N");
+    finding.depth_mm = numberIn(json, "depth_mm");
+    return finding;
+}
+
+} // namespace
+
+std::string findingJson(const core::Finding& finding)
+{
+    QJsonObject json{{"name", QString::fromStdString(finding.name)},
+                     {"structure", QString::fromStdString(finding.structure)},
+                     {"position", QJsonArray{finding.p_W.x(), finding.p_W.y(), finding.p_W.z()}}};
+    if (finding.force_N) {
+        json["force_N"] = *finding.force_N;
+    }
+    if (finding.depth_mm) {
+        json["depth_mm"] = *finding.depth_mm;
+    }
+    if (!finding.note.empty()) {
+        json["note"] = QString::fromStdString(finding.note);
+    }
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
-std::optional<Finding> findingOf(const RecordingEvent& event)
+std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events)
 {
-    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
-    const QJsonArray position = json["position"].toArray();
-    if (event.kind != "finding" || position.size() != 3) {
-        return std::nullopt;
+    std::vector<std::pair<std::int64_t, core::Finding>> findings;
+    for (const RecordingEvent& event : events) {
+        const bool isUndone = event.kind == "finding-undone";
+        auto finding = isUndone || event.kind == "finding" ? findingIn(event.json) : std::nullopt;
+        if (!finding) {
+            continue;
+        }
+        if (!isUndone) {
+            findings.emplace_back(event.tick, std::move(*finding));
+            continue;
+        }
+        const auto newest = std::find_if(findings.rbegin(), findings.rend(),
+                                         [&](const auto& one) { return one.second.name == finding->name; });
+        if (newest != findings.rend()) {
+            findings.erase(std::next(newest).base());
+        }
     }
-    Finding finding;
-    finding.name = json["name"].toString().toStdString();
-    finding.structure = json["structure"].toString().toStdString();
-    finding.p_W = {position[0].toDouble(), position[1].toDouble(), position[2].toDouble()};
-    finding.force_N = json["force_N"].toDouble();
-    finding.depth_mm = json["depth_mm"].toDouble();
-    return finding;
+    return findings;
 }
 
 FindingAccumulator::FindingAccumulator(const std::vector<RecordingEvent>& events, std::int64_t firstTick, double dt_s,
@@ -43,12 +85,10 @@ FindingAccumulator::FindingAccumulator(const std::vector<RecordingEvent>& events
     , m_dt_s(dt_s)
     , m_distance_mm(distance_mm)
 {
-    for (const RecordingEvent& event : events) {
-        if (auto finding = findingOf(event)) {
-            Sum& sum = m_sums.emplace_back();
-            sum.measures.finding = std::move(*finding);
-            sum.measures.marked_s = static_cast<double>(event.tick - firstTick) * dt_s;
-        }
+    for (auto& [tick, finding] : findingsOf(events)) {
+        Sum& sum = m_sums.emplace_back();
+        sum.measures.finding = std::move(finding);
+        sum.measures.marked_s = static_cast<double>(tick - firstTick) * dt_s;
     }
 }
 

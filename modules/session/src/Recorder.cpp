@@ -5,7 +5,6 @@
 #include "palpate/session/RecordingWriter.h"
 
 #include <palpate/core/Clock.h>
-#include <palpate/servo/ServoLoop.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -27,9 +26,27 @@ using namespace std::chrono_literals;
 namespace {
 constexpr auto kDrainInterval = 20ms;
 constexpr auto kCommitInterval = 250ms;
-constexpr auto kStartTimeout = 1s; // the first tick comes within two periods
+constexpr auto kStartTimeout = 2s; // the first tick comes within two periods
 constexpr auto kLastTick = 5ms;    // after it the servo has seen that recording stopped, at any rate it can run at
 } // namespace
+
+std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop)
+{
+    servo::RecordingStart start;
+    servo::TickRecord stale;
+    while (loop.popTick(stale) || loop.fetchRecordingStart(start)) {
+    }
+    loop.startRecording();
+    const auto deadline = std::chrono::steady_clock::now() + kStartTimeout;
+    while (!loop.fetchRecordingStart(start)) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            loop.stopRecording();
+            return std::nullopt;
+        }
+        std::this_thread::sleep_for(1ms);
+    }
+    return start;
+}
 
 struct Recorder::Private
 {
@@ -42,7 +59,6 @@ struct Recorder::Private
     void drain(bool isLast);
     void store(bool isLast);
     void publish(bool isRecording);
-    std::optional<servo::RecordingStart> awaitStart();
 
     servo::ServoLoop& loop;
     std::thread thread;
@@ -69,24 +85,6 @@ struct Recorder::Private
     std::int64_t lastTime_ns = 0;
     std::string problem;
 };
-
-std::optional<servo::RecordingStart> Recorder::Private::awaitStart()
-{
-    servo::RecordingStart start;
-    servo::TickRecord stale;
-    while (loop.popTick(stale) || loop.fetchRecordingStart(start)) {
-    }
-    loop.startRecording();
-    const auto deadline = std::chrono::steady_clock::now() + kStartTimeout;
-    while (!loop.fetchRecordingStart(start)) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            loop.stopRecording();
-            return std::nullopt;
-        }
-        std::this_thread::sleep_for(1ms);
-    }
-    return start;
-}
 
 void Recorder::Private::drain(bool isLast)
 {
@@ -214,7 +212,7 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
         return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop is not running"};
     }
     d.droppedAtStart = d.loop.droppedTicks();
-    const auto start = d.awaitStart();
+    const auto start = beginRecording(d.loop);
     if (!start) {
         return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop does not answer"};
     }

@@ -19,7 +19,6 @@ LiveTouch::LiveTouch(StructureModel& model, QObject* parent)
     : QObject(parent)
     , m_model(model)
     , m_info(m_pointer.info())
-    , m_recorder(m_loop)
 {
     m_handOver.setSingleShot(true);
     m_handOver.setInterval(0);
@@ -85,7 +84,7 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
     if (rate_Hz == m_options.rate_Hz && cpu == m_options.cpu) {
         return {};
     }
-    if (m_recorder.status().isRecording) {
+    if (m_session.recording().isRecording) {
         return {core::StatusCode::Unsupported, "rate and CPU cannot be changed while a recording runs; stop it first"};
     }
     if (core::Status allowed = servo::checkCpu(cpu); !allowed.isOk()) {
@@ -94,12 +93,12 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
     m_options.rate_Hz = rate_Hz;
     m_options.cpu = cpu;
     core::Status status;
-    if (m_loop.isRunning()) {
+    if (m_session.loop().isRunning()) {
         m_delayTicks = 1;
         m_ticks = 0;
         m_measured_ns = core::monotonicNow_ns();
-        status = m_loop.restart(m_options);
-        if (!m_loop.isRunning()) {
+        status = m_session.loop().restart(m_options);
+        if (!m_session.loop().isRunning()) {
             status = start();
         }
     }
@@ -112,7 +111,7 @@ void LiveTouch::setMap(const servo::MapSettings& map)
 {
     const bool isScaled = map.isDirect != m_map.isDirect || map.scale != m_map.scale;
     m_map = map;
-    m_loop.setMap(map);
+    m_session.loop().setMap(map);
     if (isScaled) {
         m_handOver.start();
         Q_EMIT greatestChanged();
@@ -121,7 +120,7 @@ void LiveTouch::setMap(const servo::MapSettings& map)
 
 bool LiveTouch::fetch(servo::TickRecord& tick)
 {
-    if (!m_loop.fetchSnapshot(tick)) {
+    if (!m_session.loop().fetchSnapshot(tick)) {
         return false;
     }
     m_newest = tick;
@@ -138,17 +137,17 @@ void LiveTouch::setFingertip(double radius_mm)
 
 core::Status LiveTouch::start()
 {
-    if (m_loop.isRunning()) {
+    if (m_session.loop().isRunning()) {
         return {};
     }
     m_delayTicks = 1;
     handOverScene();
-    core::Status status = m_loop.start(usesPointer() ? m_pointer : *m_device, m_options);
+    core::Status status = m_session.start(usesPointer() ? m_pointer : *m_device, m_options);
     if (!status.isOk() && !usesPointer()) {
         m_device.reset();
         m_info = m_pointer.info();
         handOverScene();
-        (void)m_loop.start(m_pointer, m_options); // the first reason is the one to tell
+        (void)m_session.start(m_pointer, m_options); // the first reason is the one to tell
         Q_EMIT deviceChanged();
     }
     m_ticks = 0;
@@ -159,14 +158,14 @@ core::Status LiveTouch::start()
 
 core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
 {
-    if (m_recorder.status().isRecording) {
+    if (m_session.recording().isRecording) {
         return {core::StatusCode::Unsupported, "the device cannot be changed while a recording runs; stop it first"};
     }
     if (device == nullptr && usesPointer()) {
         return {};
     }
-    const bool wasRunning = m_loop.isRunning();
-    m_loop.stop();
+    const bool wasRunning = m_session.loop().isRunning();
+    m_session.loop().stop();
     m_device = std::move(device);
     m_info = usesPointer() ? m_pointer.info() : m_device->info();
     m_delayTicks = 1;
@@ -189,19 +188,12 @@ core::Status LiveTouch::calibrate()
 void LiveTouch::stop()
 {
     m_meter.stop();
-    if (m_recorder.status().isRecording) {
-        (void)m_recorder.stop(); // what was lost is in the file; nobody is left to be told
-    }
-    m_loop.stop();
+    m_session.stop();
 }
 
 void LiveTouch::handOverScene()
 {
-    m_scene = m_model.hapticScene(greatestTissue(), m_fingertip_mm);
-    m_generation = m_loop.setScene(m_scene);
-    if (m_recorder.status().isRecording) {
-        m_recorder.addScene(session::describeScene(m_generation, *m_scene, m_model.sources(m_embeds)));
-    }
+    m_session.setScene(m_model.hapticScene(greatestTissue(), m_fingertip_mm), m_model.sources());
     tellRefused();
 }
 
@@ -229,7 +221,7 @@ void LiveTouch::tellRefused()
 
 void LiveTouch::measure()
 {
-    const servo::TimingReport timing = m_loop.timing();
+    const servo::TimingReport timing = m_session.loop().timing();
     const std::int64_t now_ns = core::monotonicNow_ns();
     if (timing.ticks >= m_ticks && now_ns > m_measured_ns) {
         m_rate_Hz = static_cast<double>(timing.ticks - m_ticks) / (static_cast<double>(now_ns - m_measured_ns) * 1e-9);
@@ -240,8 +232,8 @@ void LiveTouch::measure()
     if (!usesPointer()) {
         setDelay(servo::delayTicksOf(m_device->report().latency, rate_Hz()));
     }
-    m_loop.collect();
-    const servo::FaultReport fault = m_loop.fault();
+    m_session.loop().collect();
+    const servo::FaultReport fault = m_session.loop().fault();
     if (fault.isFaulted() && !m_wasFaulted) {
         const bool isLost =
             fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
@@ -249,7 +241,7 @@ void LiveTouch::measure()
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
         Q_EMIT faulted(QString::fromUtf8(fault.message));
         if (m_info.actuatedAxes == 0) {
-            m_loop.rearm(); // it has no motors: touch goes on, eased in
+            m_session.loop().rearm(); // it has no motors: touch goes on, eased in
         }
     }
     m_wasFaulted = fault.isFaulted();
@@ -262,7 +254,7 @@ void LiveTouch::setDelay(int ticks)
         return; // the limit does not come and go with every percentile
     }
     m_delayTicks = ticks;
-    m_loop.setDelay(ticks);
+    m_session.loop().setDelay(ticks);
     m_handOver.start();
     Q_EMIT greatestChanged();
 }
@@ -270,22 +262,16 @@ void LiveTouch::setDelay(int ticks)
 core::Status LiveTouch::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene,
                                        bool embeds)
 {
-    m_embeds = embeds;
-    if (m_handOver.isActive() || m_scene == nullptr) {
+    if (m_handOver.isActive()) {
         m_handOver.stop();
         handOverScene();
     }
-    session::RecordingInfo info;
-    info.scene = scene.string();
-    info.device = m_info;
-    info.rate_Hz = m_loop.rate_Hz();
-    info.dt_s = 1.0 / info.rate_Hz;
-    return m_recorder.start(path, info, session::describeScene(m_generation, *m_scene, m_model.sources(m_embeds)));
+    return m_session.startRecording(path, scene, embeds);
 }
 
 core::Status LiveTouch::stopRecording()
 {
-    return m_recorder.stop();
+    return m_session.stopRecording();
 }
 
 } // namespace palpate::ui

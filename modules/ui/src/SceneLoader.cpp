@@ -2,6 +2,7 @@
 #include "palpate/ui/SceneLoader.h"
 
 #include <palpate/session/GeometryHash.h>
+#include <palpate/study/HapticCopy.h>
 #include <palpate/view/SurfaceMesh.h>
 
 #include <QElapsedTimer>
@@ -126,8 +127,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
             }
             row.picture = view::makeSurface(*row.loaded.surface);
             if (row.loaded.description.palpable) {
-                row.touch =
-                    std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*row.loaded.surface));
+                row.touch = study::indexed(*row.loaded.surface);
                 row.sha256 = session::geometryHash(row.loaded.surface->mesh);
             }
             done += static_cast<double>(row.loaded.surface->mesh.triangles.size());
@@ -152,7 +152,7 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
 void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface)
 {
     m_builders.emplace_back([this, row, surface = std::move(surface), job = m_job] {
-        auto touch = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*surface));
+        auto touch = study::indexed(*surface);
         const QString hash = QString::fromStdString(session::geometryHash(surface->mesh));
         QMetaObject::invokeMethod(
             this,

@@ -3,6 +3,9 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/StructureSources.h>
+
 #include <QElapsedTimer>
 #include <QLocale>
 #include <QPainter>
@@ -117,8 +120,9 @@ void StructureModel::apply(int row, const meshio::SceneStructure& description)
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
         Q_EMIT edited(row, Change::Look);
     }
-    if (isFelt(before) != isFelt(now) || before.stiffness_N_per_mm != now.stiffness_N_per_mm ||
-        before.damping_Ns_per_mm != now.damping_Ns_per_mm || before.layer != now.layer) {
+    const haptics::Tissue was = study::tissueOf(before), is = study::tissueOf(now);
+    if (isFelt(before) != isFelt(now) || was.stiffness_N_per_mm != is.stiffness_N_per_mm ||
+        was.damping_Ns_per_mm != is.damping_Ns_per_mm || before.layer != now.layer) {
         Q_EMIT edited(row, Change::Touch);
     }
 }
@@ -173,24 +177,20 @@ std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const ha
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        haptics::HapticStructure to;
-        to.name = from.name;
-        to.layer = from.layer;
-        to.tissue.stiffness_N_per_mm = std::min(from.stiffness_N_per_mm, greatest.stiffness_N_per_mm);
-        to.tissue.damping_Ns_per_mm = std::min(from.damping_Ns_per_mm, greatest.damping_Ns_per_mm);
-        to.surface = isFelt(from) ? row.touch : nullptr;
-        structures.push_back(std::move(to));
+        haptics::Tissue& tissue =
+            structures.emplace_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr)).tissue;
+        tissue.stiffness_N_per_mm = std::min(tissue.stiffness_N_per_mm, greatest.stiffness_N_per_mm);
+        tissue.damping_Ns_per_mm = std::min(tissue.damping_Ns_per_mm, greatest.damping_Ns_per_mm);
     }
     return std::make_shared<const haptics::HapticScene>(std::move(structures), fingertip_mm);
 }
 
-std::vector<session::StructureSource> StructureModel::sources(bool embeds) const
+std::vector<session::StructureSource> StructureModel::sources() const
 {
     std::vector<session::StructureSource> sources;
     for (const StructureRow& row : m_rows) {
-        const meshio::SceneStructure& from = row.loaded.description;
-        sources.push_back({from.mesh.string(), from.part, from.unit_mm, from.flipped, row.sha256, from.X_WM,
-                           embeds && !row.sha256.empty() ? row.loaded.surface : nullptr});
+        sources.push_back(study::sourceOf(row.loaded.description, row.sha256));
+        sources.back().embed = row.sha256.empty() ? nullptr : row.loaded.surface;
     }
     return sources;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Types.h>
 
@@ -43,18 +44,6 @@ struct SceneCamera
     std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 
-/// A place that a person marked.
-struct SceneFinding
-{
-    std::string name;
-    core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
-    std::string note{};
-    std::string structure{};          ///< that was touched there, may be empty
-    std::optional<double> force_N{};  ///< with which it was touched
-    std::optional<double> depth_mm{}; ///< to which
-    std::string extra{};              ///< fields that this version does not know, as a JSON object
-};
-
 /// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are
 /// kept.
 struct SceneFile
@@ -62,7 +51,7 @@ struct SceneFile
     static constexpr int kVersion = 1;
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
-    std::vector<SceneFinding> findings;
+    std::vector<core::Finding> findings;
     std::string extra; ///< top-level fields that this version does not know, as a JSON object
 };
 

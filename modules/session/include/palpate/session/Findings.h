@@ -3,35 +3,30 @@
 
 #include "palpate/session/Recording.h"
 
-#include <palpate/core/Types.h>
+#include <palpate/core/Finding.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::session {
 
-/// What a person marked, as the event "finding" of a recording carries it.
-struct Finding
-{
-    std::string name;
-    std::string structure;               ///< that was touched, may be empty
-    core::Vec3 p_W = core::Vec3::Zero(); ///< god-object when it was marked [mm]
-    double force_N = 0.0;                ///< then
-    double depth_mm = 0.0;               ///< then
-};
+// A finding is the event "finding" of a recording: name, position, structure, and force, depth and note where there are
+// some. The event "finding-undone", of the same content, takes back the newest finding of that name.
 
 /// @return the event's `json`.
-[[nodiscard]] std::string findingJson(const Finding& finding);
-/// @return nothing for an event of another kind or without a position.
-[[nodiscard]] std::optional<Finding> findingOf(const RecordingEvent& event);
+[[nodiscard]] std::string findingJson(const core::Finding& finding);
+/// The findings that a recording ends with, each with the tick in which it was marked, by tick. What is not one, or has
+/// no position, is left out.
+[[nodiscard]] std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events);
 
 /// What the hand did at one finding; definitions in resources/docs/measures.md.
 struct FindingMeasures
 {
-    Finding finding;
+    core::Finding finding;
     double marked_s = 0.0;                ///< since the session's first tick
     std::optional<double> firstTouched_s; ///< when the contact first came within the distance; none: it never did
     double dwell_s = 0.0;                 ///< contact within the distance

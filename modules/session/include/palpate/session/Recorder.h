@@ -4,17 +4,20 @@
 #include "palpate/session/Recording.h"
 
 #include <palpate/core/Status.h>
+#include <palpate/servo/ServoLoop.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
-namespace palpate::servo {
-class ServoLoop;
-}
-
 namespace palpate::session {
+
+/// Lets a loop record from its next tick on. Ticks and beginnings of an earlier recording that nobody took are thrown
+/// away.
+/// @return where it begins, or nothing when the loop does not answer
+[[nodiscard]] std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop);
 
 /// How a recording is going.
 struct RecorderStatus

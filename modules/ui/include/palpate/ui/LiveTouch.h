@@ -4,8 +4,7 @@
 #include "palpate/ui/StructureModel.h"
 
 #include <palpate/device/PointerDevice.h>
-#include <palpate/servo/ServoLoop.h>
-#include <palpate/session/Recorder.h>
+#include <palpate/study/LiveSession.h>
 
 #include <QObject>
 #include <QTimer>
@@ -34,7 +33,7 @@ class LiveTouch : public QObject
     [[nodiscard]] device::DeviceReport deviceReport() const;
     core::Status calibrate();
     /// Gives the force back after a fault, eased in.
-    void rearm() { m_loop.rearm(); }
+    void rearm() { m_session.loop().rearm(); }
     void stop();
     [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
     [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
@@ -57,7 +56,7 @@ class LiveTouch : public QObject
     bool fetch(servo::TickRecord& tick);
     /// The tick last fetched by anyone.
     [[nodiscard]] const servo::TickRecord& newest() const noexcept { return m_newest; }
-    [[nodiscard]] servo::TimingReport timing() const { return m_loop.timing(); }
+    [[nodiscard]] servo::TimingReport timing() const { return m_session.loop().timing(); }
     /// Of the running loop, or of the one to come. [Hz]
     [[nodiscard]] double rate_Hz() const;
     /// CPU that the loop runs on alone; -1: on any.
@@ -69,18 +68,18 @@ class LiveTouch : public QObject
     [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
     /// Ticks per second over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
-    [[nodiscard]] servo::RealtimeReport realtime() const { return m_loop.realtime(); }
-    [[nodiscard]] bool isRunning() const noexcept { return m_loop.isRunning(); }
+    [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }
+    [[nodiscard]] bool isRunning() const noexcept { return m_session.loop().isRunning(); }
 
     /// @param scene   file that was opened; empty when it is several
     /// @param embeds  put the surfaces into the recording too
     core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
                                 bool embeds = false);
     /// Notes something in the recording, at this tick; nothing when there is none. @param json  an object
-    void note(const std::string& kind, const std::string& json) { m_recorder.addEvent(kind, json); }
+    void note(const std::string& kind, const std::string& json) { m_session.note(kind, json); }
     /// @return what was lost, if anything
     core::Status stopRecording();
-    [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
+    [[nodiscard]] session::RecorderStatus recording() const { return m_session.recording(); }
 
   Q_SIGNALS:
     /// Twice a second: rate, timing and recording are worth showing anew.
@@ -103,14 +102,11 @@ class LiveTouch : public QObject
     device::PointerDevice m_pointer;
     std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
-    servo::ServoLoop m_loop;
-    session::Recorder m_recorder;
+    study::LiveSession m_session;
     QTimer m_meter;
     QTimer m_handOver; ///< gathers changes of one event into one new scene
-    std::shared_ptr<const haptics::HapticScene> m_scene;
     double m_fingertip_mm = 0.0;
     servo::ServoOptions m_options;
-    std::uint32_t m_generation = 0;
     std::uint64_t m_ticks = 0;
     std::int64_t m_measured_ns = 0;
     double m_rate_Hz = 0.0;
@@ -119,8 +115,7 @@ class LiveTouch : public QObject
     bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
-    QString m_refused;     ///< said last
-    bool m_embeds = false; ///< of the present recording
+    QString m_refused; ///< said last
 };
 
 } // namespace palpate::ui

@@ -71,8 +71,8 @@ class StructureModel : public QAbstractTableModel
     /// @param greatest  stiffness and damping above what the device holds stably are bounded by it
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
                                                                           double fingertip_mm = 0.0) const;
-    /// Where the surfaces came from. @param embeds  give the surfaces that can be felt with them
-    [[nodiscard]] std::vector<session::StructureSource> sources(bool embeds = false) const;
+    /// Where the surfaces came from, with those themselves that can be felt.
+    [[nodiscard]] std::vector<session::StructureSource> sources() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RecordedScene.h"
+#include "palpate/study/RecordedScene.h"
 
-#include "SceneForTouch.h"
-
-#include <palpate/session/GeometryHash.h>
+#include "palpate/study/StructureSources.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace palpate::app {
+namespace palpate::study {
 
 using core::Result;
 using core::Status;
@@ -33,6 +31,11 @@ std::vector<std::string> feltHashes(const RecordingReader& reader)
 }
 
 } // namespace
+
+Result<meshio::LoadedScene> openScene(const std::filesystem::path& path, const meshio::ReadOptions& options)
+{
+    return session::isRecordingFile(path) ? sceneOfRecording(path) : meshio::loadScene(path, options);
+}
 
 Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::filesystem::path& scene)
 {
@@ -78,24 +81,13 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
             }
             file = beside;
         }
-        const auto loaded = loadSceneOrFolder(file, options);
+        const auto loaded = openScene(file, options);
         if (!loaded.isOk()) {
             return loaded.status();
         }
-        for (const meshio::LoadedStructure& structure : loaded.value().structures) {
-            meshes[session::geometryHash(structure.surface->mesh)] = structure.surface;
-        }
+        meshes.merge(meshesByHash(loaded.value()));
     }
     return meshes;
-}
-
-session::SurfacesByHash indexed(const MeshesByHash& meshes)
-{
-    session::SurfacesByHash surfaces;
-    for (const auto& [hash, mesh] : meshes) {
-        surfaces[hash] = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*mesh));
-    }
-    return surfaces;
 }
 
 Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& recording)
@@ -115,20 +107,10 @@ Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& record
             continue;
         }
         meshio::LoadedStructure& loaded = out.structures.emplace_back();
-        meshio::SceneStructure& description = loaded.description;
-        description.mesh = structure.source.mesh;
-        description.part = structure.source.part;
-        description.unit_mm = structure.source.unit_mm;
-        description.flipped = structure.source.flipped;
-        description.X_WM = structure.source.X_WM;
-        description.name = structure.name;
-        description.stiffness_N_per_mm = structure.tissue.stiffness_N_per_mm;
-        description.damping_Ns_per_mm = structure.tissue.damping_Ns_per_mm;
-        description.layer = structure.layer;
-        description.palpable = structure.palpable;
+        loaded.description = descriptionOf(structure);
         loaded.frame = meshio::FileFrame::Lps;
         loaded.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
-        out.scene.structures.push_back(description);
+        out.scene.structures.push_back(loaded.description);
     }
     if (out.structures.empty()) {
         return Status(StatusCode::NotFound,
@@ -137,4 +119,4 @@ Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& record
     return out;
 }
 
-} // namespace palpate::app
+} // namespace palpate::study

@@ -5,11 +5,14 @@
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
-#include <palpate/session/Replay.h>
 
 #include <filesystem>
 
-namespace palpate::app {
+namespace palpate::study {
+
+/// Opens a scene file, a mesh file, a folder of mesh files, or a recording that holds its surfaces itself.
+[[nodiscard]] core::Result<meshio::LoadedScene> openScene(const std::filesystem::path& path,
+                                                          const meshio::ReadOptions& options = {});
 
 /// Finds the surfaces that a recording was made on: those that it holds itself, else those of the scene.
 /// @param scene  where the scene is; empty: where the recording says
@@ -17,11 +20,8 @@ namespace palpate::app {
 [[nodiscard]] core::Result<session::MeshesByHash> recordedSurfaces(const session::RecordingReader& reader,
                                                                    const std::filesystem::path& scene = {});
 
-/// Makes their haptic copies.
-[[nodiscard]] session::SurfacesByHash indexed(const session::MeshesByHash& meshes);
-
 /// Opens the first scene of a recording from the surfaces that it holds itself; those that it does not hold are losses.
 /// @return NotFound when it holds none
 [[nodiscard]] core::Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& recording);
 
-} // namespace palpate::app
+} // namespace palpate::study

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/device/PlaybackDevice.h>
+#include <palpate/geometry/MeshReport.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/LiveSession.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/StructureSources.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace palpate;
+using core::Vec3;
+
+class LiveSession : public QObject
+{
+    Q_OBJECT
+
+    static meshio::LoadedScene box(double stiffness_N_per_mm)
+    {
+        meshio::LoadedScene loaded;
+        meshio::LoadedStructure& one = loaded.structures.emplace_back();
+        one.description.name = "box";
+        one.description.stiffness_N_per_mm = stiffness_N_per_mm;
+        one.surface = std::make_shared<const geometry::RepairedMesh>(
+            geometry::repair(test::box(Vec3::Constant(-20.0), Vec3::Constant(20.0), 4)));
+        return loaded;
+    }
+
+    /// A hand that presses the top again and again, for as long as it is asked.
+    static std::unique_ptr<device::PlaybackDevice> hand()
+    {
+        std::vector<Vec3> places;
+        for (int i = 0; i < 1000; ++i) {
+            places.emplace_back(0.3, 0.2, 20.0 - 2.0 * std::sin(0.02 * M_PI * i));
+        }
+        auto made = std::make_unique<device::PlaybackDevice>(places);
+        made->setLooping(true);
+        return made;
+    }
+
+    static void feel(study::LiveSession& live, const meshio::LoadedScene& loaded)
+    {
+        live.setScene(study::hapticScene(loaded), study::sourcesOf(loaded, true));
+    }
+
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+
+  private Q_SLOTS:
+    void recordsWhatItFeelsAndEachSceneOfIt_data()
+    {
+        QTest::addColumn<bool>("embeds");
+        QTest::newRow("with the surfaces") << true;
+        QTest::newRow("without") << false;
+    }
+
+    void recordsWhatItFeelsAndEachSceneOfIt()
+    {
+        QFETCH(bool, embeds);
+        const auto device = hand();
+        study::LiveSession live;
+        feel(live, box(0.3));
+        QVERIFY(live.start(*device, {}).isOk());
+        QVERIFY(live.startRecording(path("r.palpate"), "box.palpate.json", embeds).isOk());
+        QTRY_VERIFY(live.recording().ticks > 300);
+        feel(live, box(0.9)); // stiffer from now on
+        live.note("note", R"({"text": "harder"})");
+        const std::int64_t before = live.recording().ticks;
+        QTRY_VERIFY(live.recording().ticks > before + 600);
+        QVERIFY(live.stopRecording().isOk());
+        live.stop();
+        QVERIFY(!live.loop().isRunning());
+
+        const auto opened = session::RecordingReader::open(path("r.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        const session::RecordingReader& reader = *opened.value();
+        QVERIFY(reader.verify().isOk());
+        QCOMPARE(reader.info().scene, std::string("box.palpate.json"));
+        QCOMPARE(reader.info().device.id, device->info().id);
+        QCOMPARE(reader.scenes().size(), std::size_t{2});
+        QCOMPARE(reader.scenes()[0].structures.at(0).tissue.stiffness_N_per_mm, 0.3);
+        QCOMPARE(reader.scenes()[1].structures.at(0).tissue.stiffness_N_per_mm, 0.9);
+        QCOMPARE(reader.embeddedHashes().size(), std::size_t{embeds ? 1U : 0U});
+        const auto isNote = [](const session::RecordingEvent& event) { return event.kind == "note"; };
+        QCOMPARE(std::count_if(reader.events().begin(), reader.events().end(), isNote), 1);
+
+        const auto again =
+            session::resimulate(reader, study::indexedByHash(study::meshesByHash(box(0.3))),
+                                [contacts = 0](const servo::TickRecord&) mutable { return ++contacts > 0; });
+        QVERIFY2(again.isOk(), again.status().message().c_str());
+        QVERIFY2(again.value().isSame(), again.value().difference.c_str());
+        QVERIFY(again.value().compared > 900);
+        if (embeds) { // the file is the whole session
+            const auto whole = study::openScene(path("r.palpate"));
+            QVERIFY2(whole.isOk(), whole.status().message().c_str());
+            QCOMPARE(whole.value().structures.at(0).description.stiffness_N_per_mm, 0.3);
+        }
+    }
+
+    void givesTicksToWhoTakesThemOneself()
+    {
+        const auto device = hand();
+        study::LiveSession live;
+        QCOMPARE(live.takeTicks().status().code(), core::StatusCode::Internal); // nothing runs
+        feel(live, box(0.3));
+        QVERIFY(live.start(*device, {}).isOk());
+        const auto start = live.takeTicks();
+        QVERIFY2(start.isOk(), start.status().message().c_str());
+        servo::TickRecord tick;
+        int ticks = 0, touching = 0, outOfOrder = 0;
+        const auto drain = [&] {
+            while (live.loop().popTick(tick)) {
+                outOfOrder += tick.tick != start.value().tick + ticks++ ? 1 : 0;
+                touching += tick.felt.structure == 0 ? 1 : 0;
+            }
+            return ticks > 300;
+        };
+        QTRY_VERIFY(drain());
+        QCOMPARE(outOfOrder, 0);
+        QVERIFY(touching > 50);
+    }
+
+    void refusesToRecordWhatDoesNotRun()
+    {
+        study::LiveSession live;
+        const core::Status status = live.startRecording(path("no.palpate"));
+        QVERIFY(!status.isOk());
+        QVERIFY2(status.message().find("no.palpate: cannot be recorded") != std::string::npos,
+                 status.message().c_str());
+        QVERIFY(!std::filesystem::exists(path("no.palpate")));
+    }
+};
+
+PALPATE_TEST(LiveSession)
+#include "tst_LiveSession.moc"
