@@ -2,7 +2,7 @@
 #pragma once
 
 #include <palpate/core/Types.h>
-#include <palpate/haptics/Palpator.h>
+#include <palpate/haptics/TickResult.h>
 
 #include <cstdint>
 #include <type_traits>
