@@ -21,7 +21,7 @@ struct GodObjectStep
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
-/// infinitely stiff. See resources/docs/god-object.md for the method.
+/// infinitely stiff. resources/docs/god-object.md tells the method, fingertip.md beside it that of a ball.
 class GodObject
 {
   public:
