@@ -21,7 +21,7 @@ PassivityLimits PassivityLimits::forDevice(const device::DeviceInfo& info) noexc
 
 namespace {
 
-/// What a maker states its device can be damped with is stated for 1 kHz; at longer periods damping itself oscillates.
+/// The most damping that a maker states for a device is for 1 kHz; at longer periods damping itself oscillates.
 double dampingAt(double maxDamping_Ns_per_mm, double dt_s) noexcept
 {
     constexpr double kStated_s = 0.001;

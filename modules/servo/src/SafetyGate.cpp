@@ -72,7 +72,7 @@ GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_
     bool isRefused = true;
     if (!p_D.allFinite()) {
         raise(FaultKind::NonFiniteInput);
-    } else if (!(std::abs(age_s) <= m_limits.staleAfter_s)) { // a time in the future is no time of ours
+    } else if (!(std::abs(age_s) <= m_limits.staleAfter_s)) { // a time in the future is not by this clock
         raise(FaultKind::StaleInput);
     } else if (p_D.cwiseAbs().maxCoeff() > m_limits.largestCoordinate_mm ||
                (m_limits.workspaceRadius_mm > 0.0 && p_D.norm() > m_limits.workspaceRadius_mm)) {
@@ -172,7 +172,7 @@ Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKI
     if (power > m_limits.maxPower_Nmm_per_s) {
         f_D *= m_limits.maxPower_Nmm_per_s / power;
     }
-    m_sent_D = f_D.allFinite() ? f_D : Vec3(Vec3::Zero()); // the last word, whatever the limits were
+    m_sent_D = f_D.allFinite() ? f_D : Vec3(Vec3::Zero()); // the last check, whatever the limits were
     return m_sent_D;
 }
 

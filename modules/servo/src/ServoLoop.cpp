@@ -59,7 +59,7 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
     if (Status status = checkOptions(options); !status.isOk()) {
         return status;
     }
-    try { // a driver is other people's code
+    try { // a driver's code may throw
         if (Status started = device.start(); !started.isOk()) {
             return started;
         }

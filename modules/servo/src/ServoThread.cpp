@@ -37,7 +37,7 @@ void ServoLoop::Impl::runThread(std::latch& ready) noexcept
     bool isReady = false;
     try {
         run(ready, isReady);
-    } catch (...) { // nothing in a tick throws; what sets the thread up may run out of memory
+    } catch (...) { // nothing in a tick throws; setting the thread up may run out of memory
         const auto done = static_cast<std::int64_t>(ticks.load(std::memory_order_relaxed));
         publishFault({FaultKind::LoopFailed, done, core::monotonicNow_ns()});
         device->write(Vec3::Zero());
@@ -195,7 +195,7 @@ void ServoLoop::Impl::beginRecording(const ServoCore& core) noexcept PALPATE_NON
         start.scene = core.sceneGeneration();
         start.state = core.palpatorState();
         if (!recordingStarts.push(start)) {
-            return; // nobody fetched 64 of them: without its beginning a recording is worth nothing, so try again
+            return; // 64 of them wait to be fetched: a recording needs its beginning, so try again
         }
         hasDropped = false;
     }

@@ -42,7 +42,7 @@ MappedInput WorkspaceMap::map(const GatedInput& input, std::uint32_t buttons) no
         return out;
     }
     const bool isCentring = !m_isPlaced || m_used.isDirect || m_asked.centreRequest != m_used.centreRequest;
-    // What a change of scale or orientation leaves alone: the HIP of the tick before, of a hand that was there.
+    // A change of scale or orientation leaves the HIP of the tick before alone, if there was a hand.
     const bool isTurned = m_asked.scale != m_used.scale || m_asked.q_WD.coeffs() != m_used.q_WD.coeffs();
     if (isCentring) {
         m_used = m_asked;

@@ -29,7 +29,7 @@ inline constexpr int kMostTriangles = 256; ///< that distances are asked to at o
 void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
                float* distance_mm) noexcept PALPATE_NONBLOCKING;
 
-/// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is told off.
+/// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is ruled out.
 inline constexpr double kDistanceRounding = 1e-5;
 
 /// @return rounding of the least distance of a move to what its middle is `away_mm` from, or more: that of the distance

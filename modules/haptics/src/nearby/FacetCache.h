@@ -5,11 +5,11 @@
 
 namespace palpate::haptics::internal {
 
-/// What decides how much is gathered.
+/// How much is gathered at once.
 struct GatheringPlan
 {
-    int few;             ///< facets: with fewer, the next region is larger: else it is left again too soon
-    int many;            ///< with more, smaller: each costs every sweep
+    int few;             ///< facets: with fewer, the next region is larger, or it would be left too soon
+    int many;            ///< facets: with more, the next region is smaller, as each facet costs every sweep time
     double narrowest_mm; ///< margin of a region: with less it is left with the next tick, unless not all can be held
     double widest_mm;    ///< margin of a region in free space: on the way to a surface it must not hold all of it
     double around_mm;    ///< how far outside of the region a facet still matters
@@ -27,7 +27,7 @@ class FacetCache
     /// Tells where the god-object stands after a tick.
     void follow(const core::Vec3& g) noexcept PALPATE_NONBLOCKING;
 
-    /// Does a part of what the next ticks will need.
+    /// Gathers a part of the facets that the next ticks will need.
     /// @param isNew  nothing was needed here up to now
     void prepare(const HapticLayer& layer, const GatheringPlan& plan, bool isNew) noexcept PALPATE_NONBLOCKING;
 

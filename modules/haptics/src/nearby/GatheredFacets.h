@@ -74,7 +74,7 @@ class GatheredFacets
     float m_reach_mm = 0.0f;
     Stage m_stage = Stage::Empty;
     std::array<FacetGroup, kMost / kLanes> m_groups;
-    // Of each facet, by eights; what is left over of eight repeats the last.
+    // Of each facet, by eights; the last eight are filled up with the last facet.
     const double* m_at[3][kMost]; ///< where its corners lie
     std::uint32_t m_structure[kMost];
     alignas(32) std::int32_t m_isTwoSided[kMost]; ///< all ones or zero

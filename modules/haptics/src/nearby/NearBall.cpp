@@ -16,7 +16,7 @@ namespace {
 constexpr double kNever = 2.0;
 constexpr double kShort = 0.5; // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
-constexpr double kCellsOnWay = 3.0; // what is farther to go than so many cells is asked of the whole hierarchy
+constexpr double kCellsOnWay = 3.0; // with more than so many cells still to go, a move is asked of the whole hierarchy
 
 // In units of TickWork.
 constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
@@ -35,7 +35,7 @@ bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
         return a.stop < b.stop;
     }
     if (a.closing_mm != b.closing_mm) {
-        return a.closing_mm > b.closing_mm; // of many that touch, what stands against the move most
+        return a.closing_mm > b.closing_mm; // of many that touch, the one that stands most against the move
     }
     return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
                                                   : a.facet.triangle < b.facet.triangle;
@@ -73,8 +73,9 @@ struct NearBall::First
     }
 };
 
-/// Offers what the ball may touch on the part `begin` … `end` of the move, which leads through the cell. A short part
-/// is ruled out from its middle, a long one from its beginning: it is expected to end early.
+/// Offers what the ball may touch on the part `begin` … `end` of the move, which leads through the cell. Facets are
+/// ruled out by their distance from the middle of a short part, from the beginning of a long one, which is expected to
+/// end early.
 void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begin, double end, TickWork& work,
                      First& first) noexcept
 {
@@ -93,7 +94,7 @@ void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begi
     if (isShort) {
         forEachBetween(distance_mm, cell.count(), kAnyDistance, touching, offer);
     } else {
-        // The nearer first: what is met early spares the rest.
+        // The nearer facets first: an early crossing spares the rest.
         double done = kAnyDistance;
         for (const double share : {0.01, 0.05, 0.25, 1.0}) {
             const double limit = end > begin ? (first.limit - begin) / (end - begin) : 1.0;
@@ -224,7 +225,7 @@ Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Ti
     double done = 0.0; // share of the move that is known to be free
     for (int piece = 0; piece < kMostPieces; ++piece) {
         const Vec3 p = x + done * (y - x);
-        // A long move is not worth a cell, unless that is paid for.
+        // A cell is not worth its price to a long move, unless it is paid for already.
         const bool isLong = (1.0 - done) * length > kCellsOnWay * m_cells.size_mm(layer);
         const BallCell* held = m_cells.paidAt(p);
         if (held == nullptr && isLong) {

@@ -7,8 +7,8 @@
 
 namespace palpate::haptics::internal {
 
-/// What a ball's moves meet: short ones are asked of the cells that they lead through, the rest of long ones of the
-/// whole hierarchy.
+/// Tells which facets a ball's moves meet: asks the cells that a short move leads through, and the whole hierarchy for
+/// the rest of a long one.
 class NearBall
 {
   public:

@@ -11,11 +11,11 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kFarMove = 8.0; // facets: what is gathered along a longer move is not worth it
+constexpr double kFarMove = 8.0; // facets: gathering along a longer move does not pay
 
-// In units of TickWork: what a sweep costs, as a rule, when it is answered by what is held: to gather up to 64 facets,
-// rule them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that
-// the price does not tell whether it was needed.
+// In units of TickWork: what a sweep costs, as a rule, when the facets held answer it: to gather up to 64 facets, rule
+// them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that the
+// price does not tell whether it was needed.
 constexpr std::uint32_t kSweepPrice = 64;
 constexpr std::uint32_t kExact = 4;                  // of an exact test, beside 1 for each facet that is asked
 constexpr std::uint32_t kSpared = 128 + 64 * kExact; // of a traversal, that costs no more
@@ -140,7 +140,7 @@ void NearPoint::endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept
 
 void NearPoint::lookAround(const HapticLayer& layer, std::uint32_t structure, const Vec3& p) noexcept
 {
-    // As large as the others leave room for: it is left sooner or later.
+    // The box is as large as the other structures leave room for: the god-object leaves it sooner or later.
     constexpr double kFirst = 8.0, kLeast = 2.0, kMost = 32.0; // facets
     Around& around = m_around;
     const double facet = layer.facetSize_mm;
@@ -234,16 +234,16 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
     return moves;
 }
 
-/// Numbers of the facets held that come near, in the order of structures and triangles: which are gathered first
-/// depends on the region.
+/// Finds the numbers of the facets held that come near, sorted by structure and triangle: the order in which facets
+/// were gathered depends on the region.
 int NearPoint::near(const HapticLayer& layer, const Vec3& g, double reach_mm, std::array<int, kHeld>& found) noexcept
 {
     if (m_work.isSpent()) {
         return 0;
     }
     m_work.spend(2 * kSweepPrice);
-    // A region that holds too many is halved with each attempt. The last is for what is asked alone: whether that can
-    // be held does not depend on what was tried before.
+    // A region that holds too many is halved with each attempt. The last attempt gathers the place that is asked for
+    // alone: whether its facets can be held does not depend on the attempts before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
         if (!m_cache.takePrepared(layer, g, g)) {
             (void)m_cache.gather(layer, planFor(layer), g, g);

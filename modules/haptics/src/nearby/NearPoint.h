@@ -20,7 +20,7 @@ struct FacetNumber
     std::uint32_t triangle;
 };
 
-/// What a point's moves meet, asked of the facets around it.
+/// Tells which facets a point's moves meet: asks those gathered around it, and beyond them the whole hierarchy.
 class NearPoint
 {
   public:
@@ -125,7 +125,7 @@ class NearPoint
         return Facet::of(layer.surface(structure), structure, m_cache.held().triangle(i));
     }
 
-    /// Where it is known whether others are near.
+    /// A box in which it is known whether other structures of the layer are near.
     struct Around
     {
         core::Box box; ///< [mm]

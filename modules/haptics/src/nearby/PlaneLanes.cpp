@@ -147,8 +147,8 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
         if (crosses == 0) {
             continue;
         }
-        // Where the plane is met, against the triangle's box. In a plane the share is anything or not a number: not
-        // told off.
+        // Where the plane is met, against the triangle's box. For a move in a plane the share is any number or none:
+        // that facet is not ruled out.
         const Float8 depth = start - end;
         const Float8 share = start / depth;
         const Mask8 isCertain = absolute(depth) > 8.0f * slack;
@@ -226,7 +226,7 @@ PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, 
 
 PALPATE_WIDE_LANES float boxDistance(const FacetGroup* groups, int count, const float* g) noexcept
 {
-    // What is left over of eight repeats the last: no lane is without a facet.
+    // The last eight are filled up with the last facet: no lane is without one.
     Float8 nearest = Float8{} + std::numeric_limits<float>::infinity();
     for (int first = 0; first < count; first += kLanes) {
         const FacetGroup& group = groups[first / kLanes];

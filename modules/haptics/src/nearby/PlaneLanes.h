@@ -7,7 +7,7 @@
 
 namespace palpate::haptics::internal {
 
-/// How many facets are told off at once.
+/// How many facets are ruled out at once.
 inline constexpr int kLanes = 8;
 
 /// Eight triangles as floats relative to an origin near them: corner a from the origin, and the edges to the other two.
@@ -25,8 +25,8 @@ struct alignas(32) Corners
 void setCorners(const double* const* a, const double* const* b, const double* const* c, const double* origin,
                 Corners& corners) noexcept PALPATE_NONBLOCKING;
 
-/// Eight facets as floats relative to an origin near them, side by side, so that eight are told off a move at once.
-/// What floats cannot tell is kept: nothing here decides a result.
+/// Eight facets as floats relative to an origin near them, side by side, so that eight are tested against a move at
+/// once. A facet that floats cannot decide on is kept: nothing here decides a result.
 struct alignas(32) FacetGroup
 {
     float normal[3][kLanes];         ///< of the front, twice the area long; by axis, then facet [mm²]
@@ -38,7 +38,7 @@ struct alignas(32) FacetGroup
     std::int32_t isTwoSided[kLanes]; ///< all ones or zero
 };
 
-/// A triangle too small for floats is never told off.
+/// A triangle too small for floats is never ruled out.
 /// @return the largest coordinate [mm]
 float derive(const Corners& corners, FacetGroup& group) noexcept PALPATE_NONBLOCKING;
 

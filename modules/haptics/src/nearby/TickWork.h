@@ -6,12 +6,12 @@
 
 namespace palpate::haptics::internal {
 
-/// What is left of the work that one tick may do, in units of about 10 ns on a processor of today: a bound on time that
-/// counts, so that a replay is exact.
+/// What is left of the work that one tick may do, in units of about 10 ns on a processor of today: a bound on time by
+/// counts and not by a clock, so that a replay is exact.
 ///
 /// What is charged must not depend on what is held between ticks: two ways to the same answer are charged alike. A
-/// sweep is therefore charged a fixed price that covers everything the facets around can cost, and beyond it only what
-/// a traversal visits more than they could hold.
+/// sweep is therefore charged a fixed price that covers everything the facets around can cost, and beyond it only for
+/// facets that a traversal visits beyond as many as can be held.
 class TickWork
 {
   public:

@@ -34,7 +34,7 @@ class TriangleBatch
         m_triangle[i] = triangle;
     }
 
-    /// Makes a group of them; what is left over of eight repeats the last. @pre not empty
+    /// Makes a group of them, filled up to eight with the last. @pre not empty
     /// @param origin  of the floats; four numbers are read [mm]
     /// @return the largest coordinate [mm]
     float derive(const double* origin, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;

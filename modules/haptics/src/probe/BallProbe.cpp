@@ -52,7 +52,7 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
     const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 w = x - *corner[i], e = *corner[(i + 1) % 3] - *corner[i];
-        // What the move cannot reach before what is known needs no root.
+        // A corner or edge that the move cannot reach before the first root so far needs none.
         double reach = r + std::min(first, limit);
         if (w.squaredNorm() <= reach * reach) {
             first = std::min(first, firstRoot(w, u, r));
@@ -145,7 +145,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     if (distance - radius_mm > most) {
         return false;
     }
-    // What touches already comes first, whatever its entry: nothing is made of the move.
+    // A facet that touches already comes first, whatever its entry: nothing is made of the move.
     const bool isTouching = distance <= kept + onPlane;
     if (isTouching && closing / distance < leastClosing_mm) {
         return false;

@@ -37,7 +37,7 @@ struct BallCrossing
 /// those is the first touch, since the distance from a convex set along a line is convex. The parts overlap where they
 /// join, so rounding opens no gap between them or between neighbours.
 /// @param limit            crossings beyond this share are of no interest
-/// @param leastClosing_mm  nor is what touches already and stands less against the move than this
+/// @param leastClosing_mm  a facet that touches already and stands less against the move than this is of no interest
 /// @par Real-time Wait-free.
 [[nodiscard]] bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_mm, double limit,
                               BallCrossing& crossing, double leastClosing_mm = 0.0) noexcept PALPATE_NONBLOCKING;

@@ -90,11 +90,12 @@ bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approac
         const Vec3 outwards = edge.cross(facet.n);
         inside.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), half * edge.norm());
     }
-    // What was put down in a plate may leave it.
+    // A god-object that was put down in a plate may leave it.
     if (inside.isEmpty() || (inside.begin <= 0.0 && (!facet.isTwoSided || end >= start))) {
         return false;
     }
-    // Over its rim it is entered from beside, where its neighbour or nothing is: what is touched comes first.
+    // A plate that is entered over its rim is entered from beside, where the facet's neighbour is or none: facets that
+    // are touched come first.
     const bool isOverRim = inside.begin > level || (inside.begin > 0.0 && inside.begin == beside);
     const bool isTouched = !isOverRim && touches(facet, start, inside.begin, d2);
     const double key = isTouched ? 0.0 : inside.begin;

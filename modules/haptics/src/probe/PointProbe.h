@@ -40,14 +40,14 @@ struct Crossing
 /// plane, ends behind it and passes through the closed triangle. Around a facet without an inside it is the plate half
 /// a skin around the triangle that is not entered.
 ///
-/// No facet is passed by a move that ends at the stop of the first crossing. What is touched stops the move where it
-/// starts. Else the stop lies before the key, where the first facet's plane (its plate) is met, and no other is met
-/// before.
+/// No facet is passed by a move that ends at the stop of the first crossing. A facet that is touched stops the move
+/// where it starts. Else the stop lies before the key, where the first facet's plane (its plate) is met, and no other
+/// facet is met before.
 ///
 /// The three edge tests are signs of the volumes spanned by the move and an edge. Two triangles that share an edge
-/// compute the same volume with the opposite sign, to the last bit, and what rounding could decide counts as inside:
-/// so no move passes between neighbours. In a facet's plane those volumes are rounding alone, as is the share at which
-/// it is met: that must be where the move is within a skin of the facet's box.
+/// compute the same volume with the opposite sign, to the last bit, and volumes within their rounding bound count as
+/// inside: so no move passes between neighbours. In a facet's plane those volumes are rounding alone, as is the share
+/// at which it is met: that must be where the move is within a skin of the facet's box.
 /// @param limit  crossings beyond this key are of no interest
 /// @par Real-time Wait-free.
 [[nodiscard]] bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit,

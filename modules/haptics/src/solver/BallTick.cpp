@@ -10,38 +10,38 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// What comes nearer to the HIP by less than so many skins, or than so small a share of the distance, in so many moves,
-// has arrived.
+// A ball has arrived when, in kPatience moves, it comes nearer to the HIP by less than kArrived skins or kSlight of the
+// distance.
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
-constexpr int kMostSlight = 4; // moves aside in a tick that bring no more than that, and are gone on from
+constexpr int kMostSlight = 4; // moves aside in a tick that gain no more than that and are followed up
 
-// Steps creep when so many in a row lead the same way, to this cosine. Then one is made as long as they all would be
-// together, but no more than so many radii or times the way from the one before or the last long one that was kept, and
-// only if that is longer at all.
+// Steps creep when kCreeping in a row lead the same way, to the cosine kAlike. Then one is made as long as they all
+// would be together, but at most kLongest radii and kGrowth times the step before or the last long one that was kept,
+// and only if that makes it kLonger times as long.
 constexpr int kCreeping = 2;
 constexpr double kAlike = 0.9;
 constexpr double kLongest = 0.5;
 constexpr double kGrowth = 16.0;
 constexpr double kLonger = 1.01;
 
-// A long step has so many moves to show that it leads nearer to the HIP. Else it is taken back, and the next is
-// shorter.
+// A long step has kTrial moves to show that it leads nearer to the HIP. Else it is taken back, and the next is at most
+// kShorter times as long.
 constexpr int kTrial = 6;
 constexpr double kShorter = 0.25;
 
 constexpr double kParted = 3.0;      // skins of gap, beyond the first, from which on a contact is none
 constexpr int kMostRolled = 8;       // facets in one move
-constexpr double kFall = 1.0 / 16.0; // radii, at most, down to what the ball has rolled on to
+constexpr double kFall = 1.0 / 16.0; // radii, at most, down to the facet that the ball has rolled on to
 constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
 constexpr double kBrink = 1e-7;      // radii from an edge, at most, where it may roll over that
 
-constexpr double kNowhere = 1e-3; // radii that a tick must lead for less than a skin, to be taken back
+constexpr double kNowhere = 1e-3; // radii: a tick that led farther than this for less than a skin is taken back
 
-constexpr double kThere = 0.01; // radii in front of what it would touch next, where the work is spent
+constexpr double kThere = 0.01; // radii before the next facet that count as being at it, where the work is spent
 
-// A ball deeper than this many skins was not pressed there but put there, and is let out rather than pushed.
+// A ball deeper than this many skins was put there, not pressed, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
 
 /// The line along which two contacts let the ball go.
@@ -111,8 +111,9 @@ bool BallTick::lookAgain() noexcept
     return isSame;
 }
 
-/// Where the ball has left a facet over an edge or a corner, what it is above now is what the next move leads down to.
-/// @return false when that is not near
+/// Where the ball has left a facet over an edge or a corner, the facet, edge or corner below it becomes the contact:
+/// the next move leads down to it.
+/// @return false when none is near
 bool BallTick::rollOn(BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
@@ -148,8 +149,8 @@ Vec3 BallTick::nextMove() noexcept
     return m_active.isEmpty() ? u : lengthened(u);
 }
 
-/// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to where steps
-/// that shrink with the way made as the last one did come to nothing, the secant's root.
+/// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to the secant's
+/// root, where a step that goes on shrinking with the way made, as the last one did, would be zero.
 Vec3 BallTick::lengthened(const Vec3& u) noexcept
 {
     m_step = {m_god, u, m_active.count(), 0};
@@ -176,7 +177,7 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
 }
 
 /// Judges a long step by where it has led.
-/// @param isOver  it leads nowhere else
+/// @param isOver  the tick has come to its end
 /// @return false when it was taken back
 bool BallTick::isKept(bool isOver) noexcept
 {
@@ -199,8 +200,8 @@ bool BallTick::isKept(bool isOver) noexcept
     return false;
 }
 
-/// Which way from the contact, on a face, an edge is as good as there beyond which the surface falls away; zero where
-/// none is. By rounding the ball may stand on either side of the edge.
+/// Direction from the contact point, on a face, to an edge within kBrink of it beyond which the surface falls away;
+/// zero where there is none. By rounding the ball may stand on either side of that edge.
 Vec3 BallTick::brink(const BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
@@ -227,8 +228,8 @@ Vec3 BallTick::brink(const BallContact& contact) const noexcept
     return Vec3::Zero();
 }
 
-/// Which way the ball would roll off what it stands on, where the pull goes straight through an edge or a corner and
-/// out beyond it; zero where it can't.
+/// Direction in which the ball would roll off its contacts, where the pull goes straight through an edge or a corner
+/// and out beyond it; zero where it can't.
 Vec3 BallTick::slope() const noexcept
 {
     const BallContact &p = m_active[0], &q = m_active[1];
@@ -245,7 +246,7 @@ Vec3 BallTick::slope() const noexcept
     return Vec3::Zero();
 }
 
-/// Takes back what has led nowhere.
+/// Goes back to where the ball stood: the moves since then have led nowhere.
 void BallTick::standAgain(const Before& stood) noexcept
 {
     m_god = stood.god;
@@ -322,7 +323,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
     return moves;
 }
 
-/// What the ball has rolled towards but not come to holds nothing, if something else does.
+/// Drops the contacts that the ball has rolled towards but not reached, unless nothing else holds it.
 void BallTick::dropUntouched() noexcept
 {
     const double radius = m_layer.fingertip_mm;
@@ -335,8 +336,8 @@ void BallTick::dropUntouched() noexcept
     }
 }
 
-/// The HIP is where the ball touches, which is as near as it can come. On an edge or a corner it could roll around the
-/// HIP for ever, and gain nothing.
+/// True when the HIP is a contact point, which is as near as the ball can come. On an edge or a corner it could roll
+/// around the HIP for ever, and gain nothing.
 bool BallTick::touchesHip(double spring_mm) const noexcept
 {
     const double enough = 0.5 * slight(spring_mm);
@@ -345,8 +346,8 @@ bool BallTick::touchesHip(double spring_mm) const noexcept
                        [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
 }
 
-/// No legal place is nearer to the HIP by enough to count: the ball keeps its radius from every point of what it
-/// touches, also from the one next to the HIP.
+/// True when no legal place is nearer to the HIP by enough to count: the ball keeps its radius from every point of the
+/// facets it touches, also from the one next to the HIP.
 bool BallTick::isNearest(double spring_mm) const noexcept
 {
     const double most = m_layer.fingertip_mm + slight(spring_mm) - spring_mm;
@@ -360,7 +361,7 @@ double BallTick::slight(double spring_mm) const noexcept
     return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
 }
 
-/// One move, or the end of it. @return false when nothing is left to do, or no work to do it with
+/// Makes one move of the tick. @return false when there is none left to make, or no work to make it with
 bool BallTick::goesOn() noexcept
 {
     if (m_work.isSpent()) {
@@ -393,8 +394,8 @@ bool BallTick::goesOn() noexcept
     case Sweep::Unknown:
         break;
     }
-    // So far nothing is in the way. What is known to come next holds it where it gets no farther, and if it is there
-    // already, but for what the distances of boxes leave open.
+    // The move is free as far as it was asked. The facet known to come next holds the ball if it gets no farther, or if
+    // it is at that facet already but for the gap that the bounds of boxes leave.
     const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_layer.fingertip_mm;
     if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= kRoundingOfMoves * m_skin_mm)) {
         (void)stopAt(u, step, crossing, isLong);
@@ -416,7 +417,7 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
     return !(lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples());
 }
 
-/// Moves up to what is in the way, and takes it as a contact. @return false when that leads nowhere any more
+/// Moves up to the facet in the way, and takes it as a contact. @return false when no further move gains anything
 /// @param step  largest part of u by axis [mm]
 bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
 {
@@ -441,7 +442,7 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
     return true;
 }
 
-/// Nearer to a contact than its radius: put there. Each move leads it farther out.
+/// True when the ball is nearer to a contact than its radius: it was put there, and each move lets it out farther.
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
@@ -454,7 +455,7 @@ bool BallTick::isFlat() const noexcept
     return std::none_of(m_active.begin(), m_active.end(), [](const BallContact& c) { return c.nearest.isCurved; });
 }
 
-/// Faces alone are touched, here and at the end of the step: their planes are the surface.
+/// True when the ball touches faces alone, here and at the end of the step: their planes are the surface.
 bool BallTick::staysFlat(const Vec3& u) const noexcept
 {
     return isFlat() && std::none_of(m_active.begin(), m_active.end(),

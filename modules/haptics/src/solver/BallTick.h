@@ -25,7 +25,7 @@ struct BallContact
 };
 
 /// One tick of a ball-shaped god-object: its centre comes as near to the HIP as the ball can, by straight moves that no
-/// facet blocks.
+/// facet blocks. See resources/docs/fingertip.md.
 ///
 /// At each place the contacts give half-spaces through the contact points, and Zilles & Salisbury's constrained point
 /// the next target, as for a point. Round edges and corners those planes turn with the ball, and the steps along them
@@ -49,7 +49,7 @@ class BallTick
     }
 
     void touch(const Facet& facet, int side) noexcept;
-    /// @return how many moves were tried, `limit` when it was not enough; where the work is spent, it was not either.
+    /// @return how many moves were tried; more are needed when that is `limit` or the work is spent.
     std::uint32_t converge(std::uint32_t limit) noexcept;
 
     [[nodiscard]] const Vec3& god() const noexcept { return m_god; }

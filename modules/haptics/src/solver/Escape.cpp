@@ -96,9 +96,9 @@ bool Escape::follow(Vec3 from, std::span<const PointContact> along, End& end) no
     };
     const Vec3 pull = m_hip - from;
     if ((pull - constrainedPoint(pull, setPlanes(), allowance(m_skin_mm, pull)).u).norm() > m_most_mm) {
-        return false; // as most: nothing needs to be asked
+        return false; // most ways end here, without a sweep
     }
-    // First up to a skin above the planes themselves, where that is free: their edges are no longer in the way then.
+    // First to a skin above the planes themselves, where that is free: their edges are no longer in the way from there.
     Crossing crossing;
     const Vec3 up = constrainedPoint(Vec3::Zero(), setPlanes(), 0.0).u;
     if (!along.empty() && m_near.sweep(m_layer, from, from + up, crossing) == Sweep::Free) {
@@ -110,7 +110,7 @@ bool Escape::follow(Vec3 from, std::span<const PointContact> along, End& end) no
         return false;
     }
     Vec3 u = point.u;
-    // What is touched stands in most ways: that needs no sweep.
+    // A facet that is touched blocks most ways: no sweep is needed to see that.
     const auto stands = [&](const Facet& facet) { return blocks(facet, from, from + u, 0.0, crossing); };
     if (std::any_of(touched().begin(), touched().end(), stands)) {
         return false;

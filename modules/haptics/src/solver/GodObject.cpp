@@ -98,7 +98,7 @@ void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodO
     lookAhead(layer, isClear && Walk::hasArrived(ended));
 }
 
-/// Keeps what holds the god-object now, three at most.
+/// Keeps the contacts that hold the god-object now, three at most.
 template<class Contacts>
 void GodObject::keep(const Contacts& contacts) noexcept
 {
@@ -122,7 +122,7 @@ void GodObject::report(GodObjectStep& result) noexcept
     m_hasFacets = true;
 }
 
-/// Does a part of what the next ticks will need.
+/// Gathers a part of the facets that the next ticks will need.
 void GodObject::lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept
 {
     if (hasWalkedClear) {

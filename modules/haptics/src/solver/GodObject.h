@@ -55,7 +55,7 @@ class GodObject
     void report(GodObjectStep& result) noexcept;
 
     GodObjectState m_state;
-    // What of the layer was used last. It never changes a result.
+    // The part of the layer that was used last; never changes a result.
     NearPoint m_near;
     std::array<Facet, 3> m_facets; ///< of the state's constraints
     bool m_hasFacets = false;

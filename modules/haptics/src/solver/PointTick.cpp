@@ -13,7 +13,7 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kPatience = 32; // moves that together must gain a skin
-constexpr int kRounds = 3;              // that must, over a convex edge
+constexpr int kRounds = 3;              // rounds over a convex edge that together must gain a skin
 
 } // namespace
 
@@ -28,7 +28,7 @@ std::uint32_t PointTick::converge(std::uint32_t limit) noexcept
 {
     const std::uint32_t moves = moveUntilDone(limit);
     if (m_active.isEmpty() && m_lastMet && (m_hip - m_god).cwiseAbs().maxCoeff() > m_lastMet->facet.skin_mm) {
-        m_active.add() = *m_lastMet; // what stood in the way last: no god-object is held by nothing
+        m_active.add() = *m_lastMet; // the facet that blocked last: away from the HIP a god-object is always held
     }
     return moves;
 }
@@ -39,8 +39,8 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
     std::uint32_t i = 0;
     for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
         if (i % kPatience == kPatience - 1) {
-            // Planes that repeat each other to rounding can take turns for ever: what gains less than a skin in so
-            // many moves has arrived.
+            // Planes that repeat each other to rounding can take turns for ever: a god-object that gains less than a
+            // skin in so many moves has arrived.
             const double last = std::exchange(spring, (m_hip - m_god).norm());
             if (spring > last - m_skin_mm && !escapes()) {
                 return i + 1 + m_walked;
@@ -78,7 +78,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
     return i + m_walked;
 }
 
-/// From one facet over to the next, as long as that is all there is to do. @return true when nothing is left.
+/// Walks on from the one contact, as long as walking is all there is to do. @return true when nothing is left.
 bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
 {
     PointContact& contact = m_active[0];
@@ -152,8 +152,8 @@ bool PointTick::moveTo(const Vec3& p) noexcept
 }
 
 /// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from here:
-/// with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and what blocks is not
-/// let go of.
+/// with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and a facet that blocks
+/// is not let go of.
 void PointTick::keepSupporting() noexcept
 {
     // With several contacts the foot on one may lie at its very edge, where rounding must not decide.

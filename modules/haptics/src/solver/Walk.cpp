@@ -177,7 +177,7 @@ Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to) const noexcept
 Walk::Next Walk::arrive(const Vec3& target) noexcept
 {
     m_isClear = m_isClear && isClearAt(*m_here, target);
-    // What is gathered next may no longer hold the way up to here.
+    // The facets gathered next need not be those around the path so far: it is asked for first.
     if ((m_isClear || m_near.holds(target) || isPathFree()) && hasArrivedAt(target)) {
         m_ended = Ended::OnFacet;
     }

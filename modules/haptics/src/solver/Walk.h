@@ -11,8 +11,9 @@ namespace palpate::haptics::internal {
 
 /// A god-object's way over a surface towards the HIP: along one facet, or two at their common edge, and on over edges,
 /// as long as each next facet is pressed too and the surface turns by at most 60 degrees there. It ends well inside a
-/// facet or in a crease, between the ends of the edge. What else stops it (a corner, a rim, another surface in the way)
-/// is left to the general method, which goes on from there.
+/// facet or in a crease, between the ends of the edge. At anything else (a corner, a rim, another surface in the way)
+/// the general method goes on from where the walk came to. Why a walk over clear facets asks for nothing:
+/// resources/docs/clear-facets.md.
 /// @par Real-time Wait-free; bounded by the work of the tick that `near` has begun.
 class Walk
 {

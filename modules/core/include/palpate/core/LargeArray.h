@@ -14,8 +14,8 @@
 
 namespace palpate::core {
 
-/// Memory that asks for huge pages where an array is as large as several: what is read here and there in it waits for
-/// far fewer page walks, and filling it takes far fewer page faults.
+/// Memory that asks for huge pages where an array is as large as several: reads here and there in it wait for far fewer
+/// page walks, and filling it takes far fewer page faults.
 template<class T>
 struct LargeAllocator
 {
@@ -39,7 +39,7 @@ struct LargeAllocator
             throw std::bad_alloc();
         }
 #if defined(__linux__)
-        (void)::madvise(p, bytes, MADV_HUGEPAGE); // may be refused: then it is only slower
+        (void)::madvise(p, bytes, MADV_HUGEPAGE); // may be refused: the array then is only slower
 #endif
         return static_cast<T*>(p);
     }
@@ -56,7 +56,7 @@ struct LargeAllocator
     {
         return true;
     }
-    /// What is not given a value gets none: `resize` does not touch memory.
+    /// Elements that are given no value have none: `resize` does not touch memory.
     template<class U>
     void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>)
     {

@@ -8,8 +8,8 @@
 
 namespace palpate::device {
 
-/// The largest force that a device without motors is said to take [N]: nobody feels it, but every force that is
-/// shown stays finite and bounded. The largest of the presets.
+/// The largest force that a device without motors is said to take [N]: it is not felt, but every force that is shown
+/// stays finite and bounded. The largest of the presets.
 inline constexpr double kShownForceLimit_N = 20.0;
 
 /// What a device's mechanics are like at the tip, without a hand. Little damping and friction is the hard case for

@@ -43,7 +43,7 @@ class PluginHost
     /// Reads the metadata of every file in `folders` whose name ends in .so; loads nothing. Of two plugins with the
     /// same id the first one counts.
     /// @param probe  command to which a plugin's file is appended, and that runs `probePlugin` on it in a process of
-    ///               its own before it is loaded here; empty: no trial, a plugin that crashes takes the program along
+    ///               its own before it is loaded here; empty: no trial, a plugin that crashes takes the program down
     /// @param probeTimeout_ms  longer, and the plugin counts as hung; a healthy one takes a fraction of a second
     explicit PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe = {},
                         int probeTimeout_ms = 10'000);
@@ -67,11 +67,11 @@ class PluginHost
     PluginServices m_services;
 };
 
-/// What a trial's process ends with when the plugin is fit: not 0, which one that ends the process itself may give.
+/// Exit code of a trial whose plugin is fit: not 0, which a plugin that ends the process itself may give.
 inline constexpr int kPluginIsFit = 42;
 
 /// Loads the plugin, asks it for its devices and returns; the trial that `PluginHost` runs in another process.
-/// @return what is wrong with it, if it lived to tell
+/// @return what is wrong with the plugin, unless it ended the process
 [[nodiscard]] core::Status probePlugin(const std::filesystem::path& file);
 
 } // namespace palpate::device

@@ -35,7 +35,8 @@ struct PassivityState
     double damping_Ns_per_mm = 0.0; ///< added in this tick
 };
 
-/// Watches the energy that passes between program and hand, and takes away by damping what should not be there.
+/// Watches the energy that passes between program and hand, and takes away by damping the part that should not be
+/// there.
 ///
 /// A force that is held for a period, and acts a little late, gives a hand that moves back and forth on a spring more
 /// work than it took: a motion of d in a tick makes (1/2 + delay) K d^2 too much, the K T / 2 of the passivity bound
@@ -67,13 +68,13 @@ class PassivityController
     /// @return force to add to `fAsked_W` [N], against the motion
     [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING;
     /// Says how late a force acts: so many ticks after the position that it answers was measured, 0 to kLongestDelay,
-    /// beyond taken for that.
+    /// to which a longer delay is cut.
     void setDelay(int ticks) noexcept PALPATE_NONBLOCKING;
-    /// Says what was sent in the tick in the end, after every bound.
+    /// Says which force was sent in the tick, after every bound.
     void noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING;
     /// Another scene was put under the hand: its springs hold this much without anyone having pressed them. [mJ]
     void noteStored(double energy_mJ) noexcept PALPATE_NONBLOCKING;
-    /// The hand is new or away: what was observed is over.
+    /// The hand is new or away: forgets what was observed.
     void reset() noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] const PassivityState& state() const noexcept { return m_state; }
@@ -102,7 +103,7 @@ class PassivityController
 /// with b the device's damping and B what the controller is sure to add, the smaller of the maker's most and 10 N s/m;
 /// at longer periods than 1 ms less in proportion, and so for sensors coarser than 0.04 mm, since what they do not tell
 /// is not damped. 0.7, 10 N s/m and 0.04 mm are fitted, below what the closed loop held for every preset at 250 Hz to 4
-/// kHz and 0 to 4 ticks of delay; resources/docs/stability.md has what it held.
+/// kHz and 0 to 4 ticks of delay; resources/docs/stability.md says what that was.
 /// @param delayTicks  >= 0, as delayTicksOf says of a running device
 /// @return no bound (infinite) for a device without motors, which cannot oscillate
 [[nodiscard]] double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled,

@@ -53,13 +53,13 @@ struct ForceRequest
 {
     Vec3 f_D = Vec3::Zero(); ///< [N], of any value
     bool isInContact = false;
-    bool isSceneChanged = false; ///< first tick on another scene: what begins to touch now is no first contact
+    bool isSceneChanged = false; ///< first tick on another scene: a contact that begins now is no first contact
 };
 
-/// Stands between device and model in both directions: whatever comes in, what goes on is finite and bounded. Once a
-/// tick `admit`, then `release`; a pure state machine without a clock of its own.
+/// Stands between device and model in both directions: each HIP and each force that it lets through is finite and
+/// bounded. Once a tick `admit`, then `release`; a pure state machine without a clock of its own.
 ///
-/// What `release` gives is, in every tick:
+/// The force that `release` gives is, in every tick:
 /// - finite, and no longer than `maxForce_N`;
 /// - within `maxForceRate_N_per_s` of the tick before, except in the tick in which contact begins from (nearly) no
 ///   force on an unchanged scene: a wall must be felt in the tick it is hit;
@@ -77,7 +77,7 @@ class SafetyGate
     /// @return force for the device in frame D [N]
     [[nodiscard]] Vec3 release(const ForceRequest& request) noexcept PALPATE_NONBLOCKING;
 
-    /// What `release` would make of the model's force before it bounds change and power: eased in, and no longer than
+    /// The model's force as `release` has it before it bounds change and power: eased in, and no longer than
     /// the device can. [N]
     [[nodiscard]] Vec3 eased(const Vec3& f_D) const noexcept PALPATE_NONBLOCKING;
 

@@ -48,7 +48,7 @@ class ServoCore
     /// @return the tick's record. kOverrun and kDroppedBefore are the caller's to add.
     [[nodiscard]] TickRecord tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
 
-    /// What the device is to be given, in its own frame D [N].
+    /// The force that the device is to be given, in its own frame D [N].
     [[nodiscard]] const Vec3& forceForDevice() const noexcept { return m_sent_D; }
 
     /// Says whether the tick just done ended late.

@@ -44,7 +44,7 @@ struct MappedInput
 /// the god-object has nowhere to go: no change pulls it through a surface, and the spring between them keeps its
 /// length. Only centring moves the HIP; contacts then begin anew, as for a hand that comes.
 ///
-/// Forces are not scaled: a tissue of k N/mm feels like k s N/mm at the device, and that is what must be held stably.
+/// Forces are not scaled: a tissue of k N/mm feels like k s N/mm at the device, and the loop must hold that stably.
 /// @par Real-time Wait-free, no allocation. One thread.
 class WorkspaceMap
 {
