@@ -15,7 +15,7 @@ namespace palpate::geometry {
 /// most 53 degrees from their mean normal and from the next, none with an angle below asin(1/32) there: seen along the
 /// mean normal they lie side by side, so whatever is d away from the corner on one of them is d/89 or more from those
 /// that only share the corner. And all triangles that share no corner with it are kApart skins away: an axis separates
-/// them. resources/docs/god-object.md says why that is enough.
+/// them. resources/docs/clear-facets.md says why that is enough.
 /// @param surface  all of it but this
 /// @return 1 for each triangle that is clear, in the index's own order.
 /// @par Cost O(n log n) as a rule, on at most two threads; the result does not depend on their number.
