@@ -27,7 +27,7 @@ constexpr std::uint32_t kFacet = 2;
 class BallCell::Gathering
 {
   public:
-    /// @return false when there is too much
+    /// @return false when there are too many
     bool find(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t first,
               std::uint32_t n) noexcept
     {
@@ -42,7 +42,7 @@ class BallCell::Gathering
         return true;
     }
 
-    /// Keeps what the ball may touch. @return false when there is too much
+    /// Keeps the facets that the ball may touch. @return false when there are too many
     bool keep(const HapticLayer& layer, double reach_mm, BallCell& cell) noexcept
     {
         locate(layer);
@@ -89,7 +89,7 @@ class BallCell::Gathering
         }
         for (std::uint32_t i = m_count; i % kLanes != 0; ++i) {
             for (auto& corner : m_at) {
-                corner[i] = corner[m_count - 1]; // what is left over of eight repeats the last
+                corner[i] = corner[m_count - 1]; // the last eight are filled up with the last facet
             }
         }
     }

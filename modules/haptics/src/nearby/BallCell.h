@@ -15,8 +15,7 @@ namespace palpate::haptics::internal {
 class BallCell
 {
   public:
-    /// Facets that a cell holds, at most: a hundred tell eight a time whether a move may touch them in half a
-    /// microsecond.
+    /// Facets that a cell holds, at most: a hundred are tested against a move, eight at a time, in half a microsecond.
     static constexpr int kMost = 128;
 
     void clear() noexcept { m_size_mm = 0.0; }
