@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What floats tell off before the exact tests: they must never lose what the exact tests would find.
+// What floats rule out before the exact tests: they must never lose a facet that the exact tests would find.
 #include "Shapes.h"
 #include "TestRunner.h"
 #include "nearby/DistanceLanes.h"
@@ -117,7 +117,7 @@ class Filters : public QObject
         }
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 5000);
-        QVERIFY(kept < offered / 2); // it does tell off
+        QVERIFY(kept < offered / 2); // it does rule out
     }
 
     void noFacetThatBlocksAChainIsToldOff()
@@ -160,7 +160,7 @@ class Filters : public QObject
         }
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 2000);
-        QVERIFY(kept < offered / 2); // it does tell off
+        QVERIFY(kept < offered / 2); // it does rule out
     }
     void noBoxIsNearerThanItsDistance()
     {
@@ -249,7 +249,7 @@ class Filters : public QObject
                 close += distance[i] > 0.9 * least ? 1 : 0;
             }
         }
-        QVERIFY(close > 20000); // it does tell off
+        QVERIFY(close > 20000); // it does rule out
     }
 
     void aPitHoldsWhatASaddleLetsGo()
