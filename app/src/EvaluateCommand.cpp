@@ -81,7 +81,7 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_
         meshio::LoadedScene scene = std::move(loaded).value();
         losses.insert(losses.end(), scene.losses.begin(), scene.losses.end());
         for (meshio::LoadedStructure& structure : scene.structures) {
-            double& own = structure.description.stiffness_N_per_mm;
+            double& own = structure.description.tissue.stiffness_N_per_mm;
             own = stiffness.value_or(own);
         }
         const fs::path named = path.has_filename() ? path : path.parent_path();

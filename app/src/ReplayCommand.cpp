@@ -17,8 +17,11 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
         ->required();
     command->add_option("--out", options->out, "Write the ticks as CSV");
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
-    command->add_option("--stiffness", options->stiffness, "Stiffness of every tissue [N/mm]");
-    command->add_option("--damping", options->damping, "Damping of every tissue [N s/mm]");
+    for (std::size_t i = 0; i < core::kTissueTerms.size(); ++i) {
+        const core::TissueTerm& term = core::kTissueTerms[i];
+        command->add_option(std::string(term.option), options->tissue[i],
+                            std::string(term.name) + " of every tissue [" + std::string(term.unit) + "]");
+    }
     command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
     command->add_option("--json", options->json, "Write the summary as JSON");
     command->add_option("--record", options->record, "Write a recording (*.palpate)");

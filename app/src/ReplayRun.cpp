@@ -65,11 +65,12 @@ Status ReplayRun::checkOptions()
         }
         return value.status();
     };
-    if (Status status = number("--stiffness", m_options.stiffness, true, m_stiffness); !status.isOk()) {
-        return status;
-    }
-    if (Status status = number("--damping", m_options.damping, false, m_damping); !status.isOk()) {
-        return status;
+    for (std::size_t i = 0; i < m_tissue.size(); ++i) {
+        const core::TissueTerm& term = core::kTissueTerms[i];
+        const bool isAbove = term.member == &core::Tissue::stiffness_N_per_mm; // without it nothing is felt
+        if (Status status = number(term.option, m_options.tissue[i], isAbove, m_tissue[i]); !status.isOk()) {
+            return status;
+        }
     }
     if (Status status = number("--radius", m_options.radius, false, m_radius); !status.isOk()) {
         return status;
@@ -160,8 +161,8 @@ Status ReplayRun::loadScene()
     if (m_radius) {
         m_scene = std::make_shared<haptics::HapticScene>(m_scene->structures(), *m_radius);
     }
-    if (m_stiffness || m_damping) {
-        m_scene = std::make_shared<haptics::HapticScene>(session::withTissue(*m_scene, m_stiffness, m_damping));
+    if (m_tissue != session::TissueOverride()) {
+        m_scene = std::make_shared<haptics::HapticScene>(session::withTissue(*m_scene, m_tissue));
     }
     if (m_recording || !m_options.record.empty()) {
         m_sources = study::sourcesOf(loaded.value(), m_options.embeds);
@@ -217,7 +218,7 @@ Status ReplayRun::feel()
         if (Status status = checkSameGeometry(); !status.isOk()) {
             return status;
         }
-        if (!m_stiffness && !m_damping && !m_radius && !m_options.isLive && m_options.record.empty()) {
+        if (m_tissue == session::TissueOverride() && !m_radius && !m_options.isLive && m_options.record.empty()) {
             return feelRecording();
         }
     }

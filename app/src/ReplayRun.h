@@ -13,6 +13,7 @@
 #include <palpate/session/Replay.h>
 #include <palpate/session/TickCsv.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,8 +27,9 @@ namespace palpate::app {
 struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
-    std::string unit = "mm", stiffness, damping, radius;
-    std::string device; ///< the hand's, when live; empty: the motion itself
+    std::string unit = "mm", radius;
+    std::array<std::string, core::kTissueTerms.size()> tissue; ///< in the order of the terms; empty: as it is
+    std::string device;                                        ///< the hand's, when live; empty: the motion itself
     std::vector<std::filesystem::path> pluginFolders;
     int cpu = -1; ///< that the servo loop runs on alone, when live; -1: on any
     bool isLive = false;
@@ -87,7 +89,8 @@ class ReplayRun
 
     const ReplayOptions& m_options;
     double m_unit_mm = 1.0;
-    std::optional<double> m_stiffness, m_damping, m_radius;
+    session::TissueOverride m_tissue;
+    std::optional<double> m_radius;
     session::Motion m_motion;
     std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
     std::shared_ptr<const haptics::HapticScene> m_scene;

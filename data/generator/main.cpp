@@ -66,7 +66,7 @@ core::Status write(const std::filesystem::path& folder)
         described.colour = structure.colour;
         described.opacity = structure.opacity;
         described.palpable = structure.palpable;
-        described.stiffness_N_per_mm = structure.stiffness_N_per_mm;
+        described.tissue.stiffness_N_per_mm = structure.stiffness_N_per_mm;
         described.layer = structure.layer;
         scene.structures.push_back(described);
         meshes.push_back({structure.name, std::move(structure.mesh), structure.colour});

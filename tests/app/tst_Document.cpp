@@ -77,7 +77,7 @@ class Document : public QObject
                 [&](const core::Finding& f) { told.push_back("-" + f.name); });
         document.addFinding({"new", {4, 5, 6}, "hard"});
         meshio::SceneStructure edited = model.structure(0);
-        edited.stiffness_N_per_mm = 0.9;
+        edited.tissue.stiffness_N_per_mm = 0.9;
         model.edit(0, edited);
         QVERIFY(document.isModified());
         QCOMPARE(document.findings().size(), std::size_t{2});
@@ -89,7 +89,7 @@ class Document : public QObject
         model.undoStack().redo();
         QCOMPARE(document.findings().size(), std::size_t{2});
         QCOMPARE(told, (std::vector<std::string>{"+new", "-new", "+new"}));
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.9);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.9);
 
         QVERIFY(QDir(m_folder.path()).mkpath("elsewhere"));
         QVERIFY(document.save(path("elsewhere/b.palpate.json"), {}).isOk());

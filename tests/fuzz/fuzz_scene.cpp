@@ -35,7 +35,7 @@ void tryInput(std::string_view bytes)
     }
     for (const meshio::SceneStructure& structure : scene.value().structures) {
         require(structure.opacity >= 0.0 && structure.opacity <= 1.0, "opacity is 0 to 1");
-        require(std::isfinite(structure.stiffness_N_per_mm), "stiffness is a number");
+        require(std::isfinite(structure.tissue.stiffness_N_per_mm), "stiffness is a number");
     }
     // What was read can be written, and reads as the same number of everything.
     again.set("");

@@ -68,7 +68,7 @@ void LoadScene::meshFileBecomesAScene()
     QCOMPARE(d.part, std::string("hepatic artery"));
     QCOMPARE(d.name, d.part);
     QCOMPARE(d.mesh, folder.path("both.vtp"));
-    QVERIFY(d.visible && d.palpable && d.layer == 0U && d.stiffness_N_per_mm == 0.5 && d.damping_Ns_per_mm == 0.0);
+    QVERIFY(d.visible && d.palpable && d.layer == 0U && d.tissue.stiffness_N_per_mm == 0.5 && d.tissue.damping_Ns_per_mm == 0.0);
     QCOMPARE(scene.value().structures[0].surface->mesh.triangles.size(), std::size_t{4});
     QVERIFY(scene.value().warnings.empty());
     QVERIFY(scene.value().losses.empty());
@@ -191,14 +191,14 @@ void LoadScene::changedMeshIsNamedAndOpened()
     file.structures[0].mesh = folder.path("a.vtp");
     file.structures[0].sha256 = meshio::fileHash(folder.path("a.vtp"));
     file.structures[1].mesh = folder.path("gone.stl");
-    file.structures[1].stiffness_N_per_mm = 0.123;
+    file.structures[1].tissue.stiffness_N_per_mm = 0.123;
     QCOMPARE(file.structures[0].sha256.size(), std::size_t{64});
     QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), file).isOk());
     const auto same = meshio::loadScene(folder.path("s.palpate.json"));
     QVERIFY2(same.isOk(), same.status().message().c_str());
     QCOMPARE(same.value().losses.size(), std::size_t{1}); // the one that is gone, which a later saving must keep
     QCOMPARE(same.value().unopened.size(), std::size_t{1});
-    QCOMPARE(same.value().unopened[0].stiffness_N_per_mm, 0.123);
+    QCOMPARE(same.value().unopened[0].tissue.stiffness_N_per_mm, 0.123);
     QCOMPARE(same.value().structures[0].description.sha256, file.structures[0].sha256);
 
     writeVtp(folder.path("a.vtp"), {"another", "two"});

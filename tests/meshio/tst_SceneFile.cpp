@@ -35,8 +35,8 @@ void SceneFile::givesBackWhatWasWritten()
     s.visible = false;
     s.palpable = false;
     s.flipped = true;
-    s.stiffness_N_per_mm = 0.7;
-    s.damping_Ns_per_mm = 1e-3;
+    s.tissue.stiffness_N_per_mm = 0.7;
+    s.tissue.damping_Ns_per_mm = 1e-3;
     s.layer = 2;
     s.X_WM = Eigen::Translation3d(1.0 / 3.0, -2.0, 1e6) *
              Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
@@ -53,7 +53,7 @@ void SceneFile::givesBackWhatWasWritten()
     QCOMPARE(b.part, s.part);
     QVERIFY(b.unit_mm == s.unit_mm && b.name == s.name && b.colour == s.colour && b.opacity == s.opacity);
     QVERIFY(!b.visible && !b.palpable && b.flipped && b.layer == 2U);
-    QVERIFY(b.stiffness_N_per_mm == 0.7 && b.damping_Ns_per_mm == 1e-3);
+    QVERIFY(b.tissue.stiffness_N_per_mm == 0.7 && b.tissue.damping_Ns_per_mm == 1e-3);
     QVERIFY(b.X_WM.matrix() == s.X_WM.matrix());
     QVERIFY(back.value().camera.has_value());
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
@@ -108,7 +108,7 @@ void SceneFile::absentFieldsHaveDefaults()
     QCOMPARE(s.name, std::string("liver"));
     QCOMPARE(s.mesh, folder.path("sub/liver.stl"));
     QVERIFY(s.unit_mm == 1.0 && s.opacity == 1.0 && s.visible && s.palpable && !s.flipped && s.layer == 0U);
-    QVERIFY(s.stiffness_N_per_mm == 0.5 && s.damping_Ns_per_mm == 0.0 && s.extra.empty());
+    QVERIFY(s.tissue.stiffness_N_per_mm == 0.5 && s.tissue.damping_Ns_per_mm == 0.0 && s.extra.empty());
     QVERIFY(!scene.value().camera.has_value());
 }
 

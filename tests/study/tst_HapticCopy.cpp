@@ -35,8 +35,8 @@ class HapticCopy : public QObject
             one.description.flipped = i == 2;
             one.description.X_WM.translation() = Vec3(0, 0, i);
             one.description.palpable = i != 1;
-            one.description.stiffness_N_per_mm = 0.25 * (i + 1);
-            one.description.damping_Ns_per_mm = 0.001 * (i + 1);
+            one.description.tissue.stiffness_N_per_mm = 0.25 * (i + 1);
+            one.description.tissue.damping_Ns_per_mm = 0.001 * (i + 1);
             one.description.layer = static_cast<std::uint32_t>(2 * i);
             const Vec3 half = Vec3::Constant(20.0 - 5.0 * i);
             one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(test::box(-half, half, 2)));
@@ -48,8 +48,8 @@ class HapticCopy : public QObject
     static void compare(const haptics::HapticStructure& is, const meshio::SceneStructure& was)
     {
         QCOMPARE(is.name, was.name);
-        QCOMPARE(is.tissue.stiffness_N_per_mm, was.stiffness_N_per_mm);
-        QCOMPARE(is.tissue.damping_Ns_per_mm, was.damping_Ns_per_mm);
+        QCOMPARE(is.tissue.stiffness_N_per_mm, was.tissue.stiffness_N_per_mm);
+        QCOMPARE(is.tissue.damping_Ns_per_mm, was.tissue.damping_Ns_per_mm);
         QCOMPARE(is.surface != nullptr, was.palpable);
     }
 
@@ -93,8 +93,8 @@ class HapticCopy : public QObject
         QVERIFY2(reader.isOk(), reader.status().message().c_str());
         for (std::size_t i = 0; i < 3; ++i) {
             const session::StructureRecord& record = reader.value()->scenes().at(0).structures.at(i);
-            QCOMPARE(record.tissue.stiffness_N_per_mm, loaded.structures[i].description.stiffness_N_per_mm);
-            QCOMPARE(record.tissue.damping_Ns_per_mm, loaded.structures[i].description.damping_Ns_per_mm);
+            QCOMPARE(record.tissue.stiffness_N_per_mm, loaded.structures[i].description.tissue.stiffness_N_per_mm);
+            QCOMPARE(record.tissue.damping_Ns_per_mm, loaded.structures[i].description.tissue.damping_Ns_per_mm);
             QCOMPARE(record.palpable, loaded.structures[i].description.palpable);
         }
     }
@@ -115,8 +115,8 @@ class HapticCopy : public QObject
             QCOMPARE(is.name, was.name);
             QCOMPARE(is.palpable, was.palpable);
             QCOMPARE(is.layer, was.layer);
-            QCOMPARE(is.stiffness_N_per_mm, was.stiffness_N_per_mm);
-            QCOMPARE(is.damping_Ns_per_mm, was.damping_Ns_per_mm);
+            QCOMPARE(is.tissue.stiffness_N_per_mm, was.tissue.stiffness_N_per_mm);
+            QCOMPARE(is.tissue.damping_Ns_per_mm, was.tissue.damping_Ns_per_mm);
             QCOMPARE(sources[i].embed, loaded.structures[i].surface);
         }
         const auto scene = session::rebuildScene(record, study::indexedByHash(study::meshesByHash(loaded)));

@@ -27,7 +27,7 @@ class LiveSession : public QObject
         meshio::LoadedScene loaded;
         meshio::LoadedStructure& one = loaded.structures.emplace_back();
         one.description.name = "box";
-        one.description.stiffness_N_per_mm = stiffness_N_per_mm;
+        one.description.tissue.stiffness_N_per_mm = stiffness_N_per_mm;
         one.surface = std::make_shared<const geometry::RepairedMesh>(
             geometry::repair(test::box(Vec3::Constant(-20.0), Vec3::Constant(20.0), 4)));
         return loaded;
@@ -101,7 +101,7 @@ class LiveSession : public QObject
         if (embeds) { // the file is the whole session
             const auto whole = study::openScene(path("r.palpate"));
             QVERIFY2(whole.isOk(), whole.status().message().c_str());
-            QCOMPARE(whole.value().structures.at(0).description.stiffness_N_per_mm, 0.3);
+            QCOMPARE(whole.value().structures.at(0).description.tissue.stiffness_N_per_mm, 0.3);
         }
     }
 

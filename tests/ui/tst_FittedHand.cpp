@@ -38,7 +38,7 @@ class FittedHand : public QObject
     /// As the window makes it when the map changes.
     std::shared_ptr<const haptics::HapticScene> sceneFor(const device::DeviceInfo& info, double scale) const
     {
-        haptics::Tissue greatest;
+        haptics::Tissue greatest = core::unbounded();
         greatest.stiffness_N_per_mm = servo::heldStiffness_N_per_mm(info, 1000.0, true) / scale;
         greatest.damping_Ns_per_mm = info.maxDamping_Ns_per_mm;
         return m_model.hapticScene(greatest);

@@ -311,7 +311,7 @@ class Hand : public QObject
         QSignalSpy refused(&live, &ui::LiveTouch::stiffnessRefused);
         std::vector<ui::StructureRow> rows = test::twoRows();
         rows.front().loaded.description.palpable = true;
-        rows.front().loaded.description.stiffness_N_per_mm = 50.0;
+        rows.front().loaded.description.tissue.stiffness_N_per_mm = 50.0;
         model.setRows(std::move(rows));
         QVERIFY(live.start().isOk());
         QCOMPARE(refused.count(), 1);

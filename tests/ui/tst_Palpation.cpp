@@ -76,7 +76,7 @@ class Palpation : public QObject
         m_palpation->pressAt({300, 200});
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         meshio::SceneStructure harder = m_model->structure(0);
-        harder.stiffness_N_per_mm = 1.0;
+        harder.tissue.stiffness_N_per_mm = 1.0;
         m_model->edit(0, harder);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && std::abs(m_reading->force_N - 4.0) < 0.05, 10000);
     }

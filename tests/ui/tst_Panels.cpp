@@ -108,11 +108,11 @@ class Panels : public QObject
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
         QVERIFY(stiffness->suffix().contains(QStringLiteral("N/mm")));
         stiffness->setValue(1.1);
-        QCOMPARE(model.structure(1).stiffness_N_per_mm, 1.1);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5);
+        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 1.1);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5);
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.5);
-        QCOMPARE(model.structure(1).stiffness_N_per_mm, 1.1); // showing is not editing
+        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 1.1); // showing is not editing
     }
     void stifferThanTheDeviceHoldsIsRefusedInWords()
     {
@@ -130,21 +130,21 @@ class Panels : public QObject
         stiffness->setFocus();
         stiffness->selectAll();
         QTest::keyClicks(stiffness, QLocale().toString(1.75));
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5); // nothing while it is typed
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5); // nothing while it is typed
         QTest::keyClick(stiffness, Qt::Key_Return);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.5);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5);
         QCOMPARE(stiffness->value(), 0.5);
         QVERIFY(!refusal->isHidden());
         for (const char* part : {"1.75", "The arm holds 0.8 N/mm.", "0.80 N/mm or less"}) {
             QVERIFY2(refusal->text().contains(QLatin1String(part)), qPrintable(refusal->text()));
         }
         stiffness->setValue(0.7);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.7);
         QVERIFY(refusal->isHidden());
         auto* presets = panel.findChild<QComboBox*>();
         presets->setCurrentIndex(6); // bone
         Q_EMIT presets->activated(6);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.7);
         QCOMPARE(presets->currentIndex(), 0);
         QVERIFY(!refusal->isHidden());
         panel.select(1);
@@ -154,10 +154,10 @@ class Panels : public QObject
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.7);
         panel.findChildren<QDoubleSpinBox*>().last()->setValue(0.001);
-        QCOMPARE(model.structure(0).damping_Ns_per_mm, 0.001);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.7);
+        QCOMPARE(model.structure(0).tissue.damping_Ns_per_mm, 0.001);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.7);
         stiffness->setValue(0.6);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, 0.6);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.6);
     }
     void presetSetsItsTissue()
     {
@@ -168,7 +168,7 @@ class Panels : public QObject
         auto* presets = panel.findChild<QComboBox*>();
         presets->setCurrentIndex(5);
         Q_EMIT presets->activated(5);
-        QCOMPARE(model.structure(0).stiffness_N_per_mm, ui::tissuePresets()[4].tissue.stiffness_N_per_mm);
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, ui::tissuePresets()[4].tissue.stiffness_N_per_mm);
         QCOMPARE(presets->currentIndex(), 5);
         panel.findChildren<QDoubleSpinBox*>().first()->setValue(0.77);
         QCOMPARE(presets->currentIndex(), 0); // own values

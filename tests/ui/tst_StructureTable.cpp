@@ -40,7 +40,7 @@ class StructureTable : public QObject
         model.edit(0, one);
         QCOMPARE(changes, QList<StructureModel::Change>{StructureModel::Change::Look});
         changes.clear();
-        one.stiffness_N_per_mm = 1.3;
+        one.tissue.stiffness_N_per_mm = 1.3;
         model.edit(0, one);
         QCOMPARE(changes, QList<StructureModel::Change>{StructureModel::Change::Touch});
         QCOMPARE(model.hapticScene(kGreatest)->structures()[0].tissue.stiffness_N_per_mm, 1.3);
@@ -50,7 +50,7 @@ class StructureTable : public QObject
         StructureModel model;
         model.setRows(test::twoRows());
         meshio::SceneStructure one = model.structure(0);
-        one.stiffness_N_per_mm = 40.0;
+        one.tissue.stiffness_N_per_mm = 40.0;
         model.edit(0, one);
         QCOMPARE(model.hapticScene(kGreatest)->structures()[0].tissue.stiffness_N_per_mm, 5.0);
     }

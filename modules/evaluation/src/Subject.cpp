@@ -60,7 +60,7 @@ std::shared_ptr<const Subject> make(std::string name, std::vector<Part> parts)
         std::size_t triangles = 0;
         for (const Part& part : parts) {
             if (part.description.layer == layer) {
-                described.push_back({part.description.name, part.description.stiffness_N_per_mm, layer,
+                described.push_back({part.description.name, part.description.tissue.stiffness_N_per_mm, layer,
                                      static_cast<std::uint32_t>(triangles)});
                 members.push_back(part.mesh);
                 triangles += part.mesh->mesh.triangles.size();

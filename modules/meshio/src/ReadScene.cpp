@@ -75,8 +75,9 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("visible", s.visible);
     fields.read("palpable", s.palpable);
     fields.read("flipped", s.flipped);
-    fields.read("stiffness_N_per_mm", s.stiffness_N_per_mm, 0.0, 1000.0);
-    fields.read("damping_Ns_per_mm", s.damping_Ns_per_mm, 0.0, 1000.0);
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        fields.read(term.key.data(), s.tissue.*term.member, 0.0, term.most);
+    }
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {

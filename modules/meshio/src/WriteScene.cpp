@@ -58,8 +58,9 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     out["visible"] = s.visible;
     out["palpable"] = s.palpable;
     out["flipped"] = s.flipped;
-    out["stiffness_N_per_mm"] = s.stiffness_N_per_mm;
-    out["damping_Ns_per_mm"] = s.damping_Ns_per_mm;
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        out[term.key.data()] = s.tissue.*term.member;
+    }
     out["layer"] = static_cast<double>(s.layer);
     out["pose"] = pose(s.X_WM);
     return out;

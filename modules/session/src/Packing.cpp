@@ -100,8 +100,9 @@ void packScene(std::string& out, const SceneRecord& scene)
         put(out, static_cast<std::uint8_t>(structure.source.flipped));
         putText(out, poseText(structure.source.X_WM));
         putText(out, structure.source.sha256);
-        putNumber(out, structure.tissue.stiffness_N_per_mm + 0.0); // a REAL column keeps no sign of a zero
-        putNumber(out, structure.tissue.damping_Ns_per_mm + 0.0);
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            putNumber(out, structure.tissue.*term.member + 0.0); // a REAL column keeps no sign of a zero
+        }
         put(out, structure.layer);
         put(out, static_cast<std::uint8_t>(structure.palpable));
     }

@@ -6,6 +6,8 @@
 #include "TickTable.h"
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Tissue.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -138,7 +140,9 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid)
                 is<std::int64_t>(row[1]) && std::get<std::string>(row[0]).size() == kHashDigits;
             return isIndexOfEmbedded ? nullptr : "meta";
         }
-        return columns == 8 && is<std::int64_t>(row[0]) && is<std::int64_t>(row[1]) ? "structures" : nullptr;
+        return columns == 6 + core::kTissueTerms.size() && is<std::int64_t>(row[0]) && is<std::int64_t>(row[1])
+                   ? "structures"
+                   : nullptr;
     }
     if (columns == 6 && is<std::string>(row[0]) && is<Blob>(row[1])) {
         return "embedded";

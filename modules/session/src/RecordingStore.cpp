@@ -81,8 +81,10 @@ RecordingStore::RecordingStore(Database database)
     , m_insertMesh(m_database.prepare("INSERT OR IGNORE INTO meshes(path, part, unit_mm, flipped, pose, sha256) "
                                       "VALUES(?1, ?2, ?3, ?4, ?5, ?6)"))
     , m_insertStructure(m_database.prepare(
-          "INSERT INTO structures SELECT ?7, ?8, ?9, mesh, ?10, ?11, ?12, ?13 FROM meshes "
-          "WHERE path = ?1 AND part = ?2 AND unit_mm = ?3 AND flipped = ?4 AND pose = ?5 AND sha256 = ?6"))
+          ("INSERT INTO structures(generation, number, name, mesh, layer, palpable" + tissueColumns() +
+           ") SELECT ?7, ?8, ?9, mesh, ?10, ?11" + tissuePlaces(12) +
+           " FROM meshes WHERE path = ?1 AND part = ?2 AND unit_mm = ?3 AND flipped = ?4 AND pose = ?5 AND sha256 = ?6")
+              .c_str()))
     , m_insertEmbedded(m_database.prepare("INSERT OR IGNORE INTO embedded VALUES(?, ?, ?, ?, ?, ?)"))
 {
 }
@@ -180,10 +182,12 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
         m_insertStructure.bind(6, std::int64_t{scene.generation});
         m_insertStructure.bind(7, number++);
         m_insertStructure.bind(8, structure.name);
-        m_insertStructure.bind(9, structure.tissue.stiffness_N_per_mm);
-        m_insertStructure.bind(10, structure.tissue.damping_Ns_per_mm);
-        m_insertStructure.bind(11, std::int64_t{structure.layer});
-        m_insertStructure.bind(12, std::int64_t{structure.palpable});
+        m_insertStructure.bind(9, std::int64_t{structure.layer});
+        m_insertStructure.bind(10, std::int64_t{structure.palpable});
+        int column = 11;
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            m_insertStructure.bind(column++, structure.tissue.*term.member);
+        }
         if (m_insertMesh.step() != Statement::Step::Done || m_insertStructure.step() != Statement::Step::Done) {
             return failed();
         }

@@ -65,8 +65,9 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
     }
     const Status status = step == Step::Failed ? damaged() : Status();
     Statement rows = m_database.prepare(
-        "SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, stiffness_N_per_mm, damping_Ns_per_mm, "
-        "layer, palpable FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number");
+        ("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable" + tissueColumns() +
+         " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
+            .c_str());
     for (step = rows.step(); step == Step::Row; step = rows.step()) {
         const auto generation = static_cast<std::uint32_t>(rows.integer(0));
         const auto found = std::lower_bound(out.begin(), out.end(), generation,
@@ -82,10 +83,12 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.source.flipped = rows.integer(5) != 0;
         structure.source.sha256 = rows.bytes(6);
         structure.source.X_WM = parsePose(rows.bytes(7));
-        structure.tissue.stiffness_N_per_mm = rows.real(8);
-        structure.tissue.damping_Ns_per_mm = rows.real(9);
-        structure.layer = static_cast<std::uint32_t>(rows.integer(10));
-        structure.palpable = rows.integer(11) != 0;
+        structure.layer = static_cast<std::uint32_t>(rows.integer(8));
+        structure.palpable = rows.integer(9) != 0;
+        int column = 10;
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            structure.tissue.*term.member = rows.real(column++);
+        }
     }
     return step == Step::Failed ? damaged() : status;
 }

@@ -46,13 +46,14 @@ void replay(const haptics::HapticScene& scene, const Motion& motion, const TickS
     }
 }
 
-haptics::HapticScene withTissue(const haptics::HapticScene& scene, std::optional<double> stiffness,
-                                std::optional<double> damping)
+haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueOverride& given)
 {
     std::vector<haptics::HapticStructure> structures = scene.structures();
     for (auto& structure : structures) {
-        structure.tissue.stiffness_N_per_mm = stiffness.value_or(structure.tissue.stiffness_N_per_mm);
-        structure.tissue.damping_Ns_per_mm = damping.value_or(structure.tissue.damping_Ns_per_mm);
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            double& own = structure.tissue.*core::kTissueTerms[i].member;
+            own = given[i].value_or(own);
+        }
     }
     return haptics::HapticScene(std::move(structures), scene.fingertip_mm());
 }

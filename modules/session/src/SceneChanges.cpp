@@ -48,11 +48,11 @@ std::vector<RecordingEvent> sceneChanges(std::int64_t tick, const SceneRecord& b
         if (was.palpable != is.palpable) {
             events.push_back(event(tick, is.palpable ? "shown" : "hidden", which));
         }
-        if (was.tissue.stiffness_N_per_mm != is.tissue.stiffness_N_per_mm ||
-            was.tissue.damping_Ns_per_mm != is.tissue.damping_Ns_per_mm) {
+        if (was.tissue != is.tissue) {
             QJsonObject json = which;
-            json["stiffness_N_per_mm"] = change(was.tissue.stiffness_N_per_mm, is.tissue.stiffness_N_per_mm);
-            json["damping_Ns_per_mm"] = change(was.tissue.damping_Ns_per_mm, is.tissue.damping_Ns_per_mm);
+            for (const core::TissueTerm& term : core::kTissueTerms) {
+                json[term.key.data()] = change(was.tissue.*term.member, is.tissue.*term.member);
+            }
             events.push_back(event(tick, "tissue", json));
         }
         if (was.layer != is.layer) {

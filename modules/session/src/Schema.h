@@ -3,9 +3,33 @@
 
 #include "TickTable.h"
 
+#include <palpate/core/Tissue.h>
+
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace palpate::session::internal {
+
+/// @return the columns of a tissue in the table `structures`, each behind a comma. @param type  of each
+inline std::string tissueColumns(std::string_view type = "")
+{
+    std::string columns;
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        columns.append(", ").append(term.key).append(type);
+    }
+    return columns;
+}
+
+/// @return what stands for their values in a statement, each behind a comma. @param first  its number
+inline std::string tissuePlaces(std::size_t first)
+{
+    std::string places;
+    for (std::size_t i = 0; i < core::kTissueTerms.size(); ++i) {
+        places.append(", ?").append(std::to_string(first + i));
+    }
+    return places;
+}
 
 /// Makes the tables of resources/docs/recording.md, version 2.
 inline std::string schema()
@@ -14,8 +38,8 @@ inline std::string schema()
 CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL, fingertip_mm REAL NOT NULL);
 CREATE TABLE meshes(mesh INTEGER PRIMARY KEY, path TEXT, part TEXT, unit_mm REAL, flipped INTEGER, pose TEXT,
   sha256 TEXT, UNIQUE(path, part, unit_mm, flipped, pose, sha256));
-CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh),
-  stiffness_N_per_mm REAL, damping_Ns_per_mm REAL, layer INTEGER, palpable INTEGER,
+CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh))sql" +
+           tissueColumns(" REAL") + R"sql(, layer INTEGER, palpable INTEGER,
   PRIMARY KEY(generation, number)) WITHOUT ROWID;
 CREATE TABLE events(id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, kind TEXT NOT NULL, json TEXT NOT NULL);
 CREATE TABLE checks(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER, last INTEGER, rows INTEGER NOT NULL,

@@ -6,18 +6,13 @@
 
 namespace palpate::study {
 
-haptics::Tissue tissueOf(const meshio::SceneStructure& description)
-{
-    return {description.stiffness_N_per_mm, description.damping_Ns_per_mm};
-}
-
 haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,
                                          std::shared_ptr<const geometry::SurfaceIndex> surface)
 {
     haptics::HapticStructure out;
     out.name = description.name;
     out.surface = std::move(surface);
-    out.tissue = tissueOf(description);
+    out.tissue = description.tissue;
     out.layer = description.layer;
     return out;
 }

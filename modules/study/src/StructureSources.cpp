@@ -36,8 +36,7 @@ meshio::SceneStructure descriptionOf(const session::StructureRecord& record)
     description.flipped = record.source.flipped;
     description.X_WM = record.source.X_WM;
     description.name = record.name;
-    description.stiffness_N_per_mm = record.tissue.stiffness_N_per_mm;
-    description.damping_Ns_per_mm = record.tissue.damping_Ns_per_mm;
+    description.tissue = record.tissue;
     description.layer = record.layer;
     description.palpable = record.palpable;
     return description;

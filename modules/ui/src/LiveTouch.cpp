@@ -42,7 +42,10 @@ haptics::Tissue LiveTouch::greatestTissue() const
 {
     // A device that states no bound still has one here: fields need an end.
     const double held = heldStiffness_N_per_mm();
-    return {std::isfinite(held) ? held : 5.0, m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02};
+    haptics::Tissue greatest = core::unbounded();
+    greatest.stiffness_N_per_mm = std::isfinite(held) ? held : 5.0;
+    greatest.damping_Ns_per_mm = m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02;
+    return greatest;
 }
 
 double LiveTouch::heldStiffness_N_per_mm() const
@@ -203,11 +206,11 @@ void LiveTouch::tellRefused()
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
-        if (one.palpable && one.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
+        if (one.palpable && one.tissue.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
             // Short enough for a line below the picture; the field of the stiffness says why.
             line =
                 tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here.")
-                    .arg(QString::fromStdString(one.name), QLocale().toString(one.stiffness_N_per_mm, 'g', 3),
+                    .arg(QString::fromStdString(one.name), QLocale().toString(one.tissue.stiffness_N_per_mm, 'g', 3),
                          QLocale().toString(greatest.stiffness_N_per_mm, 'g', 3), QString::fromStdString(m_info.name));
         }
     }

@@ -191,7 +191,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
         const meshio::SceneStructure& structure = m_model.structure(tick.felt.structure);
         reading.structure = readableName(structure.name);
-        reading.stiffness_N_per_mm = structure.stiffness_N_per_mm;
+        reading.stiffness_N_per_mm = structure.tissue.stiffness_N_per_mm;
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;

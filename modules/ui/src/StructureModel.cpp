@@ -120,9 +120,7 @@ void StructureModel::apply(int row, const meshio::SceneStructure& description)
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
         Q_EMIT edited(row, Change::Look);
     }
-    const haptics::Tissue was = study::tissueOf(before), is = study::tissueOf(now);
-    if (isFelt(before) != isFelt(now) || was.stiffness_N_per_mm != is.stiffness_N_per_mm ||
-        was.damping_Ns_per_mm != is.damping_Ns_per_mm || before.layer != now.layer) {
+    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer) {
         Q_EMIT edited(row, Change::Touch);
     }
 }
@@ -179,8 +177,9 @@ std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const ha
         const meshio::SceneStructure& from = row.loaded.description;
         haptics::Tissue& tissue =
             structures.emplace_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr)).tissue;
-        tissue.stiffness_N_per_mm = std::min(tissue.stiffness_N_per_mm, greatest.stiffness_N_per_mm);
-        tissue.damping_Ns_per_mm = std::min(tissue.damping_Ns_per_mm, greatest.damping_Ns_per_mm);
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            tissue.*term.member = std::min(tissue.*term.member, greatest.*term.member);
+        }
     }
     return std::make_shared<const haptics::HapticScene>(std::move(structures), fingertip_mm);
 }

@@ -99,15 +99,8 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     showSelection();
 }
 
-QWidget* StructurePanel::makeTissueBox()
+void StructurePanel::addHead(QFormLayout& form, QWidget* box)
 {
-    auto* box = new QWidget(this);
-    auto* form = new QFormLayout(box);
-    form->setContentsMargins(12, 10, 12, 12);
-    form->setHorizontalSpacing(10);
-    form->setVerticalSpacing(8);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-
     m_colour = new QToolButton(box);
     m_colour->setAutoRaise(true);
     m_colour->setToolTip(tr("Colour of the structure"));
@@ -121,13 +114,17 @@ QWidget* StructurePanel::makeTissueBox()
     auto* head = new QHBoxLayout;
     head->addWidget(m_colour);
     head->addWidget(m_title, 1);
-    form->addRow(head);
+    form.addRow(head);
     m_findings = new QLabel(box);
     m_findings->setWordWrap(true);
     m_findings->setTextFormat(Qt::PlainText);
     m_findings->setForegroundRole(QPalette::PlaceholderText);
-    form->addRow(m_findings);
+    form.addRow(m_findings);
+    connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
+}
 
+void StructurePanel::addOpacity(QFormLayout& form, QWidget* box)
+{
     m_opacity = new QSlider(Qt::Horizontal, box);
     m_opacity->setRange(0, 100);
     m_opacity->setPageStep(10);
@@ -139,7 +136,45 @@ QWidget* StructurePanel::makeTissueBox()
     auto* opacity = new QHBoxLayout;
     opacity->addWidget(m_opacity, 1);
     opacity->addWidget(m_opacityText);
-    form->addRow(tr("Opacity"), opacity);
+    form.addRow(tr("Opacity"), opacity);
+    connect(m_opacity, &QSlider::valueChanged, this, &StructurePanel::editOpacity);
+}
+
+/// The field of one number of a tissue.
+QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget* box)
+{
+    auto* field = new QDoubleSpinBox(box);
+    // Beyond what any device holds, so that a value too large is refused in words, not cut off as it is typed.
+    field->setRange(0.0, term.most);
+    field->setKeyboardTracking(false);
+    field->setDecimals(term.decimals);
+    field->setSingleStep(term.step);
+    const QString name = tr(term.name.data()), unit = QString::fromUtf8(term.unit.data());
+    field->setSuffix(QLatin1Char(' ') + unit);
+    field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, tr(term.meaning.data())));
+    field->setAccessibleName(tr("%1 in %2").arg(name, tr(term.spokenUnit.data())));
+    // A field shows fewer digits than a scene may have: only the one that was edited counts.
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
+        if (!m_isShowing && currentRow() >= 0) {
+            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
+            tissue.*term.member = value;
+            setTissue(tissue);
+        }
+    });
+    return field;
+}
+
+QWidget* StructurePanel::makeTissueBox()
+{
+    auto* box = new QWidget(this);
+    auto* form = new QFormLayout(box);
+    form->setContentsMargins(12, 10, 12, 12);
+    form->setHorizontalSpacing(10);
+    form->setVerticalSpacing(8);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+
+    addHead(*form, box);
+    addOpacity(*form, box);
 
     m_preset = new QComboBox(box);
     m_preset->addItem(tr("Own values"));
@@ -150,25 +185,10 @@ QWidget* StructurePanel::makeTissueBox()
     m_preset->setToolTip(tr("How the structure feels, by name"));
     form->addRow(tr("Tissue"), m_preset);
 
-    m_stiffness = new QDoubleSpinBox(box);
-    // Beyond what any device holds, so that a value too large is refused in words, not cut off as it is typed.
-    m_stiffness->setRange(0.0, 1000.0);
-    m_stiffness->setKeyboardTracking(false);
-    m_stiffness->setDecimals(2);
-    m_stiffness->setSingleStep(0.05);
-    m_stiffness->setSuffix(tr(" N/mm"));
-    m_stiffness->setToolTip(tr("Stiffness as felt [N/mm]: force for each mm pressed in"));
-    m_stiffness->setAccessibleName(tr("Stiffness in newton per millimetre"));
-    form->addRow(tr("Stiffness"), m_stiffness);
-    m_damping = new QDoubleSpinBox(box);
-    m_damping->setRange(0.0, 10.0);
-    m_damping->setKeyboardTracking(false);
-    m_damping->setDecimals(4);
-    m_damping->setSingleStep(0.0005);
-    m_damping->setSuffix(tr(" N·s/mm"));
-    m_damping->setToolTip(tr("Damping as felt [N·s/mm]: force against each mm/s of movement"));
-    m_damping->setAccessibleName(tr("Damping in newton seconds per millimetre"));
-    form->addRow(tr("Damping"), m_damping);
+    for (std::size_t i = 0; i < m_terms.size(); ++i) {
+        m_terms[i] = makeField(core::kTissueTerms[i], box);
+        form->addRow(tr(core::kTissueTerms[i].name.data()), m_terms[i]);
+    }
     m_refusal = new QLabel(box);
     m_refusal->setWordWrap(true);
     m_refusal->setTextFormat(Qt::PlainText);
@@ -179,19 +199,6 @@ QWidget* StructurePanel::makeTissueBox()
     m_refusal->hide();
     form->addRow(m_refusal);
 
-    connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
-    connect(m_opacity, &QSlider::valueChanged, this, &StructurePanel::editOpacity);
-    // A field shows fewer digits than a scene may have: only the one that was edited counts.
-    connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        if (!m_isShowing && currentRow() >= 0) {
-            setTissue({value, m_model.structure(currentRow()).damping_Ns_per_mm});
-        }
-    });
-    connect(m_damping, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        if (!m_isShowing && currentRow() >= 0) {
-            setTissue({m_model.structure(currentRow()).stiffness_N_per_mm, value});
-        }
-    });
     connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
         if (chosen > 0) {
             setTissue(tissuePresets()[static_cast<std::size_t>(chosen - 1)].tissue);
@@ -258,13 +265,12 @@ void StructurePanel::showSelection()
         m_colour->setIcon(m_model.data(m_model.index(row, StructureModel::Name), Qt::DecorationRole).value<QIcon>());
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
-        m_stiffness->setValue(one.stiffness_N_per_mm);
-        m_damping->setValue(one.damping_Ns_per_mm);
+        for (std::size_t i = 0; i < m_terms.size(); ++i) {
+            m_terms[i]->setValue(one.tissue.*core::kTissueTerms[i].member);
+        }
         int chosen = 0;
         for (std::size_t i = 0; i < tissuePresets().size(); ++i) {
-            const haptics::Tissue& tissue = tissuePresets()[i].tissue;
-            if (tissue.stiffness_N_per_mm == one.stiffness_N_per_mm &&
-                tissue.damping_Ns_per_mm == one.damping_Ns_per_mm) {
+            if (tissuePresets()[i].tissue == one.tissue) {
                 chosen = static_cast<int>(i) + 1;
             }
         }
@@ -282,29 +288,27 @@ void StructurePanel::setTissue(const haptics::Tissue& tissue)
         return;
     }
     meshio::SceneStructure changed = m_model.structure(currentRow());
-    // Half of a field's last digit: what is shown as the limit may be asked for.
-    const bool isTooStiff = tissue.stiffness_N_per_mm > m_greatest.stiffness_N_per_mm + 0.005 &&
-                            tissue.stiffness_N_per_mm > changed.stiffness_N_per_mm;
-    const bool isTooDamped = tissue.damping_Ns_per_mm > m_greatest.damping_Ns_per_mm + 0.00005 &&
-                             tissue.damping_Ns_per_mm > changed.damping_Ns_per_mm;
-    if (isTooStiff || isTooDamped) {
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        const double asked = tissue.*term.member, most = m_greatest.*term.member;
+        // Half of a field's last digit: what is shown as the limit may be asked for.
+        if (!(asked > most + 0.5 * std::pow(10.0, -term.decimals)) || !(asked > changed.tissue.*term.member)) {
+            continue;
+        }
         const QLocale locale;
-        QString line =
-            isTooStiff
+        const QString line =
+            term.member == &haptics::Tissue::stiffness_N_per_mm
                 ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.")
-                      .arg(locale.toString(tissue.stiffness_N_per_mm, 'g', 4), m_why,
-                           locale.toString(std::floor(100.0 * m_greatest.stiffness_N_per_mm) / 100.0, 'f', 2))
+                      .arg(locale.toString(asked, 'g', 4), m_why,
+                           locale.toString(std::floor(100.0 * most) / 100.0, 'f', 2))
                 : tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
-                      .arg(locale.toString(tissue.damping_Ns_per_mm, 'g', 4),
-                           locale.toString(m_greatest.damping_Ns_per_mm, 'f', 4));
+                      .arg(locale.toString(asked, 'g', 4), locale.toString(most, 'f', 4));
         showSelection();
         m_refusal->setText(line);
         m_refusal->show();
         return;
     }
     m_refusal->hide();
-    changed.stiffness_N_per_mm = tissue.stiffness_N_per_mm;
-    changed.damping_Ns_per_mm = tissue.damping_Ns_per_mm;
+    changed.tissue = tissue;
     m_model.edit(currentRow(), changed);
 }
 

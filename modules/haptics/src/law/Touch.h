@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/haptics/Contact.h"
 #include "palpate/haptics/Tissue.h"
 
 #include <palpate/geometry/SurfaceIndex.h>

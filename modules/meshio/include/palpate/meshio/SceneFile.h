@@ -3,6 +3,7 @@
 
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
+#include <palpate/core/Tissue.h>
 #include <palpate/core/Types.h>
 
 #include <array>
@@ -27,8 +28,7 @@ struct SceneStructure
     bool visible = true;
     bool palpable = true;
     bool flipped = false; ///< turn the surface inside out on import
-    double stiffness_N_per_mm = 0.5;
-    double damping_Ns_per_mm = 0.0;
+    core::Tissue tissue;
     std::uint32_t layer = 0;                            ///< 0 is the outermost
     core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
     std::string extra; ///< fields of this structure that this version does not know, as a JSON object

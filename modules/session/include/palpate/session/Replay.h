@@ -9,6 +9,7 @@
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,9 +26,11 @@ using TickSink = std::function<bool(const servo::TickRecord&)>;
 /// @par Cost `solve_ns` is the Palpator's step alone, by the monotonic clock.
 void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
 
-/// Gives every structure these values instead of its own. [N/mm], [N·s/mm]
-[[nodiscard]] haptics::HapticScene withTissue(const haptics::HapticScene& scene, std::optional<double> stiffness,
-                                              std::optional<double> damping);
+/// Values for core::kTissueTerms, in their order and units; none: as it is.
+using TissueOverride = std::array<std::optional<double>, core::kTissueTerms.size()>;
+
+/// Gives every structure these values instead of its own.
+[[nodiscard]] haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueOverride& given);
 
 /// Surfaces by geometryHash.
 using SurfacesByHash = std::map<std::string, std::shared_ptr<const geometry::SurfaceIndex>>;

@@ -10,9 +10,6 @@
 
 namespace palpate::study {
 
-/// What a structure's tissue is, as its scene describes it.
-[[nodiscard]] haptics::Tissue tissueOf(const meshio::SceneStructure& description);
-
 /// How a structure is felt: its name, tissue and layer.
 /// @param surface  its index; null: nothing of it is felt
 [[nodiscard]] haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,

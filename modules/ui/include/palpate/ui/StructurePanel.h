@@ -5,8 +5,11 @@
 
 #include <QWidget>
 
+#include <array>
+
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -39,6 +42,9 @@ class StructurePanel : public QWidget
     void chooseColour();
     void openMenu(const QPoint& place);
     QWidget* makeTissueBox();
+    void addHead(QFormLayout& form, QWidget* box);
+    void addOpacity(QFormLayout& form, QWidget* box);
+    QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
 
     StructureModel& m_model;
     QTreeView* m_list = nullptr;
@@ -48,10 +54,9 @@ class StructurePanel : public QWidget
     QSlider* m_opacity = nullptr;
     QLabel* m_opacityText = nullptr;
     QComboBox* m_preset = nullptr;
-    QDoubleSpinBox* m_stiffness = nullptr;
-    QDoubleSpinBox* m_damping = nullptr;
+    std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
     QLabel* m_refusal = nullptr;
-    haptics::Tissue m_greatest{5.0, 0.02};
+    haptics::Tissue m_greatest = core::unbounded(); ///< until a device says its own
     QString m_why;
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;

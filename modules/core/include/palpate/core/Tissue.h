@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace palpate::core {
+
+/// How a structure feels: the numbers of its force law, "as felt", no moduli of a material. One that is 0 is not there
+/// and costs nothing.
+struct Tissue
+{
+    double stiffness_N_per_mm = 0.5; ///< k: force for each mm pressed in
+    double damping_Ns_per_mm = 0.0;  ///< b: force against each mm/s of movement
+
+    friend bool operator==(const Tissue&, const Tissue&) = default;
+};
+
+/// One number of a tissue, as files, recordings, the command line and panels tell it. At least 0.
+struct TissueTerm
+{
+    std::string_view key;    ///< in scene files, and the column of a recording
+    std::string_view option; ///< on the command line
+    double Tissue::*member;
+    std::string_view name;    ///< as a person reads it
+    std::string_view meaning; ///< in a sentence's part
+    std::string_view unit;
+    std::string_view spokenUnit;
+    double most;  ///< that a file may hold, and a panel
+    int decimals; ///< that a panel shows
+    double step;  ///< of a panel's field
+};
+
+/// All numbers of a tissue, in the order of a recording's columns: a new one comes last.
+inline constexpr std::array kTissueTerms{
+    TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, "Stiffness",
+               "force for each mm pressed in", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
+    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Damping",
+               "force against each mm/s of movement", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005},
+};
+
+/// @return what bounds no tissue.
+[[nodiscard]] constexpr Tissue unbounded()
+{
+    Tissue most;
+    for (const TissueTerm& term : kTissueTerms) {
+        most.*term.member = std::numeric_limits<double>::infinity();
+    }
+    return most;
+}
+
+} // namespace palpate::core
