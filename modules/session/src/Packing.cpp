@@ -73,7 +73,7 @@ bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept
 
 void packTick(std::string& out, const servo::TickRecord& tick)
 {
-    const servo::TickRecord none;
+    const servo::TickRecord none{};
     for (const std::size_t width : {8U, 4U, 2U, 1U}) {
         for (const TickColumn& column : kTickColumns) {
             const bool isNull = column.null == Null::InFreeSpace && tick.felt.structure < 0;
