@@ -8,10 +8,10 @@ set -u -o pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 ensure_packages "${palpate_build_packages[@]}"
-ensure_configured release
-build release palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse
+ensure_configured "$palpate_preset"
+build "$palpate_preset" palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse
 
-palpate=$palpate_root/build/release/bin/palpate
+palpate=$palpate_root/build/$palpate_preset/bin/palpate
 phantom=$palpate_root/data/phantom
 
 case ${1:-} in

@@ -8,8 +8,8 @@ set -u -o pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../app/setup.sh"
 
 ensure_packages "${palpate_build_packages[@]}" locales # whose parts make a German one for a test
-ensure_configured release
-build release
+ensure_configured "$palpate_preset"
+build "$palpate_preset"
 
 "$palpate_root/tests/support/check_layers.sh" "$palpate_root" || exit 1
 
@@ -20,4 +20,4 @@ if [[ $# -gt 0 && $1 != -* ]]; then
 elif [[ "$*" == *nightly* ]]; then
     filter=()
 fi
-headless ctest --test-dir "$palpate_root/build/release" --output-on-failure -j 2 "${filter[@]}" "$@"
+headless ctest --test-dir "$palpate_root/build/$palpate_preset" --output-on-failure -j 2 "${filter[@]}" "$@"

@@ -116,7 +116,7 @@ core::Result<evaluation::HandMotion> loadMotion(const fs::path& path)
     return evaluation::resampled(path.filename().string(), motion.value().p_WH, motion.value().dt_s);
 }
 
-int runStability(bool withLong)
+int runHardCases(bool withLong)
 {
     std::vector<evaluation::HardCaseResult> results;
     {
@@ -196,7 +196,7 @@ core::Status chooseScene(EvaluateOptions& options)
 int runEvaluate(EvaluateOptions options)
 {
     if (options.isStability) {
-        return runStability(options.isLong);
+        return runHardCases(options.isLong);
     }
     const auto started = std::chrono::steady_clock::now();
     const auto unit = unitOption(options.unit);

@@ -67,7 +67,7 @@ core::Result<FileReport> examine(const std::filesystem::path& file, const meshio
     return report;
 }
 
-int runInfo(const InfoOptions& options)
+int runMeshInfo(const InfoOptions& options)
 {
     const auto unit = unitOption(options.unit);
     if (!unit.isOk()) {
@@ -108,7 +108,7 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");
     command->add_flag("--json", options->isJson, "Print the report as JSON");
-    command->callback([options, &chosen] { chosen = [options] { return runInfo(*options); }; });
+    command->callback([options, &chosen] { chosen = [options] { return runMeshInfo(*options); }; });
 }
 
 } // namespace palpate::app

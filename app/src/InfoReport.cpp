@@ -2,6 +2,7 @@
 #include "InfoReport.h"
 
 #include "Console.h"
+#include "QtText.h"
 
 #include <palpate/study/StructureSources.h>
 
@@ -15,11 +16,6 @@
 namespace palpate::app {
 
 namespace {
-
-QString text(const std::string& utf8)
-{
-    return QString::fromStdString(utf8);
-}
 
 const char* frameName(meshio::FileFrame frame)
 {

@@ -2,6 +2,7 @@
 #include "ReplaySummary.h"
 
 #include "Console.h"
+#include "QtText.h"
 
 #include <palpate/session/Recording.h>
 #include <palpate/study/SessionExport.h>
@@ -27,11 +28,6 @@ std::uint32_t atShare(const std::vector<std::uint32_t>& sorted, double share)
 double perTriangle(const SceneCost& cost)
 {
     return cost.triangles == 0 ? 0.0 : static_cast<double>(cost.bytes) / static_cast<double>(cost.triangles);
-}
-
-QString text(const std::string& utf8)
-{
-    return QString::fromStdString(utf8);
 }
 
 } // namespace

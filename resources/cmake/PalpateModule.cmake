@@ -5,6 +5,10 @@ add_library(palpate_flags INTERFACE)
 # No contraction: a replay gives back the same bits on one build (resources/docs/god-object.md).
 target_compile_options(palpate_flags INTERFACE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   -Woverloaded-virtual $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi> $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # A source is then an included file, in which GCC takes a class with a member from an unnamed namespace for a header's.
+  target_compile_options(palpate_flags INTERFACE -Wno-subobject-linkage)
+endif()
 if(NOT PALPATE_SANITIZER STREQUAL "none")
   target_compile_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER})

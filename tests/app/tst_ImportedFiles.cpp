@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome
+struct Ending
 {
     int exitCode = -1;
     std::string out, error;
@@ -34,7 +34,7 @@ struct Outcome
 };
 
 /// Runs the real executable in `folder`, and waits for it and for all that it leaves behind.
-Outcome run(const test::Folder& folder, std::vector<std::string> words, std::vector<std::string> environment = {})
+Ending run(const test::Folder& folder, std::vector<std::string> words, std::vector<std::string> environment = {})
 {
     ::prctl(PR_SET_CHILD_SUBREAPER, 1); // what outlives the program becomes a child of this one
     words.insert(words.begin(), PALPATE_EXECUTABLE);
@@ -54,7 +54,7 @@ Outcome run(const test::Folder& folder, std::vector<std::string> words, std::vec
     posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, error.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addchdir_np(&actions, there.c_str());
-    Outcome outcome;
+    Ending outcome;
     pid_t program = -1;
     const auto start = std::chrono::steady_clock::now();
     if (::posix_spawn(&program, PALPATE_EXECUTABLE, &actions, nullptr, argv.data(), envp.data()) != 0) {
@@ -75,13 +75,13 @@ Outcome run(const test::Folder& folder, std::vector<std::string> words, std::vec
     return outcome;
 }
 
-QJsonObject firstOf(const Outcome& outcome)
+QJsonObject firstOf(const Ending& outcome)
 {
     return QJsonDocument::fromJson(QByteArray::fromStdString(outcome.out)).array().at(0).toObject();
 }
 
 /// @return what is wrong with a decision: valid or refused in one line, with at most 1 GiB and 10 s; else nothing
-std::string mistakeOf(const Outcome& outcome, const std::string& name, bool isValid, const std::string& complaint)
+std::string mistakeOf(const Ending& outcome, const std::string& name, bool isValid, const std::string& complaint)
 {
     constexpr long kMostMemory_KiB = 1 << 20;
     constexpr double kMostTime_s = 10.0;
@@ -127,7 +127,7 @@ void ImportedFiles::hostileFilesOfOursAreDecided()
     const std::vector<test::HostileMesh> meshes = test::hostileMeshes();
     for (const test::HostileMesh& mesh : meshes) {
         (void)folder.write(mesh.name, mesh.bytes);
-        const Outcome outcome = run(folder, {"info", mesh.name});
+        const Ending outcome = run(folder, {"info", mesh.name});
         mistakes += mistakeOf(outcome, mesh.name, mesh.complaint.empty(), mesh.complaint);
         valid += mesh.complaint.empty() ? 1 : 0;
         most_KiB = std::max(most_KiB, outcome.memory_KiB);
@@ -163,7 +163,7 @@ void ImportedFiles::sharedHostileFilesAreDecided()
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(shared)) {
         const std::string name = entry.path().filename().string();
-        const Outcome outcome = run(folder, {"info", entry.path().string()});
+        const Ending outcome = run(folder, {"info", entry.path().string()});
         mistakes += mistakeOf(outcome, name, kValid.contains(name), "");
         ++count;
         most_KiB = std::max(most_KiB, outcome.memory_KiB);
@@ -183,15 +183,15 @@ void ImportedFiles::cutFileNeedsPartialAndThenSaysTheLoss()
     (void)folder.write("m.csv", "x,y,z\n1,1,1\n1,1,-1\n");
     const std::string loss = "palpate: cut.stl: byte 174: the file ends there: 2 of 3 triangles lost\n";
     QCOMPARE(mistakeOf(run(folder, {"info", "cut.stl"}), "cut.stl", false, "byte 80: "), std::string());
-    const Outcome info = run(folder, {"info", "cut.stl", "--partial", "--json"});
+    const Ending info = run(folder, {"info", "cut.stl", "--partial", "--json"});
     QCOMPARE(info.exitCode, 3);
     QCOMPARE(info.error, loss);
     QCOMPARE(firstOf(info)["losses"].toArray().size(), 1);
     QCOMPARE(firstOf(info)["structures"].toArray()[0].toObject()["input_triangles"].toInt(), 1);
-    const Outcome strict = run(folder, {"replay", "cut.stl", "--motion", "m.csv", "--out", "t.csv"});
+    const Ending strict = run(folder, {"replay", "cut.stl", "--motion", "m.csv", "--out", "t.csv"});
     QCOMPARE(strict.exitCode, 2);
     QVERIFY(!fs::exists(folder.path("t.csv")));
-    const Outcome replay = run(folder, {"replay", "cut.stl", "--motion", "m.csv", "--out", "t.csv", "--partial"});
+    const Ending replay = run(folder, {"replay", "cut.stl", "--motion", "m.csv", "--out", "t.csv", "--partial"});
     QCOMPARE(replay.exitCode, 3);
     QCOMPARE(replay.error, loss);
     QVERIFY(fs::exists(folder.path("t.csv")));
@@ -202,7 +202,7 @@ void ImportedFiles::missingMeshOfASceneIsALoss()
     const test::Folder folder;
     (void)folder.write("a.obj", "v 0 0 0\nv 25 0 0\nv 0 15 0\nf 1 2 3\n");
     (void)folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.obj"}, {"mesh": "gone.obj"}]})");
-    const Outcome outcome = run(folder, {"info", "s.palpate.json"});
+    const Ending outcome = run(folder, {"info", "s.palpate.json"});
     QCOMPARE(outcome.exitCode, 3);
     QVERIFY2(outcome.error.starts_with("palpate: gone.obj: "), outcome.error.c_str());
     QVERIFY2(outcome.out.find("a: 1 triangles") != std::string::npos, outcome.out.c_str());
@@ -216,7 +216,7 @@ void ImportedFiles::infoTellsTheWholeReport()
         {"a", test::box(core::Vec3(0, 0, 0), core::Vec3(24, 24, 24), 4), std::nullopt},
         {"b", test::box(core::Vec3(8, 8, 8), core::Vec3(32, 32, 32), 4), std::nullopt}};
     QVERIFY(meshio::writeMesh(folder.path("two.stl"), cubes).isOk());
-    const Outcome outcome = run(folder, {"info", "two.stl", "--json"});
+    const Ending outcome = run(folder, {"info", "two.stl", "--json"});
     QCOMPARE(outcome.exitCode, 0);
     const QJsonObject file = firstOf(outcome);
     QCOMPARE(file["schema"].toInt(), 1);
@@ -264,7 +264,7 @@ void ImportedFiles::infoOffersTheUnit()
     const test::Folder folder;
     const std::string text = std::to_string(size);
     (void)folder.write("a.obj", "v 0 0 0\nv " + text + " 0 0\nv 0 " + text + " 0\nf 1 2 3\n");
-    const Outcome outcome = run(folder, {"info", "a.obj", "--json", "--unit", unit});
+    const Ending outcome = run(folder, {"info", "a.obj", "--json", "--unit", unit});
     QCOMPARE(outcome.exitCode, 0);
     const QJsonObject file = firstOf(outcome);
     QCOMPARE(file["unit_guess"].toObject()["option"].toString(), option);
@@ -288,10 +288,10 @@ void ImportedFiles::sameUnderAGermanLocale()
     const std::vector<std::string> german{"LC_ALL=de_DE.UTF-8",
                                           std::string("LOCPATH=").append(folder.path("").string())};
     for (const char* name : {"a.stl", "b.obj", "c.ply", "d.vtp"}) {
-        const Outcome plain = run(folder, {"replay", name, "--motion", "m.csv", "--out", "t.csv"});
+        const Ending plain = run(folder, {"replay", name, "--motion", "m.csv", "--out", "t.csv"});
         QCOMPARE(plain.exitCode, 0);
         const std::string ticks = test::fileBytes(folder.path("t.csv"));
-        const Outcome comma = run(folder, {"replay", name, "--motion", "m.csv", "--out", "t.csv"}, german);
+        const Ending comma = run(folder, {"replay", name, "--motion", "m.csv", "--out", "t.csv"}, german);
         QVERIFY2(comma.exitCode == 0, comma.error.c_str());
         const auto withoutTime = [](std::string text) {
             std::string out;
@@ -312,7 +312,7 @@ void ImportedFiles::anyPathWorks()
                                          "\xff\xfe latin.stl",        "-dash.stl", std::string(240, 'n') + ".stl"};
     for (const std::string& name : names) {
         (void)folder.write(name, test::asciiStl());
-        const Outcome outcome = run(folder, {"info", "./" + name});
+        const Ending outcome = run(folder, {"info", "./" + name});
         fs::remove(folder.path(name)); // Qt cannot remove every name
         QVERIFY2(outcome.exitCode == 0, outcome.error.c_str());
     }

@@ -9,23 +9,22 @@
 #include <vector>
 
 using palpate::core::StatusCode;
-using palpate::device::HandScript;
 using palpate::device::SimulatedHandOptions;
 using palpate::device::Vec3;
 using Hand = palpate::device::SimulatedHand;
 
 namespace {
 
-HandScript pressAndLift()
+palpate::device::HandScript pressAndLift()
 {
-    return HandScript::make(
+    return palpate::device::HandScript::make(
                {{0.0, Vec3(0, 0, 10)}, {0.4, Vec3(0, 0, -5)}, {0.8, Vec3(3, 0, -5)}, {1.2, Vec3(3, 0, 10)}})
         .value();
 }
 
-HandScript still()
+palpate::device::HandScript still()
 {
-    return HandScript::make({{0.0, Vec3(1, 2, 3)}}).value();
+    return palpate::device::HandScript::make({{0.0, Vec3(1, 2, 3)}}).value();
 }
 
 } // namespace

@@ -253,6 +253,5 @@ class BoxHierarchyTest : public QObject
     }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "BoxHierarchy", []() -> std::unique_ptr<QObject> { return std::make_unique<BoxHierarchyTest>(); });
+PALPATE_TEST_NAMED("BoxHierarchy", BoxHierarchyTest)
 #include "tst_BoxHierarchy.moc"

@@ -138,11 +138,6 @@ TriangleMesh shaken(TriangleMesh mesh, double by_mm, unsigned seed)
     return mesh;
 }
 
-TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by)
-{
-    return transformed(mesh, [&by](const Vec3& v) { return Vec3(v + by); });
-}
-
 TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other)
 {
     append(mesh, other);
@@ -375,6 +370,5 @@ class ClearTriangles : public QObject
     }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "ClearTriangles", []() -> std::unique_ptr<QObject> { return std::make_unique<ClearTriangles>(); });
+PALPATE_TEST(ClearTriangles)
 #include "tst_ClearTriangles.moc"

@@ -9,15 +9,6 @@
 using namespace palpate;
 using geometry::examine;
 
-namespace {
-
-geometry::TriangleMesh moved(const geometry::TriangleMesh& mesh, const core::Vec3& by)
-{
-    return test::transformed(mesh, [&by](const core::Vec3& p) { return core::Vec3(p + by); });
-}
-
-} // namespace
-
 class SurfaceExamination : public QObject
 {
     Q_OBJECT
@@ -59,7 +50,7 @@ void SurfaceExamination::crossingSheetsAreCountedByHand()
 void SurfaceExamination::overlappingBallsCrossWhereBruteForceSays()
 {
     geometry::TriangleMesh mesh = test::sphere(5, 10.0);
-    test::append(mesh, moved(test::sphere(4, 8.0), {7.123, 1.37, 0.731}));
+    test::append(mesh, test::moved(test::sphere(4, 8.0), {7.123, 1.37, 0.731}));
     const auto surface = test::indexed(mesh);
     const auto inside = [&](const core::Vec3& p, const core::Vec3& q, const geometry::Triangle& t) {
         // By solving for the point, another way than the product's volumes.
@@ -89,7 +80,7 @@ void SurfaceExamination::overlappingBallsCrossWhereBruteForceSays()
 void SurfaceExamination::gridsThatMeetEdgeOnEdgeCross()
 {
     geometry::TriangleMesh mesh = test::box({0, 0, 0}, {24, 24, 24}, 4);
-    test::append(mesh, moved(mesh, {10, 10, 10})); // squares of 6 mm
+    test::append(mesh, test::moved(mesh, {10, 10, 10})); // squares of 6 mm
     const auto found = examine(*test::indexed(mesh));
     QVERIFY(found.crossingPairs > 0);
     QVERIFY(std::abs(*found.thinnestWall_mm - 14.0) < 1e-9); // where they overlap
@@ -98,7 +89,7 @@ void SurfaceExamination::gridsThatMeetEdgeOnEdgeCross()
 void SurfaceExamination::boundIsKeptAndSaid()
 {
     geometry::TriangleMesh mesh = test::sphere(6, 10.0);
-    test::append(mesh, moved(test::sphere(6, 10.0), {3.1, 0.7, 0.3}));
+    test::append(mesh, test::moved(test::sphere(6, 10.0), {3.1, 0.7, 0.3}));
     geometry::ExaminationBounds bounds;
     bounds.pairs = 100;
     const auto found = examine(*test::indexed(mesh), bounds);
@@ -134,7 +125,7 @@ void SurfaceExamination::openSurfaceHasNoWall()
 
 void SurfaceExamination::farFromTheOriginIsTheSame()
 {
-    const auto found = examine(*test::indexed(moved(test::box({0, 0, 0}, {30, 30, 2}, 5), {1e6, -1e6, 1e6})));
+    const auto found = examine(*test::indexed(test::moved(test::box({0, 0, 0}, {30, 30, 2}, 5), {1e6, -1e6, 1e6})));
     QCOMPARE(found.crossingPairs, std::size_t{0});
     QVERIFY(std::abs(*found.thinnestWall_mm - 2.0) < 1e-8);
 }

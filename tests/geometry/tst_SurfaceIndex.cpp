@@ -89,6 +89,5 @@ class SurfaceIndexTest : public QObject
     void survivesNothing() { QCOMPARE(indexed({})->triangleCount(), 0u); }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "SurfaceIndex", []() -> std::unique_ptr<QObject> { return std::make_unique<SurfaceIndexTest>(); });
+PALPATE_TEST_NAMED("SurfaceIndex", SurfaceIndexTest)
 #include "tst_SurfaceIndex.moc"

@@ -130,6 +130,5 @@ class ConstrainedPointTest : public QObject
     }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "ConstrainedPoint", []() -> std::unique_ptr<QObject> { return std::make_unique<ConstrainedPointTest>(); });
+PALPATE_TEST_NAMED("ConstrainedPoint", ConstrainedPointTest)
 #include "tst_ConstrainedPoint.moc"

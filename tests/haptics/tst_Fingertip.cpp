@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A ball as god-object: closed forms, and the definition by brute force: never nearer to a surface than its radius, and
 // no small legal move brings it closer to the HIP.
+#include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -21,16 +22,13 @@ using haptics::TickStatus;
 
 namespace {
 
-constexpr double kTick_s = 1e-3;
-constexpr double kBound_mm = 1e-6;
-
-struct Feel
+struct BallFeel
 {
     geometry::TriangleMesh mesh;
     HapticScene scene;
     Palpator palpator;
 
-    Feel(geometry::TriangleMesh m, double radius_mm)
+    BallFeel(geometry::TriangleMesh m, double radius_mm)
         : mesh(std::move(m))
         , scene({HapticStructure{"it", indexed(mesh), {0.5, 0.0}, 0}}, radius_mm)
     {
@@ -46,10 +44,6 @@ struct Feel
         return result;
     }
 };
-
-#define QVERIFY_AT(result, expected)                                                                                   \
-    QVERIFY2((result.p_WG - (expected)).norm() <= kBound_mm,                                                           \
-             qPrintable(QString("off by %1 mm").arg((result.p_WG - (expected)).norm())))
 
 double toSegment(const Vec3& p, const Vec3& a, const Vec3& b)
 {
@@ -81,7 +75,7 @@ class Fingertip : public QObject
   private Q_SLOTS:
     void restsOnAPlaneByItsRadius()
     {
-        Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 1.5);
+        BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 1.5);
         const TickResult r = feel.move(Vec3(1, 2, 8), Vec3(1.2, 1.7, -3), 200);
         QVERIFY_AT(r, Vec3(1.2, 1.7, 1.5));
         QCOMPARE(r.constraints, std::uint8_t(1));
@@ -101,7 +95,7 @@ class Fingertip : public QObject
         QFETCH(double, degrees);
         const double half = degrees * std::numbers::pi / 360;
         const double radius = std::min(0.5, 10 * std::tan(half));
-        Feel feel(groove(2 * half, 20.0, 12.0), radius);
+        BallFeel feel(groove(2 * half, 20.0, 12.0), radius);
         // groove() opens upwards from the y axis; the ball sits where both walls are a radius away.
         const double height = radius / std::sin(half);
         TickResult r = feel.move(Vec3(0, 0, 19), Vec3(0, 0, -5), 400);
@@ -113,7 +107,7 @@ class Fingertip : public QObject
 
     void rollsRoundAnEdgeAndACorner()
     {
-        Feel feel(box(Vec3(-10, -10, -10), Vec3(0, 10, 0), 2), 2.0);
+        BallFeel feel(box(Vec3(-10, -10, -10), Vec3(0, 10, 0), 2), 2.0);
         // Over the edge along y at x = 0, z = 0: on the quarter circle the pull decides where it stands.
         feel.move(Vec3(-3, 1, 5), Vec3(-3, 1, 1), 50);
         for (const double angle : {0.2, 0.6, 1.0, 1.4}) {
@@ -122,7 +116,7 @@ class Fingertip : public QObject
             const TickResult r = feel.move(feel.palpator.state().p_WH, hip, 200);
             QVERIFY_AT(r, Vec3(0, 1, 0) + 2.0 * out);
         }
-        Feel corner(box(Vec3(-10, -10, -10), Vec3(0, 0, 0), 2), 2.0);
+        BallFeel corner(box(Vec3(-10, -10, -10), Vec3(0, 0, 0), 2), 2.0);
         const Vec3 out = Vec3(1, 2, 3).normalized();
         const TickResult r = corner.move(6 * out, 1.2 * out, 200);
         QVERIFY_AT(r, 2.0 * out);
@@ -132,7 +126,7 @@ class Fingertip : public QObject
     void feelsASheetFromBothSides()
     {
         for (const double side : {1.0, -1.0}) {
-            Feel feel(sheet(10.0, 4), 1.0);
+            BallFeel feel(sheet(10.0, 4), 1.0);
             QVERIFY_AT(feel.move(Vec3(0.3, 0.2, 6 * side), Vec3(0.3, 0.2, -4 * side), 100), Vec3(0.3, 0.2, side));
         }
     }
@@ -140,14 +134,14 @@ class Fingertip : public QObject
     void aThinPlateHitFastIsNotPassed()
     {
         // 2 m/s: 2 mm a tick, four times the plate's thickness.
-        Feel feel(box(Vec3(-10, -10, -0.5), Vec3(10, 10, 0), 4), 0.3);
+        BallFeel feel(box(Vec3(-10, -10, -0.5), Vec3(10, 10, 0), 4), 0.3);
         const TickResult r = feel.move(Vec3(0.1, 0.2, 20), Vec3(0.1, 0.2, -20), 20);
         QVERIFY_AT(r, Vec3(0.1, 0.2, 0.3));
     }
 
     void aBallThatStartsTooDeepIsLetOutWithoutAPush()
     {
-        Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 2.0);
+        BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 2.0);
         TickResult r = feel.at(Vec3(0, 0, 0.5));
         QVERIFY(r.f_W.norm() == 0.0);
         r = feel.at(Vec3(0, 0, 0.3)); // no deeper than it is
@@ -176,7 +170,7 @@ class Fingertip : public QObject
         QFETCH(double, depth);
         geometry::TriangleMesh corner = box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4);
         append(corner, box(Vec3(1, -5, -1), Vec3(9, 5, 5)));
-        Feel feel(corner, 0.5);
+        BallFeel feel(corner, 0.5);
         const double skin = feel.scene.layer(0).skin_mm;
         (void)feel.at(Vec3(0.4, 0, 2));
         (void)feel.at(Vec3(0.4, 0, 0.5 + gap * skin));
@@ -186,7 +180,7 @@ class Fingertip : public QObject
     void aBallPutDownOnTheSurfaceItselfIsHeld()
     {
         for (const double height : {0.0, 1e-12, 1e-3}) {
-            Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4), 2.0);
+            BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4), 2.0);
             std::mt19937_64 random(4);
             std::normal_distribution<double> normal;
             (void)feel.at(Vec3(0.3, 0.2, height));
@@ -204,7 +198,7 @@ class Fingertip : public QObject
     {
         // An edge of 2 m: what it is away from is seven digits below the distances to the edge's ends.
         const double size = 1000.0, radius = 0.001;
-        Feel feel(box(Vec3(-size, -size, -size), Vec3(size, size, size)), radius);
+        BallFeel feel(box(Vec3(-size, -size, -size), Vec3(size, size, size)), radius);
         const double skin = feel.scene.layer(0).skin_mm;
         std::mt19937_64 random(6);
         std::uniform_real_distribution<double> part(-1.0, 1.0);
@@ -223,7 +217,7 @@ class Fingertip : public QObject
     {
         // HIPs on edges and vertices to the last bit, and steps of up to a hundred extents.
         const geometry::TriangleMesh mesh = sphere(6, 10.0);
-        Feel feel(mesh, 4.0);
+        BallFeel feel(mesh, 4.0);
         std::mt19937_64 random(3);
         std::uniform_int_distribution<std::size_t> any(0, mesh.triangles.size() - 1);
         (void)feel.at(Vec3(30, 0, 0));
@@ -242,7 +236,7 @@ class Fingertip : public QObject
         // As deep as its radius at a vertex: the ball may roll around the HIP without coming nearer.
         const geometry::TriangleMesh mesh = sphere(20, 20.0);
         for (const double radius : {1.0, 4.0}) {
-            Feel feel(mesh, radius);
+            BallFeel feel(mesh, radius);
             std::mt19937_64 random(1);
             std::normal_distribution<double> normal;
             (void)feel.at(Vec3(90, 1, 2));
@@ -267,7 +261,7 @@ class Fingertip : public QObject
         const double radius = 8.0;
         geometry::TriangleMesh both = mesh;
         append(both, box(Vec3(-20, -20, -40), Vec3(20, 20, -40 + 1e-7))); // its slivers make the skin a micrometre
-        Feel feel(both, radius);
+        BallFeel feel(both, radius);
         std::mt19937_64 random(11);
         std::normal_distribution<double> normal;
         double farthest = 0.0;
@@ -293,7 +287,7 @@ class Fingertip : public QObject
     void aBallPutDownOnAnEdgeMeetsItOnce()
     {
         // Behind the lower face, too, by less than their rounding: it is on both, whichever way that little leads.
-        Feel feel(box(Vec3(-10, -10, -1e-8), Vec3(10, 10, 0), 4), 2.0);
+        BallFeel feel(box(Vec3(-10, -10, -1e-8), Vec3(10, 10, 0), 4), 2.0);
         QVERIFY(feel.scene.layer(0).skin_mm > 1e-6);
         for (const Vec3& at : {Vec3(0, 0, 1e-9), Vec3(5, 1, 1e-9), Vec3(5, 5, 1e-9)}) {
             for (const double way : {0.3, -0.3}) {
@@ -322,7 +316,7 @@ class Fingertip : public QObject
             fan.triangles.push_back({0, 2 + i, 2 + j});
             fan.triangles.push_back({1, 2 + j, 2 + i});
         }
-        Feel kept(fan, 4.0), thrownAway(fan, 4.0);
+        BallFeel kept(fan, 4.0), thrownAway(fan, 4.0);
         int limited = 0;
         for (int i = 0; i < 400; ++i) {
             const double angle = 0.02 * i, away = 2 * std::abs(std::sin(0.003 * i));
@@ -345,7 +339,7 @@ class Fingertip : public QObject
     void aLargeBallSlidesWithinItsWork()
     {
         // In hollows as wide as itself: hundreds of facets' boxes are near, whichever small cell is asked.
-        Feel feel(bumpySphere(81, 50.0, 0.02), 20.0);
+        BallFeel feel(bumpySphere(81, 50.0, 0.02), 20.0);
         int limited = 0;
         for (const int first : {3650, 9780, 11350}) {
             feel.palpator.reset();
@@ -378,7 +372,7 @@ class Fingertip : public QObject
         QFETCH(geometry::TriangleMesh, mesh);
         QFETCH(double, radius);
         QFETCH(double, size);
-        Feel feel(mesh, radius);
+        BallFeel feel(mesh, radius);
         std::mt19937_64 random(7);
         std::normal_distribution<double> normal;
         const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
@@ -434,7 +428,7 @@ class Fingertip : public QObject
 
     void whatIsKeptBetweenTicksChangesNothing()
     {
-        Feel kept(bumpySphere(30, 10.0, 0.08), 1.0), thrownAway(bumpySphere(30, 10.0, 0.08), 1.0);
+        BallFeel kept(bumpySphere(30, 10.0, 0.08), 1.0), thrownAway(bumpySphere(30, 10.0, 0.08), 1.0);
         int contacts = 0;
         for (int i = 0; i < 2000; ++i) {
             const double height = std::max(8.5, 13.0 - 0.01 * i);
@@ -450,7 +444,7 @@ class Fingertip : public QObject
     void rollsOnFromFacetToFacet()
     {
         // Where it falls from each facet to the next instead, it needs 2.1 moves a tick.
-        Feel feel(sphere(32, 12.5), 1.0);
+        BallFeel feel(sphere(32, 12.5), 1.0);
         std::uint32_t moves = 0, contacts = 0;
         for (int i = 0; i < 5000; ++i) {
             const double arc = 0.008 * i;
@@ -469,7 +463,7 @@ class Fingertip : public QObject
 
     void radiusZeroIsThePoint()
     {
-        Feel ball(bumpySphere(10, 10.0, 0.08), 0.0);
+        BallFeel ball(bumpySphere(10, 10.0, 0.08), 0.0);
         HapticScene scene({HapticStructure{"it", indexed(bumpySphere(10, 10.0, 0.08)), {0.5, 0.0}, 0}});
         Palpator point;
         point.setScene(&scene);

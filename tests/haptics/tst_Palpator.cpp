@@ -27,7 +27,7 @@ Vec3 wander(int i)
 }
 
 /// A cone of many facets about one corner, more than a neighbourhood holds.
-geometry::TriangleMesh crowd()
+geometry::TriangleMesh crowdedCone()
 {
     geometry::TriangleMesh mesh;
     constexpr std::uint32_t kFacets = 300;
@@ -169,7 +169,7 @@ class PalpatorTest : public QObject
     {
         QFETCH(bool, isCrowd);
         const HapticScene scene(
-            {HapticStructure{"one", indexed(isCrowd ? crowd() : bumpySphere(40, 40.0, 0.05)), {0.5, 0.001}, 0}});
+            {HapticStructure{"one", indexed(isCrowd ? crowdedCone() : bumpySphere(40, 40.0, 0.05)), {0.5, 0.001}, 0}});
         Palpator whole, resumed;
         whole.setScene(&scene);
         resumed.setScene(&scene);
@@ -315,6 +315,5 @@ class PalpatorTest : public QObject
     }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "Palpator", []() -> std::unique_ptr<QObject> { return std::make_unique<PalpatorTest>(); });
+PALPATE_TEST_NAMED("Palpator", PalpatorTest)
 #include "tst_Palpator.moc"

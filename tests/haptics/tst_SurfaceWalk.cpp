@@ -17,7 +17,7 @@ using haptics::Palpator;
 using haptics::TickResult;
 using haptics::TickStatus;
 
-class SurfaceWalk : public QObject
+class SurfaceWalkTest : public QObject
 {
     Q_OBJECT
 
@@ -227,6 +227,5 @@ class SurfaceWalk : public QObject
     }
 };
 
-static const bool registered = palpate::test::registerTest(
-    "SurfaceWalk", []() -> std::unique_ptr<QObject> { return std::make_unique<SurfaceWalk>(); });
+PALPATE_TEST_NAMED("SurfaceWalk", SurfaceWalkTest)
 #include "tst_SurfaceWalk.moc"

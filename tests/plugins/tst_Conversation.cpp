@@ -8,7 +8,6 @@
 
 using namespace palpate;
 using core::Vec3;
-using woodenhaptics::Config;
 
 namespace {
 
@@ -82,7 +81,7 @@ class Conversation : public QObject
 
     void calibratesProtocolTwoByCommand()
     {
-        Config config;
+        woodenhaptics::Config config;
         config.calibrationCounts = {10, -20, 30, 40, -50, 60};
         std::int64_t now_ns = kMs;
         woodenhaptics::Conversation talk(config, false);
@@ -115,7 +114,7 @@ class Conversation : public QObject
 
     void countersWrapWithoutAJump()
     {
-        Config config;
+        woodenhaptics::Config config;
         config.countsPerTurn = {40000, 40000, 40000}; // a tenth of a turn of the arm is more than 16 bits
         std::int64_t now_ns = kMs;
         woodenhaptics::Conversation talk(config, true);
@@ -178,7 +177,7 @@ class Conversation : public QObject
 
     void currentsStayWithinTheAmplifiersInTheForcesDirection()
     {
-        Config config;
+        woodenhaptics::Config config;
         config.maxForce_N = 100.0;
         std::int64_t now_ns = kMs;
         woodenhaptics::Conversation talk(config, true);

@@ -10,13 +10,12 @@
 
 using namespace palpate;
 using core::Vec3;
-using woodenhaptics::Config;
 
 namespace {
 
-Config vintage()
+woodenhaptics::Config vintage()
 {
-    Config c;
+    woodenhaptics::Config c;
     c.variant = 1;
     c.capstanDiameter_m = {0.013, 0.010, 0.010};
     c.bodyDiameter_m = {0.117, 0.077, 0.077};
@@ -28,7 +27,7 @@ Config vintage()
 }
 
 /// The stand-in's own idea of the same arm.
-standin::ArmUnit unitOf(const Config& c)
+standin::ArmUnit unitOf(const woodenhaptics::Config& c)
 {
     standin::ArmUnit unit;
     unit.variant = c.variant;
@@ -62,9 +61,10 @@ class Kinematics : public QObject
         QTest::newRow("vintage PHANToM") << true;
     }
 
-    static Config config()
+    static woodenhaptics::Config config()
     {
-        return *static_cast<bool*>(QTest::qData("isVintage", qMetaTypeId<bool>())) ? vintage() : Config();
+        return *static_cast<bool*>(QTest::qData("isVintage", qMetaTypeId<bool>())) ? vintage()
+                                                                                   : woodenhaptics::Config();
     }
 
     static std::vector<Vec3> poses()
@@ -82,7 +82,7 @@ class Kinematics : public QObject
     void calibrationPoseIsTheKits()
     {
         // Link b upright, link c level: by hand from the lengths, less the workspace's origin.
-        const woodenhaptics::Kinematics kit{Config()};
+        const woodenhaptics::Kinematics kit{woodenhaptics::Config()};
         const Vec3 p = kit.position_m(kit.angles(Vec3::Zero()));
         QVERIFY((p - Vec3(0.245 - 0.220, 0.0, 0.080 + 0.205 - 0.080)).norm() < 1e-12);
         // One turn of motor b leans link b backwards by 30 degrees: 10 mm on 120 mm.
@@ -109,7 +109,7 @@ class Kinematics : public QObject
     void resolutionIsWhatCountsCannotSay_data() { units(); }
     void resolutionIsWhatCountsCannotSay()
     {
-        const Config c = config();
+        const woodenhaptics::Config c = config();
         const woodenhaptics::Kinematics k(c);
         const Vec3 turn = (k.angles(Vec3::Ones()) - k.angles(Vec3::Zero())).cwiseAbs();
         double worst = 0.0;
@@ -148,7 +148,7 @@ class Kinematics : public QObject
     void agreesWithTheEmulatedArm_data() { units(); }
     void agreesWithTheEmulatedArm()
     {
-        const Config c = config();
+        const woodenhaptics::Config c = config();
         const woodenhaptics::Kinematics k(c);
         const standin::ArmUnit unit = unitOf(c);
         for (const Vec3& q : poses()) {
@@ -165,7 +165,7 @@ class Kinematics : public QObject
     void forceAlongAnAxisAcceleratesTheTipThatWay_data() { units(); }
     void forceAlongAnAxisAcceleratesTheTipThatWay()
     {
-        const Config c = config();
+        const woodenhaptics::Config c = config();
         const woodenhaptics::Kinematics k(c);
         for (int axis = 0; axis < 3; ++axis) {
             standin::Arm arm;
@@ -186,7 +186,7 @@ class Kinematics : public QObject
 
     void holdsTheLinksWeight()
     {
-        Config c;
+        woodenhaptics::Config c;
         c.gravity_m_per_s2 = 9.81;
         const woodenhaptics::Kinematics k(c);
         standin::Arm arm;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchScenes.h"
 
+#include <palpate/device/DevicePresets.h>
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
@@ -82,6 +83,13 @@ std::vector<Vec3> palpatingMotion(int ticks)
                             radius * std::cos(latitude) * std::sin(longitude), radius * std::sin(latitude));
     }
     return motion;
+}
+
+servo::GateLimits limitsOf(const char* preset)
+{
+    device::DeviceInfo info = device::deviceInfo(*device::findDevicePreset(preset));
+    info.workspaceRadius_mm = 0.0;
+    return servo::GateLimits::forDevice(info);
 }
 
 bool isSameTick(const servo::TickRecord& first, const servo::TickRecord& second) noexcept

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/haptics/HapticScene.h>
+#include <palpate/servo/SafetyGate.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <memory>
@@ -17,6 +18,9 @@ std::shared_ptr<const haptics::HapticScene> sphereScene(double radius_mm, double
 /// A motion over a sphere of radius 30 mm: down into it, around it under pressure, through free space and back; a HIP a
 /// tick at 1 kHz, at most 0.4 mm apart.
 std::vector<core::Vec3> palpatingMotion(int ticks);
+
+/// What the gate allows a device of a preset, wherever in space the hand is.
+servo::GateLimits limitsOf(const char* preset);
 
 /// The same bits in everything that a replay gives back.
 bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b) noexcept;

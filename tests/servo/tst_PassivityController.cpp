@@ -15,7 +15,7 @@ using Controller = palpate::servo::PassivityController;
 
 namespace {
 
-constexpr double kDt_s = 0.001;
+constexpr double kTick_s = 0.001;
 constexpr double kStiffness = 2.0; // [N/mm]
 
 PassivityLimits limits(int delayTicks, double own = 0.0)
@@ -65,7 +65,7 @@ class PassivityController : public QObject
         QFETCH(int, delay);
         constexpr double kMove = 0.01;
         constexpr int kWay = 200;
-        Controller controller(limits(delay), kDt_s);
+        Controller controller(limits(delay), kTick_s);
         const double excess = excessAfter(controller, 2 * kWay + 1, [](int n) {
             return -1.0 - kMove * (n < kWay ? n : 2 * kWay - n); // begins inside: the first tick counts no move
         });
@@ -78,18 +78,18 @@ class PassivityController : public QObject
     /// b = (1/2 + delay) K T takes it all away: the passivity bound.
     void theDevicesOwnDampingPaysFirst()
     {
-        const double enough = 0.5 * kStiffness * kDt_s;
+        const double enough = 0.5 * kStiffness * kTick_s;
         const auto path = [](int n) { return -1.0 + 0.5 * std::sin(0.1 * n); };
-        Controller paid(limits(0, 1.001 * enough), kDt_s);
+        Controller paid(limits(0, 1.001 * enough), kTick_s);
         static_cast<void>(excessAfter(paid, 50, path));
         QVERIFY(excessAfter(paid, 500, path) < 1e-9);
-        Controller unpaid(limits(0, 0.9 * enough), kDt_s);
+        Controller unpaid(limits(0, 0.9 * enough), kTick_s);
         QVERIFY(excessAfter(unpaid, 500, path) > 0.01);
     }
 
     void restAndSlowTissueCostNothing()
     {
-        Controller controller(limits(1, 0.001), kDt_s);
+        Controller controller(limits(1, 0.001), kTick_s);
         for (int n = 0; n < 1000; ++n) {
             const Vec3 f(0.2 * n * 0.01, 0, 0); // 0.2 N/mm: (1/2 + 1) K T is below the device's damping
             const Vec3 added = controller.damping(f, Vec3(-0.01 * n, 0, 0), true);
@@ -112,7 +112,7 @@ class PassivityController : public QObject
         stepped.maxDamping_Ns_per_mm = 0.008;
         const auto mostAdded = [&](double known_mm) {
             stepped.resolution_mm = known_mm;
-            Controller controller(stepped, kDt_s);
+            Controller controller(stepped, kTick_s);
             double most = 0.0;
             for (int n = 0; n < 2000; ++n) {
                 const double x = -1.0 - 0.005 * (n < 1000 ? n : 2000 - n);
@@ -132,7 +132,7 @@ class PassivityController : public QObject
     {
         PassivityLimits bounded = limits(1);
         bounded.maxDamping_Ns_per_mm = 0.003;
-        Controller controller(bounded, kDt_s);
+        Controller controller(bounded, kTick_s);
         double most = 0.0;
         Vec3 last = Vec3::Zero();
         for (int n = 0; n < 500; ++n) {
@@ -140,7 +140,7 @@ class PassivityController : public QObject
             const Vec3 f = wall(p[0]);
             const Vec3 added = controller.damping(f, p, true);
             controller.noteSent(f + added);
-            const Vec3 v = n > 0 ? Vec3((p - last) / kDt_s) : Vec3(Vec3::Zero());
+            const Vec3 v = n > 0 ? Vec3((p - last) / kTick_s) : Vec3(Vec3::Zero());
             QVERIFY((added + controller.state().damping_Ns_per_mm * v).norm() < 1e-12);
             QVERIFY(controller.state().damping_Ns_per_mm <= 0.003);
             most = std::max(most, controller.state().damping_Ns_per_mm);
@@ -152,9 +152,9 @@ class PassivityController : public QObject
     void dampingThatWasSentPaysTheExcessBack()
     {
         const auto path = [](int n) { return -1.0 + 0.1 * std::sin(0.1 * n); };
-        Controller idle(limits(0), kDt_s);
+        Controller idle(limits(0), kTick_s);
         const double unpaid = excessAfter(idle, 1000, path);
-        Controller controller(limits(0), kDt_s);
+        Controller controller(limits(0), kTick_s);
         double worst = 0.0;
         for (int n = 0; n < 1000; ++n) {
             const Vec3 f = wall(path(n)) + controller.damping(wall(path(n)), Vec3(path(n), 0, 0), true);
@@ -169,7 +169,7 @@ class PassivityController : public QObject
     void whatTheModelMakesIsDampedToo()
     {
         PassivityLimits sure = limits(0, 0.01); // sampling is paid for
-        Controller controller(sure, kDt_s);
+        Controller controller(sure, kTick_s);
         bool isDamped = false;
         for (int n = 0; n < 200; ++n) {
             const bool isOut = n >= 100;
@@ -183,7 +183,7 @@ class PassivityController : public QObject
         QVERIFY(controller.state().energy_mJ < 0.0);
 
         // Another scene that is stiffer made no energy that anyone has to pay.
-        Controller changed(sure, kDt_s);
+        Controller changed(sure, kTick_s);
         for (int n = 0; n < 200; ++n) {
             const bool isOut = n >= 100;
             const double x = isOut ? -0.99 + 0.01 * (n - 100) : -0.01 * n; // at rest where it stiffens
@@ -198,7 +198,7 @@ class PassivityController : public QObject
 
     void freeSpaceAndANewHandForget()
     {
-        Controller controller(limits(1), kDt_s);
+        Controller controller(limits(1), kTick_s);
         QVERIFY(excessAfter(controller, 100, [](int n) { return -1.0 + 0.5 * std::sin(0.3 * n); }) > 0.0);
         static_cast<void>(controller.damping(Vec3::Zero(), Vec3(1, 0, 0), false));
         QCOMPARE(controller.state().excess_mJ, 0.0);
@@ -212,10 +212,10 @@ class PassivityController : public QObject
     void theDelayMayChange()
     {
         const auto path = [](int n) { return -1.0 - 0.01 * (n < 200 ? n : 400 - n); };
-        Controller told(limits(0), kDt_s), known(limits(2), kDt_s);
+        Controller told(limits(0), kTick_s), known(limits(2), kTick_s);
         told.setDelay(2);
         QCOMPARE(excessAfter(told, 401, path), excessAfter(known, 401, path));
-        Controller beyond(limits(0), kDt_s);
+        Controller beyond(limits(0), kTick_s);
         beyond.setDelay(1000000);
         QVERIFY(std::isfinite(excessAfter(beyond, 401, path)));
     }
@@ -240,7 +240,7 @@ class PassivityController : public QObject
     {
         PassivityLimits off = limits(1);
         off.isOn = false;
-        Controller controller(off, kDt_s);
+        Controller controller(off, kTick_s);
         for (int n = 0; n < 200; ++n) {
             const double x = -1.0 + 0.5 * std::sin(0.3 * n);
             QVERIFY(controller.damping(wall(x), Vec3(x, 0, 0), true).isZero(0.0));
@@ -252,7 +252,7 @@ class PassivityController : public QObject
 
     void whatIsNoNumberIsForgotten()
     {
-        Controller controller(limits(1), kDt_s);
+        Controller controller(limits(1), kTick_s);
         const double nan = std::numeric_limits<double>::quiet_NaN();
         static_cast<void>(controller.damping(Vec3(1, 0, 0), Vec3::Zero(), true));
         QVERIFY(controller.damping(Vec3(nan, 0, 0), Vec3(1, 0, 0), true).isZero(0.0));

@@ -31,7 +31,6 @@
 
 using palpate::core::Vec3;
 using palpate::device::DeviceState;
-using palpate::servo::ServoCore;
 using palpate::servo::TickRecord;
 using palpate::test::RealtimeGuard;
 
@@ -251,7 +250,7 @@ class RealtimeSafety : public QObject
         const auto motion = palpate::test::palpatingMotion(5000);
         palpate::device::DeviceInfo info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("touch"));
         info.workspaceRadius_mm = 0.0;
-        ServoCore core(palpate::servo::GateLimits::forDevice(info), 1000.0);
+        palpate::servo::ServoCore core(palpate::servo::GateLimits::forDevice(info), 1000.0);
         int contacts = 0;
         int faults = 0;
         std::uint64_t counted = 0;

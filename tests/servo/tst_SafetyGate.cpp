@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
+#include "TouchScenes.h"
 
 #include <palpate/device/DevicePresets.h>
 #include <palpate/servo/SafetyGate.h>
@@ -18,6 +19,7 @@ using palpate::servo::ForceRequest;
 using palpate::servo::GatedInput;
 using palpate::servo::GateLimits;
 using palpate::servo::Vec3;
+using palpate::test::limitsOf;
 using Gate = palpate::servo::SafetyGate;
 
 namespace {
@@ -26,13 +28,6 @@ constexpr double kDt_s = 0.001;
 constexpr std::int64_t kDt_ns = 1'000'000;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-GateLimits limitsOf(const char* preset)
-{
-    palpate::device::DeviceInfo info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset));
-    info.workspaceRadius_mm = 0.0;
-    return GateLimits::forDevice(info);
-}
 
 /// Drives a gate tick by tick as the servo does.
 struct Driver

@@ -15,16 +15,10 @@ using palpate::device::DeviceState;
 using palpate::servo::FaultKind;
 using palpate::servo::GateLimits;
 using palpate::servo::TickRecord;
+using palpate::test::limitsOf;
 using Core = palpate::servo::ServoCore;
 
 namespace {
-
-GateLimits limitsOf(const char* preset)
-{
-    palpate::device::DeviceInfo info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset));
-    info.workspaceRadius_mm = 0.0;
-    return GateLimits::forDevice(info);
-}
 
 DeviceState hand(const Vec3& p, std::int64_t now_ns)
 {

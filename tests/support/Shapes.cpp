@@ -154,6 +154,11 @@ TriangleMesh transformed(const TriangleMesh& mesh, const std::function<Vec3(cons
     return result;
 }
 
+TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by)
+{
+    return transformed(mesh, [&by](const Vec3& v) { return Vec3(v + by); });
+}
+
 std::shared_ptr<const geometry::SurfaceIndex> indexed(const TriangleMesh& mesh)
 {
     return std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(geometry::repair(mesh)));

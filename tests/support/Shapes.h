@@ -26,6 +26,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& other);
 /// Each triangle with three vertices of its own.
 TriangleMesh soup(const TriangleMesh& mesh);
 TriangleMesh transformed(const TriangleMesh& mesh, const std::function<Vec3(const Vec3&)>& map);
+TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by);
 
 /// Repairs and indexes.
 std::shared_ptr<const geometry::SurfaceIndex> indexed(const TriangleMesh& mesh);

@@ -29,6 +29,9 @@ std::optional<std::filesystem::path> sharedFolder(const std::string& sub);
     }                                                                                                                  \
     const std::filesystem::path variable = *variable##Found
 
-#define PALPATE_TEST(Class)                                                                                            \
+#define PALPATE_TEST(Class) PALPATE_TEST_NAMED(#Class, Class)
+
+/// For a class that cannot bear the name of what it tests.
+#define PALPATE_TEST_NAMED(name, Class)                                                                                \
     [[maybe_unused]] static const bool registered##Class =                                                             \
-        palpate::test::registerTest(#Class, []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });
+        palpate::test::registerTest(name, []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });

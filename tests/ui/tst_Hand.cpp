@@ -41,7 +41,7 @@ ui::HandPlace fromTheFront()
     return place;
 }
 
-bool says(const QWidget& widget, const QString& part)
+bool mentions(const QWidget& widget, const QString& part)
 {
     for (const QLabel* label : widget.findChildren<QLabel*>()) {
         if (label->text().contains(part)) {
@@ -180,22 +180,22 @@ class Hand : public QObject
         status.energy_mJ = 2.125;
         status.damping_N = 0.25;
         panel.show(status);
-        QVERIFY(says(panel, QStringLiteral("0.40 N/mm at 1 kHz")));
-        QVERIFY(says(panel, QStringLiteral("Force on the hand 1.25 N of 3.3 N")));
-        QVERIFY(says(panel, QStringLiteral("liver fills the workspace: 1 mm of the device is 1.5 mm")));
-        QVERIFY(says(panel, QStringLiteral("2.1")));
+        QVERIFY(mentions(panel, QStringLiteral("0.40 N/mm at 1 kHz")));
+        QVERIFY(mentions(panel, QStringLiteral("Force on the hand 1.25 N of 3.3 N")));
+        QVERIFY(mentions(panel, QStringLiteral("liver fills the workspace: 1 mm of the device is 1.5 mm")));
+        QVERIFY(mentions(panel, QStringLiteral("2.1")));
         QCOMPARE(panel.findChild<QDoubleSpinBox*>()->value(), 1.5);
         QVERIFY(!panel.findChild<QCheckBox*>()->isHidden());
         status.clutch = ui::HandStatus::Clutch::Asked;
         panel.show(status);
-        QVERIFY(says(panel, QStringLiteral("Clutched")));
+        QVERIFY(mentions(panel, QStringLiteral("Clutched")));
         status.clutch = ui::HandStatus::Clutch::AtEdge;
         panel.show(status);
-        QVERIFY(says(panel, QStringLiteral("At the edge")));
+        QVERIFY(mentions(panel, QStringLiteral("At the edge")));
         status.clutch = ui::HandStatus::Clutch::None;
         status.inside = QStringLiteral("liver");
         panel.show(status);
-        QVERIFY(says(panel, QStringLiteral("Inside liver")));
+        QVERIFY(mentions(panel, QStringLiteral("Inside liver")));
         panel.resize(300, 420);
         if (const QByteArray to = qgetenv("PALPATE_HAND_PICTURE"); !to.isEmpty()) {
             panel.grab().save(QString::fromLocal8Bit(to)); // to be looked at

@@ -5,7 +5,8 @@
 
 #include <limits>
 
-using namespace palpate::view;
+using palpate::view::cividis;
+using palpate::view::Colour;
 
 class ColourMap : public QObject
 {

@@ -11,7 +11,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-std::string formatted(const char* format, double value)
+std::string inFormat(const char* format, double value)
 {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, format, value);
@@ -61,11 +61,11 @@ std::string shortNumber(double value)
     }
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
     if (exponent >= -3 && exponent < 6) {
-        return exponent >= 2 ? formatted("%.0f", value) : formatted("%.3g", value);
+        return exponent >= 2 ? inFormat("%.0f", value) : inFormat("%.3g", value);
     }
     const double mantissa = value / std::pow(10.0, exponent);
     const std::string power = "10" + superscript(exponent);
-    return std::abs(mantissa - 1.0) < 0.05 ? power : formatted("%.1f·", mantissa) + power;
+    return std::abs(mantissa - 1.0) < 0.05 ? power : inFormat("%.1f·", mantissa) + power;
 }
 
 ChartAxis ChartAxis::decades(const std::vector<double>& values, std::string title)

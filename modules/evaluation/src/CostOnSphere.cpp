@@ -17,7 +17,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kRadius_mm = 50.0, kDepth_mm = 5.0, kStep_mm = 0.1;
+constexpr double kSphere_mm = 50.0, kDepth_mm = 5.0, kStep_mm = 0.1;
 constexpr int kApproach = 50, kTicks = 2000, kTurn = 50;
 constexpr std::uint32_t kMostForPaper = 100000; // triangles: beyond, a tick of brute force says nothing new
 
@@ -36,8 +36,8 @@ bool advance(Slide& slide)
     const TimeLimit limit(slide.seconds);
     const auto started = core::monotonicNow_ns();
     for (int i = 0; i < kTurn && slide.tick < kTicks && !limit.isOver(); ++i, ++slide.tick) {
-        const double a = kStep_mm / kRadius_mm * std::max(slide.tick, 0);
-        const double r = kRadius_mm - kDepth_mm + 0.2 * std::max(0, -slide.tick);
+        const double a = kStep_mm / kSphere_mm * std::max(slide.tick, 0);
+        const double r = kSphere_mm - kDepth_mm + 0.2 * std::max(0, -slide.tick);
         const Vec3 hip = r * Vec3(std::sin(a), 0.3 * std::sin(0.7 * a), std::cos(a)).normalized();
         const long interruptionsBefore = interruptions();
         const auto before = core::monotonicNow_ns();
@@ -55,11 +55,11 @@ bool advance(Slide& slide)
 
 std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds)
 {
-    const Surface surface(geometry::repair(shapes::bumpySphere(n, kRadius_mm, 0.0)));
+    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0)));
     const std::uint32_t triangles = surface.triangleCount();
     std::vector<Slide> slides;
     const auto add = [&](std::unique_ptr<ReferenceSolver> solver, double limit) {
-        solver->start(Vec3(0, 0, 1.1 * kRadius_mm));
+        solver->start(Vec3(0, 0, 1.1 * kSphere_mm));
         slides.push_back({std::move(solver), limit, -kApproach, {}});
     };
     add(std::make_unique<ProductSolver>(sceneOf(surface.repaired()), "Palpate"), seconds);

@@ -2,6 +2,7 @@
 #include "ExactBall.h"
 
 #include "ClosestPoint.h"
+#include "ExactSkin.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +12,6 @@ namespace palpate::evaluation {
 
 namespace {
 
-// As for the point: some ten thousand roundings of a long double, a millionth of the product's skin.
-constexpr int kSkinBits = -50;
-constexpr long double kTouched = 64;      // skins: what is nearer is a contact
-constexpr long double kLeastGain = 0.01L; // skins: a move that brings less is none
 constexpr long double kSpare = 1.0L / 64; // skins: what rounding may bring a contact nearer
 constexpr long double kTangent = 1e-17L;  // of a way, where two contacts are told from one
 constexpr long double kLongest = 0.1L;    // radii that a way is drawn out to

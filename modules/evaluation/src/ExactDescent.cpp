@@ -2,6 +2,7 @@
 #include "ExactDescent.h"
 
 #include "ClosestPoint.h"
+#include "ExactSkin.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +13,6 @@ namespace palpate::evaluation {
 
 namespace {
 
-// A skin of 2^-50 of the largest coordinate is some ten thousand roundings of a long double and a millionth of the
-// product's own.
-constexpr int kSkinBits = -50;
-// Touched are triangles within this many skins.
-constexpr long double kTouched = 64;
-// A way must bring the point this many skins closer: between two planes that are nearly one it could otherwise go to
-// and fro for ever. Along a surface 10 mm away that is a few 1e-8 mm.
-constexpr long double kLeastGain = 0.01L;
 // Pairs of touched triangles without a common edge cross only where surfaces cross; beyond this many touched
 // triangles (the apex of a fan) only pairs with a common edge are tried.
 constexpr std::size_t kFewTouched = 24;

@@ -32,7 +32,7 @@ HardCase wanderingRow(std::string name, std::function<TriangleMesh()> mesh, std:
     return result;
 }
 
-TriangleMesh bumpy()
+TriangleMesh bumpySoup()
 {
     return shapes::soup(shapes::bumpySphere(14, 40.0, 0.03));
 }
@@ -76,7 +76,7 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
     rows.push_back(wanderingRow(
         "zero-area triangles on a bumpy sphere",
         [] {
-            TriangleMesh mesh = bumpy();
+            TriangleMesh mesh = bumpySoup();
             const std::size_t n = mesh.triangles.size();
             for (std::size_t i = 0; i < n; i += 3) {
                 const geometry::Triangle t = mesh.triangles[i];
@@ -90,7 +90,7 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
     rows.push_back(wanderingRow(
         "duplicated triangles, some turned round",
         [] {
-            TriangleMesh mesh = bumpy();
+            TriangleMesh mesh = bumpySoup();
             const std::size_t n = mesh.triangles.size();
             for (std::size_t i = 0; i < n; ++i) {
                 const geometry::Triangle t = mesh.triangles[i];
@@ -106,14 +106,14 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
     rows.push_back(wanderingRow(
         "flipped triangles",
         [] {
-            TriangleMesh mesh = bumpy();
+            TriangleMesh mesh = bumpySoup();
             for (std::size_t i = 0; i < mesh.triangles.size(); i += 7) {
                 std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
             }
             return mesh;
         },
         4000));
-    rows.push_back(wanderingRow("unwelded soup", bumpy, 4000));
+    rows.push_back(wanderingRow("unwelded soup", bumpySoup, 4000));
     for (const double aspect : {1e3, 1e4, 1e5, 1e6}) {
         rows.push_back(row(
             formatted("sliver strips, aspect %.0e", aspect),

@@ -25,7 +25,7 @@ constexpr double kDiffers_mm = 1e-3, kDiffersShare = 1e-5;
 constexpr double kLeastShare = 0.02;   // of the largest force: percentages and directions of less are noise
 constexpr double kContact_mm = 1e-9;   // a shorter spring is none
 constexpr double kIntrusion_mm = 1e-6; // of a ball
-constexpr std::size_t kHistogram = 33;
+constexpr std::size_t kIterationCounts = 33;
 constexpr std::size_t kLeadIn = 4;          // ticks before the first contact
 constexpr std::size_t kFewestTicks = 12;    // of a motion, however long they take: some in contact
 constexpr std::size_t kPopThroughEvery = 4; // ticks: the winding number costs more than the tick
@@ -110,7 +110,7 @@ TrialRun::TrialRun(Trial description, std::vector<const Surface*> own, bool isOn
     , m_isElsewhere(m_own.size())
     , m_intrusion_mm(m_own.size())
 {
-    m_trial.iterations.assign(kHistogram, 0);
+    m_trial.iterations.assign(kIterationCounts, 0);
     for (std::size_t l = 0; isOnTruth && l < m_own.size(); ++l) {
         m_exact.push_back(std::make_unique<ExactSolver>(*m_own[l], 1, m_trial.fingertip_mm));
     }
@@ -237,7 +237,7 @@ void TrialRun::feel(LayerSolvers& solvers, const HandMotion& motion, const Truth
             isThrough = isThrough || (m_trial.ticks % kPopThroughEvery == 0 &&
                                       isPoppedThrough(l, truth.layers[l].spring_mm[sample]));
         }
-        ++m_trial.iterations[std::min(iterations, kHistogram - 1)];
+        ++m_trial.iterations[std::min(iterations, kIterationCounts - 1)];
         m_trial.popThroughs += isThrough ? 1 : 0;
         if (m_trial.knob != Knob::Rate) {
             take(truth, sample);

@@ -95,7 +95,7 @@ std::uint64_t headerWord(std::string_view data, std::uint64_t i, const VtpHeader
 
 } // namespace
 
-Result<VtpBlocks> VtpBlocks::find(const VtpArray& array, const VtpHeader& header, const ScanContext& context)
+Result<VtpBlocks> VtpBlocks::find(const VtpDataArray& array, const VtpHeader& header, const ScanContext& context)
 {
     const bool isAppended = array.format == VtpFormat::Appended;
     const bool isBase64 = !isAppended || header.isAppendedBase64;

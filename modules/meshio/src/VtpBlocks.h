@@ -21,7 +21,7 @@ class VtpBlocks
     /// Finds the array's data and checks its header: no block lies outside the bytes, none unpacks to more than its
     /// compression can give.
     /// @param array  of format Binary or Appended
-    [[nodiscard]] static core::Result<VtpBlocks> find(const VtpArray& array, const VtpHeader& header,
+    [[nodiscard]] static core::Result<VtpBlocks> find(const VtpDataArray& array, const VtpHeader& header,
                                                       const ScanContext& context);
 
     /// Bytes after unpacking.

@@ -54,12 +54,12 @@ class HeaderReader
     void startPiece(VtpHeader& header);
     void startArray(VtpHeader& header, const std::string& parent);
     /// Where an array declared under `parent` belongs; nothing when it must not stand there.
-    VtpArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
+    VtpDataArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
 
     QXmlStreamReader m_xml;
     const ScanContext& m_context;
     std::vector<std::string> m_path;
-    VtpArray* m_array = nullptr; ///< whose content is being read
+    VtpDataArray* m_array = nullptr; ///< whose content is being read
     Status m_status;
 };
 
@@ -112,7 +112,7 @@ void HeaderReader::startPiece(VtpHeader& header)
     piece.polys.count = count("NumberOfPolys").value_or(0);
 }
 
-VtpArray* HeaderReader::place(VtpHeader& header, const std::string& parent, const std::string& name)
+VtpDataArray* HeaderReader::place(VtpHeader& header, const std::string& parent, const std::string& name)
 {
     if (parent == "FieldData") {
         return &header.fieldData.emplace_back();
@@ -138,14 +138,14 @@ VtpArray* HeaderReader::place(VtpHeader& header, const std::string& parent, cons
     if (cells == nullptr) {
         return nullptr;
     }
-    std::optional<VtpArray>& slot = name == "connectivity" ? cells->connectivity : cells->offsets;
+    std::optional<VtpDataArray>& slot = name == "connectivity" ? cells->connectivity : cells->offsets;
     return (name == "connectivity" || name == "offsets") && !slot ? &slot.emplace() : nullptr;
 }
 
 void HeaderReader::startArray(VtpHeader& header, const std::string& parent)
 {
     const std::string name = attribute("Name");
-    VtpArray* array = place(header, parent, name);
+    VtpDataArray* array = place(header, parent, name);
     if (array == nullptr) {
         (void)fail(StatusCode::BadFormat, "an array " + inQuotes(name) + " under " + inQuotes(parent),
                    "one array of points, one connectivity and one offsets");

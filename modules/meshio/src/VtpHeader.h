@@ -28,7 +28,7 @@ enum class VtpCompressor : std::uint8_t
 };
 
 /// A DataArray as it is declared.
-struct VtpArray
+struct VtpDataArray
 {
     std::string name;
     std::string type; ///< "Float32", "Int64", … "String"
@@ -44,17 +44,17 @@ struct VtpArray
 struct VtpCells
 {
     std::uint64_t count = 0;
-    std::optional<VtpArray> connectivity;
-    std::optional<VtpArray> offsets;
+    std::optional<VtpDataArray> connectivity;
+    std::optional<VtpDataArray> offsets;
 };
 
 struct VtpPiece
 {
     std::uint64_t points = 0;
     VtpCells verts, lines, strips, polys;
-    std::optional<VtpArray> coordinates;
-    std::vector<VtpArray> pointData;
-    std::vector<VtpArray> cellData;
+    std::optional<VtpDataArray> coordinates;
+    std::vector<VtpDataArray> pointData;
+    std::vector<VtpDataArray> cellData;
     std::uint64_t line = 0;
 };
 
@@ -64,7 +64,7 @@ struct VtpHeader
     bool isBigEndian = false;
     bool hasWideHeaders = false; ///< block headers are 64-bit
     VtpCompressor compressor = VtpCompressor::None;
-    std::vector<VtpArray> fieldData;
+    std::vector<VtpDataArray> fieldData;
     std::vector<VtpPiece> pieces;
     bool isAppendedBase64 = false;
     std::string_view appended;       ///< what follows the underscore, up to the end of the file

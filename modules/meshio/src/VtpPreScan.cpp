@@ -32,35 +32,35 @@ class VtpScan
     Status run();
 
   private:
-    Status wrong(const VtpArray& array, StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(const VtpDataArray& array, StatusCode code, std::string_view found, std::string_view expected) const
     {
         return fault(code, m_context.file, atLine(array.line),
                      "array " + inQuotes(array.name) + ": " + std::string(found), expected);
     }
-    [[nodiscard]] std::string_view textOf(const VtpArray& array) const
+    [[nodiscard]] std::string_view textOf(const VtpDataArray& array) const
     {
         return {array.text.constData(), static_cast<std::size_t>(array.text.size())};
     }
     /// How many numbers the array holds, each of its declared type.
-    Result<std::uint64_t> countValues(const VtpArray& array) const;
-    Status checkCount(const VtpArray& array, std::uint64_t expected) const;
+    Result<std::uint64_t> countValues(const VtpDataArray& array) const;
+    Status checkCount(const VtpDataArray& array, std::uint64_t expected) const;
     Status checkPiece(const VtpPiece& piece);
     Status checkPoints(const VtpPiece& piece) const;
     Status checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const;
     /// The bytes of an array that is not ASCII.
-    Result<std::vector<unsigned char>> unpacked(const VtpArray& array) const;
-    Result<std::vector<std::int64_t>> integers(const VtpArray& array) const;
+    Result<std::vector<unsigned char>> unpacked(const VtpDataArray& array) const;
+    Result<std::vector<std::int64_t>> integers(const VtpDataArray& array) const;
     /// How many strings the array holds: each ends with a zero.
-    Result<std::uint64_t> countStrings(const VtpArray& array) const;
+    Result<std::uint64_t> countStrings(const VtpDataArray& array) const;
     Status checkFieldData() const;
-    void noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples);
+    void noteShortData(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples);
 
     const VtpHeader& m_header;
     const ScanContext& m_context;
     PreScan& m_scan;
 };
 
-Result<std::uint64_t> VtpScan::countValues(const VtpArray& array) const
+Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
 {
     const std::size_t size = vtpTypeSize(array.type);
     if (size == 0) {
@@ -90,7 +90,7 @@ Result<std::uint64_t> VtpScan::countValues(const VtpArray& array) const
     return count;
 }
 
-Status VtpScan::checkCount(const VtpArray& array, std::uint64_t expected) const
+Status VtpScan::checkCount(const VtpDataArray& array, std::uint64_t expected) const
 {
     const Result<std::uint64_t> count = countValues(array);
     if (!count.isOk()) {
@@ -108,7 +108,7 @@ Status VtpScan::checkPoints(const VtpPiece& piece) const
         return fault(StatusCode::BadFormat, m_context.file, atLine(piece.line),
                      grouped(piece.points) + " points declared but none given", "an array of points");
     }
-    const VtpArray& array = *piece.coordinates;
+    const VtpDataArray& array = *piece.coordinates;
     if (array.components != 3) {
         return wrong(array, StatusCode::BadFormat, counted(array.components, "component") + " for each point", "3");
     }
@@ -129,7 +129,7 @@ Status VtpScan::checkPoints(const VtpPiece& piece) const
     return {};
 }
 
-Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpArray& array) const
+Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpDataArray& array) const
 {
     const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
     if (!blocks.isOk()) {
@@ -142,7 +142,7 @@ Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpArray& array) cons
     return std::move(*bytes);
 }
 
-Result<std::vector<std::int64_t>> VtpScan::integers(const VtpArray& array) const
+Result<std::vector<std::int64_t>> VtpScan::integers(const VtpDataArray& array) const
 {
     if (array.format == VtpFormat::Ascii) {
         std::vector<std::int64_t> out;
@@ -169,7 +169,7 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
                      grouped(cells.count) + " " + name + " declared, but not both their arrays given",
                      "arrays \"connectivity\" and \"offsets\"");
     }
-    for (const VtpArray* array : {&*cells.connectivity, &*cells.offsets}) {
+    for (const VtpDataArray* array : {&*cells.connectivity, &*cells.offsets}) {
         if (!isVtpIntegerType(array->type) || array->components != 1) {
             return wrong(*array, StatusCode::BadFormat,
                          "its type is " + inQuotes(array->type) + " with " + counted(array->components, "component"),
@@ -220,7 +220,7 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
     return {};
 }
 
-Result<std::uint64_t> VtpScan::countStrings(const VtpArray& array) const
+Result<std::uint64_t> VtpScan::countStrings(const VtpDataArray& array) const
 {
     std::string characters;
     if (array.format == VtpFormat::Ascii) { // a number each
@@ -249,7 +249,7 @@ Result<std::uint64_t> VtpScan::countStrings(const VtpArray& array) const
 
 Status VtpScan::checkFieldData() const
 {
-    for (const VtpArray& array : m_header.fieldData) {
+    for (const VtpDataArray& array : m_header.fieldData) {
         const bool isText = array.type == "String";
         const Result<std::uint64_t> held = isText ? countStrings(array) : countValues(array);
         if (!held.isOk()) {
@@ -269,9 +269,9 @@ Status VtpScan::checkFieldData() const
     return {};
 }
 
-void VtpScan::noteShortData(const std::vector<VtpArray>& arrays, std::uint64_t tuples)
+void VtpScan::noteShortData(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples)
 {
-    for (const VtpArray& array : arrays) {
+    for (const VtpDataArray& array : arrays) {
         if (array.name == "StructureId" || array.components > kMostElements) {
             continue;
         }
@@ -303,7 +303,7 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
         }
         cells += kind->count;
     }
-    for (const VtpArray& array : piece.cellData) {
+    for (const VtpDataArray& array : piece.cellData) {
         if (array.name == "StructureId") {
             if (!isVtpIntegerType(array.type) || array.components != 1) {
                 return wrong(array, StatusCode::BadFormat, "its type is " + inQuotes(array.type),

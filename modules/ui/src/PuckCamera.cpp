@@ -9,7 +9,7 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kFrame_ms = 16;
+constexpr int kStep_ms = 16;
 constexpr double kUsualDistance_mm = 250.0; // at which a millimetre of the hand is one of the anatomy
 
 core::Vec3 vec(const double* v)
@@ -49,7 +49,7 @@ PuckCamera::PuckCamera(VtkViewport& viewport, QObject* parent)
     : QObject(parent)
     , m_viewport(viewport)
 {
-    m_timer.setInterval(kFrame_ms);
+    m_timer.setInterval(kStep_ms);
     connect(&m_timer, &QTimer::timeout, this, &PuckCamera::step);
 }
 

@@ -15,7 +15,6 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kPin{0.98, 0.75, 0.14}; // seen on tissue and vessels alike, and no colour of a force
-constexpr Colour kDark{0.07, 0.08, 0.10};
 constexpr double kDisc_px = 5.0;
 constexpr double kRim_px = kDisc_px + 1.5;
 constexpr double kFont_px = 13.0;
@@ -40,7 +39,7 @@ void FindingMarkers::set(const std::vector<Vec3>& places_W)
         if (!places_W[i].allFinite()) {
             continue;
         }
-        Marker one{places_W[i], makeRing(0.0, kRim_px, kDark, 0.0), makeRing(0.0, kDisc_px, kPin, 0.5),
+        Marker one{places_W[i], makeRing(0.0, kRim_px, kDarkRim, 0.0), makeRing(0.0, kDisc_px, kPin, 0.5),
                    vtkSmartPointer<vtkBillboardTextActor3D>::New(), BillboardLine(kLeader_px, kPin)};
         one.number->PickableOff();
         one.number->SetInput((' ' + std::to_string(i + 1) + ' ').c_str());

@@ -14,7 +14,6 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
-constexpr Colour kDark{0.07, 0.08, 0.10};
 
 vtkSmartPointer<vtkActor> makeBall()
 {
@@ -45,11 +44,11 @@ void placeBall(vtkActor& ball, const Vec3& p_W, double radius_mm)
 TouchCursor::TouchCursor()
     : m_ball(makeBall())
     , m_rim(makeBall())
-    , m_outlineDark(makeRing(0.5 * kBall_px - 0.4, 0.5 * kBall_px + 2.6, kDark, 0.0))
+    , m_outlineDark(makeRing(0.5 * kBall_px - 0.4, 0.5 * kBall_px + 2.6, kDarkRim, 0.0))
     , m_outline(makeRing(0.5 * kBall_px + 0.4, 0.5 * kBall_px + 1.8, kLight, 0.5))
-    , m_hipDark(makeRing(1.6, 5.4, kDark, 0.0))
+    , m_hipDark(makeRing(1.6, 5.4, kDarkRim, 0.0))
     , m_hip(makeRing(2.5, 4.5, kLight, 0.5))
-    , m_springDark(3.6, kDark)
+    , m_springDark(3.6, kDarkRim)
     , m_spring(1.6, kLight)
 {
     m_ball->GetProperty()->SetAmbient(0.35);
@@ -59,7 +58,7 @@ TouchCursor::TouchCursor()
     // The rim is the far side of a slightly larger ball: a dark edge round the ball from everywhere.
     m_rim->GetProperty()->LightingOff();
     m_rim->GetProperty()->FrontfaceCullingOn();
-    m_rim->GetProperty()->SetColor(kDark[0], kDark[1], kDark[2]);
+    m_rim->GetProperty()->SetColor(kDarkRim[0], kDarkRim[1], kDarkRim[2]);
 }
 
 void TouchCursor::addTo(vtkRenderer& solid, vtkRenderer& overlay)

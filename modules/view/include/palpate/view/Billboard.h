@@ -13,6 +13,9 @@ namespace palpate::view {
 
 using core::Vec3;
 
+/// The rim around a shape, so that it is seen on bright tissue.
+inline constexpr Colour kDarkRim{0.07, 0.08, 0.10};
+
 /// What a shape of constant size on screen needs to know of the view: its axes and how large a pixel is where.
 struct ViewFrame
 {
