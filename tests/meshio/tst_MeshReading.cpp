@@ -83,6 +83,8 @@ class MeshReading : public QObject
     void stlTextStaysTextToVtk();
     void vtpStructuresKeepTheirTriangles();
     void plyElementsAndTypesOfAnyKind();
+    void plyKeepsDoubles_data();
+    void plyKeepsDoubles();
     void progressRisesAndCancels_data() { readsEachFormat_data(); }
     void progressRisesAndCancels();
     void unitMustBePositive();
@@ -369,6 +371,32 @@ void MeshReading::vtpStructuresKeepTheirTriangles()
     QCOMPARE(s[1].name, std::string("a"));
     QCOMPARE(s[1].mesh.triangles.size(), std::size_t{2}); // the four-sided one
     QCOMPARE(s[2].name, std::string("structure 5"));
+}
+
+void MeshReading::plyKeepsDoubles_data()
+{
+    QTest::addColumn<std::string>("type");
+    QTest::addColumn<bool>("isExact");
+    QTest::newRow("double") << std::string("double") << true;
+    QTest::newRow("float64") << std::string("float64") << true;
+    QTest::newRow("float") << std::string("float") << false;
+}
+
+void MeshReading::plyKeepsDoubles()
+{
+    QFETCH(std::string, type);
+    QFETCH(bool, isExact);
+    const test::Folder folder;
+    const double x = 1234567.0123456; // a float holds 1234567
+    std::string text = test::asciiPly("0 0 0\n1234567.0123456 0 0\n0 1.5 0\n");
+    for (std::size_t at = text.find("float"); at != std::string::npos; at = text.find("float", at + type.size())) {
+        text.replace(at, 5, type);
+    }
+    const auto file = meshio::readMesh(folder.write("a.ply", text));
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    const double found = file.value().structures[0].mesh.bounds().max().x();
+    QVERIFY2(found == (isExact ? x : static_cast<double>(static_cast<float>(x))),
+             qPrintable(QString::number(found, 'g', 17)));
 }
 
 void MeshReading::plyElementsAndTypesOfAnyKind()

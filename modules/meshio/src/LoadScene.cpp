@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/LoadScene.h"
+#include "palpate/meshio/MeshFormats.h"
 
 #include "AnatomyColours.h"
 #include "Fault.h"
-#include "FileKind.h"
 
 #include <palpate/core/Parallel.h>
 
@@ -118,7 +118,8 @@ Status Loader::addFolder(const std::filesystem::path& path)
                      "a folder of meshes");
     }
     if (files.empty()) {
-        return fault(StatusCode::Empty, name, "", "a folder without mesh files", "STL, VTP, OBJ or PLY files in it");
+        return fault(StatusCode::Empty, name, "", "a folder without mesh files",
+                     meshFormatNames("or") + " files in it");
     }
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files) {
