@@ -34,6 +34,7 @@ struct MeshFormat
 extern const MeshFormat kStl;
 extern const MeshFormat kVtp;
 extern const MeshFormat kPly;
+extern const MeshFormat kLegacyVtk;
 extern const MeshFormat kObj;
 
 /// The table: all formats that can be opened, in the order in which a file's content is held against them.

@@ -39,8 +39,7 @@ bool isWebPage(std::string_view bytes)
 /// Names a file of another kind.
 std::string_view otherFormat(std::string_view head)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kMagic{{
-        {"# vtk DataFile", "a legacy VTK file (.vtk)"},
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMagic{{
         {"glTF", "a glTF file"},
         {"PK\x03\x04", "a ZIP archive"},
         {"\x1f\x8b", "a gzip file"},
@@ -62,7 +61,7 @@ std::string_view otherFormat(std::string_view head)
 std::span<const MeshFormat* const> formatTable()
 {
     // OBJ last: it has no mark of its own, only words that a line may begin with.
-    static constexpr std::array<const MeshFormat*, 4> kTable{&kStl, &kVtp, &kPly, &kObj};
+    static constexpr std::array<const MeshFormat*, 5> kTable{&kStl, &kVtp, &kPly, &kLegacyVtk, &kObj};
     return kTable;
 }
 

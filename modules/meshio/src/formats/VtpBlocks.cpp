@@ -95,104 +95,159 @@ std::uint64_t headerWord(std::string_view data, std::uint64_t i, const VtpHeader
 
 } // namespace
 
-Result<VtpBlocks> VtpBlocks::find(const VtpArray& array, const VtpHeader& header, const ScanContext& context)
+/// Reads the header of an array's data and cuts the data into blocks.
+class VtpBlockFinder
 {
-    const bool isAppended = array.format == VtpFormat::Appended;
-    const bool isBase64 = !isAppended || header.isAppendedBase64;
-    const auto wrong = [&](std::string_view found, std::string_view expected) {
-        return fault(StatusCode::OutOfRange, context.file, atLine(array.line),
-                     "array " + inQuotes(array.name) + ": " + std::string(found), expected);
-    };
-    std::string_view text = trimmed({array.text.constData(), static_cast<std::size_t>(array.text.size())});
-    if (isAppended) {
-        if (array.offset >= header.appended.size()) {
-            return wrong("its data begin at offset " + grouped(array.offset),
-                         "less than " + grouped(header.appended.size()) + ", the length of the appended data");
-        }
-        text = header.appended.substr(array.offset);
+  public:
+    VtpBlockFinder(const VtpArray& array, const VtpHeader& header, const ScanContext& context)
+        : m_array(array)
+        , m_header(header)
+        , m_context(context)
+        , m_isBase64(array.format != VtpFormat::Appended || header.isAppendedBase64)
+        , m_width(header.hasWideHeaders ? 8 : 4)
+        , m_text(trimmed({array.text.constData(), static_cast<std::size_t>(array.text.size())}))
+    {
+        m_blocks.m_compressor = header.compressor;
     }
-    const std::uint64_t width = header.hasWideHeaders ? 8 : 4;
-    const bool isPacked = header.compressor != VtpCompressor::None;
-    VtpBlocks blocks;
-    blocks.m_compressor = header.compressor;
+    Result<VtpBlocks> run();
 
-    // The part of the header whose length is known.
-    std::uint64_t headerBytes = (isPacked ? 3 : 1) * width;
-    std::string decodedHeader = isBase64 ? fromBase64(text, headerBytes) : std::string();
-    std::string_view head = isBase64 ? decodedHeader : text;
-    if (head.size() < headerBytes) {
-        return wrong("the file ends in the header of its data", counted(headerBytes, "byte"));
+  private:
+    Status wrong(std::string_view found, std::string_view expected) const
+    {
+        return fault(StatusCode::OutOfRange, m_context.file, atLine(m_array.line),
+                     "array " + inQuotes(m_array.name) + ": " + std::string(found), expected);
     }
-    const std::uint64_t first = headerWord(head, 0, header);
-    if (!isPacked) {
-        std::string_view data = text;
-        if (isBase64) {
-            if (first > text.size()) {
-                return wrong(grouped(first) + " bytes declared",
-                             "at most " + grouped(text.size()) + ", the characters that are left");
-            }
-            blocks.m_decoded = std::make_shared<const std::string>(fromBase64(text, headerBytes + first));
-            data = *blocks.m_decoded;
-        }
-        if (first > data.size() - headerBytes) {
-            return wrong(grouped(first) + " bytes declared",
-                         "at most " + grouped(data.size() - headerBytes) + ", the bytes that are left");
-        }
-        blocks.m_data = data;
-        blocks.m_blocks.push_back({headerBytes, first, first});
-        blocks.m_size = first;
-        return blocks;
-    }
+    Status findPlain(std::uint64_t size);
+    Status findPacked(std::uint64_t count);
+    /// Gets the first `bytes` bytes of the data to m_head.
+    Status readHead(std::uint64_t bytes);
+    /// Checks the blocks' sizes. @param first  where the first begins in m_data
+    Status takeBlocks(std::uint64_t count, std::uint64_t first, std::uint64_t& end);
 
-    if (first > text.size() / width) {
-        return wrong(grouped(first) + " blocks declared",
-                     "at most " + grouped(text.size() / width) + ", the words that are left");
+    const VtpArray& m_array;
+    const VtpHeader& m_header;
+    const ScanContext& m_context;
+    bool m_isBase64;
+    std::uint64_t m_width;   ///< of a word of the header [bytes]
+    std::string_view m_text; ///< as it stands in the file, from the header on
+    std::string m_decoded;
+    std::string_view m_head;
+    VtpBlocks m_blocks;
+};
+
+Status VtpBlockFinder::readHead(std::uint64_t bytes)
+{
+    m_decoded = m_isBase64 ? fromBase64(m_text, bytes) : std::string();
+    m_head = m_isBase64 ? m_decoded : m_text;
+    return m_head.size() < bytes ? wrong("the file ends in the header of its data", counted(bytes, "byte")) : Status();
+}
+
+/// One block, behind its size.
+Status VtpBlockFinder::findPlain(std::uint64_t size)
+{
+    std::string_view data = m_text;
+    if (m_isBase64) {
+        if (size > m_text.size()) {
+            return wrong(grouped(size) + " bytes declared",
+                         "at most " + grouped(m_text.size()) + ", the characters that are left");
+        }
+        m_blocks.m_decoded = std::make_shared<const std::string>(fromBase64(m_text, m_width + size));
+        data = *m_blocks.m_decoded;
     }
-    const std::uint64_t blockSize = headerWord(head, 1, header);
-    const std::uint64_t lastSize = headerWord(head, 2, header);
-    if (first > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK divides by it
-        return wrong("blocks of " + counted(blockSize, "byte") + ", the last of " + grouped(lastSize),
-                     "blocks of at least one byte, none larger than the others");
+    if (size > data.size() - m_width) {
+        return wrong(grouped(size) + " bytes declared",
+                     "at most " + grouped(data.size() - m_width) + ", the bytes that are left");
     }
-    headerBytes += first * width;
-    if (isBase64) {
-        decodedHeader = fromBase64(text, headerBytes);
-        head = decodedHeader;
-    }
-    if (head.size() < headerBytes) {
-        return wrong("the file ends in the header of its data", counted(headerBytes, "byte"));
-    }
+    m_blocks.m_data = data;
+    m_blocks.m_blocks.push_back({m_width, size, size});
+    m_blocks.m_size = size;
+    return {};
+}
+
+Status VtpBlockFinder::takeBlocks(std::uint64_t count, std::uint64_t first, std::uint64_t& end)
+{
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max() / 4;
-    std::uint64_t packedEnd = isBase64 ? 0 : headerBytes;
+    const std::uint64_t blockSize = headerWord(m_head, 1, m_header);
+    const std::uint64_t lastSize = headerWord(m_head, 2, m_header);
     const std::uint64_t dataBytes =
-        isBase64 ? text.size() - std::min(base64Length(headerBytes), text.size()) : text.size();
-    for (std::uint64_t i = 0; i < first; ++i) {
-        const std::uint64_t packed = headerWord(head, 3 + i, header);
-        const std::uint64_t unpacked = i + 1 == first && lastSize != 0 ? lastSize : blockSize;
-        if (packed > dataBytes || packedEnd + packed > dataBytes) {
+        m_isBase64 ? m_text.size() - std::min<std::uint64_t>(base64Length((3 + count) * m_width), m_text.size())
+                   : m_text.size();
+    end = first;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint64_t packed = headerWord(m_head, 3 + i, m_header);
+        const std::uint64_t unpacked = i + 1 == count && lastSize != 0 ? lastSize : blockSize;
+        if (packed > dataBytes || end + packed > dataBytes) {
             return wrong("block " + std::to_string(i) + " of " + grouped(packed) + " bytes reaches beyond the file",
-                         "at most " + grouped(dataBytes - std::min(packedEnd, dataBytes)));
+                         "at most " + grouped(dataBytes - std::min(end, dataBytes)));
         }
-        const std::uint64_t most = (packed + 64) * mostRatio(header.compressor);
-        if (unpacked > most || unpacked > kMost - blocks.m_size) {
+        const std::uint64_t most = (packed + 64) * mostRatio(m_header.compressor);
+        if (unpacked > most || unpacked > kMost - m_blocks.m_size) {
             return wrong("block " + std::to_string(i) + " of " + grouped(packed) + " bytes is said to unpack to " +
                              grouped(unpacked),
                          "at most " + grouped(most));
         }
-        blocks.m_blocks.push_back({packedEnd, packed, unpacked});
-        packedEnd += packed;
-        blocks.m_size += unpacked;
+        m_blocks.m_blocks.push_back({end, packed, unpacked});
+        end += packed;
+        m_blocks.m_size += unpacked;
     }
-    blocks.m_data = text;
-    if (isBase64) {
-        blocks.m_decoded = std::make_shared<const std::string>(
-            fromBase64(text.substr(std::min<std::uint64_t>(base64Length(headerBytes), text.size())), packedEnd));
-        blocks.m_data = *blocks.m_decoded;
-        if (blocks.m_data.size() < packedEnd) {
-            return wrong(grouped(blocks.m_data.size()) + " bytes of data", grouped(packedEnd));
+    return {};
+}
+
+/// Blocks behind their number, their size, the last one's size and the compressed size of each.
+Status VtpBlockFinder::findPacked(std::uint64_t count)
+{
+    if (count > m_text.size() / m_width) {
+        return wrong(grouped(count) + " blocks declared",
+                     "at most " + grouped(m_text.size() / m_width) + ", the words that are left");
+    }
+    const std::uint64_t blockSize = headerWord(m_head, 1, m_header);
+    const std::uint64_t lastSize = headerWord(m_head, 2, m_header);
+    if (count > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK divides by it
+        return wrong("blocks of " + counted(blockSize, "byte") + ", the last of " + grouped(lastSize),
+                     "blocks of at least one byte, none larger than the others");
+    }
+    const std::uint64_t headBytes = (3 + count) * m_width;
+    if (Status status = readHead(headBytes); !status.isOk()) {
+        return status;
+    }
+    std::uint64_t end = 0;
+    if (Status status = takeBlocks(count, m_isBase64 ? 0 : headBytes, end); !status.isOk()) {
+        return status;
+    }
+    m_blocks.m_data = m_text;
+    if (m_isBase64) {
+        m_blocks.m_decoded = std::make_shared<const std::string>(
+            fromBase64(m_text.substr(std::min<std::uint64_t>(base64Length(headBytes), m_text.size())), end));
+        m_blocks.m_data = *m_blocks.m_decoded;
+        if (m_blocks.m_data.size() < end) {
+            return wrong(grouped(m_blocks.m_data.size()) + " bytes of data", grouped(end));
         }
     }
-    return blocks;
+    return {};
+}
+
+Result<VtpBlocks> VtpBlockFinder::run()
+{
+    if (m_array.format == VtpFormat::Appended) {
+        if (m_array.offset >= m_header.appended.size()) {
+            return wrong("its data begin at offset " + grouped(m_array.offset),
+                         "less than " + grouped(m_header.appended.size()) + ", the length of the appended data");
+        }
+        m_text = m_header.appended.substr(m_array.offset);
+    }
+    // The part of the header whose length is known.
+    const bool isPacked = m_header.compressor != VtpCompressor::None;
+    Status status = readHead((isPacked ? 3 : 1) * m_width);
+    if (status.isOk()) {
+        const std::uint64_t first = headerWord(m_head, 0, m_header);
+        status = isPacked ? findPacked(first) : findPlain(first);
+    }
+    return status.isOk() ? Result<VtpBlocks>(std::move(m_blocks)) : Result<VtpBlocks>(status);
+}
+
+Result<VtpBlocks> VtpBlocks::find(const VtpArray& array, const VtpHeader& header, const ScanContext& context)
+{
+    return VtpBlockFinder(array, header, context).run();
 }
 
 std::optional<std::vector<unsigned char>> VtpBlocks::unpack() const
