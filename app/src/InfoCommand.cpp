@@ -3,6 +3,7 @@
 #include "Console.h"
 #include "InfoReport.h"
 
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
@@ -103,7 +104,10 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "Health report of meshes: what they hold and how they will feel");
-    command->add_option("FILE", options->files, "Mesh files, scene files or folders of meshes")->required();
+    command
+        ->add_option("FILE", options->files,
+                     "Mesh files (" + meshio::meshFormatNames("or") + "), scene files or folders of meshes")
+        ->required();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");

@@ -3,6 +3,7 @@
 #include "MainWindow.h"
 #include "Paths.h"
 
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <QCloseEvent>
@@ -229,9 +230,13 @@ void MainWindow::offerLeftover()
 
 void MainWindow::chooseFiles()
 {
-    const QStringList chosen = QFileDialog::getOpenFileNames(
-        this, tr("Open anatomy"), QSettings().value(QStringLiteral("folder")).toString(),
-        tr("Anatomy, scenes and recordings (*.stl *.vtp *.obj *.ply *.json *.palpate);;All files (*)"));
+    QString endings = QStringLiteral("*.json *.palpate");
+    for (const std::string& extension : meshio::meshExtensions()) {
+        endings += QStringLiteral(" *") + QString::fromStdString(extension);
+    }
+    const QStringList chosen =
+        QFileDialog::getOpenFileNames(this, tr("Open anatomy"), QSettings().value(QStringLiteral("folder")).toString(),
+                                      tr("Anatomy, scenes and recordings (%1);;All files (*)").arg(endings));
     std::vector<std::filesystem::path> files;
     for (const QString& file : chosen) {
         files.push_back(toPath(file));

@@ -7,6 +7,7 @@
 #endif
 
 #include <palpate/meshio/ImportServer.h>
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/servo/RealtimeSetup.h>
 #include <palpate/session/Recording.h>
 
@@ -32,7 +33,8 @@ struct WindowCommandLine
 
 void addWindowOptions(CLI::App& app, WindowCommandLine& line)
 {
-    app.add_option("FILE", line.options.files, "Meshes or a scene to open, and a recording to play");
+    app.add_option("FILE", line.options.files,
+                   "Meshes (" + meshio::meshFormatNames("or") + ") or a scene to open, and a recording to play");
     app.add_option("--unit", line.unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     app.add_option("--device", line.options.device, "The hand's device: mouse, simulated, playback or a plugin's");
     app.add_option("--plugin-path", line.options.pluginFolders, "Folder to look for device plugins in first")

@@ -284,10 +284,11 @@ void ImportedFiles::sameUnderAGermanLocale()
     (void)folder.write("b.obj", test::kObj);
     (void)folder.write("c.ply", test::asciiPly());
     (void)folder.write("d.vtp", test::asciiVtp());
+    (void)folder.write("e.vtk", test::asciiVtk());
     (void)folder.write("m.csv", "x,y,z\n0.5,0.5,0.5\n0.5,0.5,-0.25\n");
     const std::vector<std::string> german{"LC_ALL=de_DE.UTF-8",
                                           std::string("LOCPATH=").append(folder.path("").string())};
-    for (const char* name : {"a.stl", "b.obj", "c.ply", "d.vtp"}) {
+    for (const char* name : {"a.stl", "b.obj", "c.ply", "d.vtp", "e.vtk"}) {
         const Ending plain = run(folder, {"replay", name, "--motion", "m.csv", "--out", "t.csv"});
         QCOMPARE(plain.exitCode, 0);
         const std::string ticks = test::fileBytes(folder.path("t.csv"));

@@ -4,7 +4,7 @@
 //   bench_index [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 //
 // repair/T   welding, duplicates, orientation of T triangles
-// index/T    the spatial index with neighbours and clear triangles on two threads; bytes: held for each triangle by its
+// index/T    the spatial index with neighbours and clear triangles on all cores; bytes: held for each triangle by its
 //            containers; resident: the same by the growth of the process
 // obbtree/T  vtkOBBTree on the same triangles, where VTK is built in: compare the medians of one run
 #include "ResidentMemory.h"
@@ -36,16 +36,16 @@ void repair(benchmark::State& state)
 void index(benchmark::State& state)
 {
     const geometry::RepairedMesh mesh = geometry::repair(test::sphere(static_cast<int>(state.range(0)), 50.0));
-    (void)geometry::SurfaceIndex::build(mesh, 2); // what a first build leaves behind is not the index's
+    (void)geometry::SurfaceIndex::build(mesh); // what a first build leaves behind is not the index's
     const double before = test::residentBytes();
     double grown = 0.0;
     {
-        const geometry::SurfaceIndex kept = geometry::SurfaceIndex::build(mesh, 2);
+        const geometry::SurfaceIndex kept = geometry::SurfaceIndex::build(mesh);
         grown = test::residentBytes() - before;
     }
     std::size_t bytes = 0;
     for (auto _ : state) {
-        bytes = geometry::SurfaceIndex::build(mesh, 2).byteSize();
+        bytes = geometry::SurfaceIndex::build(mesh).byteSize();
         benchmark::DoNotOptimize(bytes);
     }
     state.counters["triangles"] = static_cast<double>(mesh.mesh.triangles.size());

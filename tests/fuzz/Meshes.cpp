@@ -25,7 +25,7 @@ void check(const meshio::MeshFile& file)
 
 } // namespace
 
-void tryMesh(std::string_view bytes, Scan scan, const char* name)
+void tryMesh(std::string_view bytes, const meshio::internal::MeshFormat& format, const char* name)
 {
     using meshio::internal::FileImage;
     for (const bool isPartial : {false, true}) {
@@ -34,7 +34,7 @@ void tryMesh(std::string_view bytes, Scan scan, const char* name)
         meshio::internal::ScanContext context;
         context.file = name;
         context.isPartial = isPartial;
-        if (const auto scanned = scan(image.value(), context); !scanned.isOk()) {
+        if (const auto scanned = format.guard(image.value(), context); !scanned.isOk()) {
             requireOneLine(scanned.status(), name);
             continue;
         }

@@ -2,14 +2,12 @@
 #pragma once
 
 #include "Fuzz.h"
-#include "PreScan.h"
+#include "formats/MeshFormat.h"
 
 namespace palpate::fuzz {
 
-using Scan = core::Result<meshio::internal::PreScan> (*)(meshio::internal::FileImage&,
-                                                         const meshio::internal::ScanContext&);
-
-/// Gives the bytes to a pre-scan, and what that lets through to all of the reader; checks the mesh that comes out.
-void tryMesh(std::string_view bytes, Scan scan, const char* name);
+/// Gives the bytes to a format's guard, and what that lets through to all of the reader; checks the mesh that comes
+/// out.
+void tryMesh(std::string_view bytes, const meshio::internal::MeshFormat& format, const char* name);
 
 } // namespace palpate::fuzz

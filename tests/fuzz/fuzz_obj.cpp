@@ -18,7 +18,7 @@ std::vector<std::string> seeds()
 
 void tryInput(std::string_view bytes)
 {
-    tryMesh(bytes, meshio::internal::preScanObj, "a.obj");
+    tryMesh(bytes, meshio::internal::kObj, "a.obj");
 }
 
 } // namespace palpate::fuzz

@@ -18,7 +18,7 @@ std::vector<std::string> seeds()
 
 void tryInput(std::string_view bytes)
 {
-    tryMesh(bytes, meshio::internal::preScanPly, "a.ply");
+    tryMesh(bytes, meshio::internal::kPly, "a.ply");
 }
 
 } // namespace palpate::fuzz

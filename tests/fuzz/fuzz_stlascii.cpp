@@ -20,7 +20,7 @@ std::vector<std::string> seeds()
 
 void tryInput(std::string_view bytes)
 {
-    tryMesh(bytes, meshio::internal::preScanAsciiStl, "a.stl");
+    tryMesh(bytes, meshio::internal::kStl, "a.stl");
 }
 
 } // namespace palpate::fuzz

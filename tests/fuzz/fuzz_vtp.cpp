@@ -25,7 +25,7 @@ std::vector<std::string> seeds()
 
 void tryInput(std::string_view bytes)
 {
-    tryMesh(bytes, meshio::internal::preScanVtp, "a.vtp");
+    tryMesh(bytes, meshio::internal::kVtp, "a.vtp");
 }
 
 } // namespace palpate::fuzz

@@ -107,6 +107,31 @@ class Repair : public QObject
         }
     }
 
+    void everyCornerIsOneOfItsSource()
+    {
+        geometry::TriangleMesh mesh = sphere(5, 10.0);
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 5) {
+            std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
+        }
+        mesh.triangles.insert(mesh.triangles.begin() + 3, {7, 7, 8}); // dropped
+        const RepairedMesh r = repair(mesh);
+        QCOMPARE(r.turned.size(), r.mesh.triangles.size());
+        std::size_t turned = 0;
+        for (std::size_t i = 0; i < r.mesh.triangles.size(); ++i) {
+            geometry::Triangle source = mesh.triangles[r.source[i]];
+            turned += r.turned[i];
+            if (r.turned[i] != 0) {
+                std::swap(source[1], source[2]);
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                QVERIFY(r.mesh.vertices[r.mesh.triangles[i][k]] == mesh.vertices[source[k]]);
+            }
+        }
+        QVERIFY(turned > 0 && turned < r.mesh.triangles.size());
+        QCOMPARE(r.report.reorientedTriangles, turned);
+        QVERIFY(repair(sphere(5, 10.0)).turned.empty());
+    }
+
     void callsAnOpenSurfaceTwoSided()
     {
         const RepairedMesh r = repair(sheet(1.0, 3));

@@ -100,6 +100,44 @@ inline std::string asciiVtp(const std::string& points = "0 0 0 2.5 0 0 0 1.5 0",
            "</DataArray></" + kind + ">\n</Piece></PolyData></VTKFile>\n";
 }
 
+/// A legacy VTK file as text, of version 3: a title, three points, a triangle.
+inline std::string asciiVtk(const std::string& points = "POINTS 3 float\n0 0 0 2.5 0 0 0 1.5 0\n",
+                            const std::string& cells = "POLYGONS 1 4\n3 0 1 2\n", const std::string& title = "liver",
+                            const std::string& version = "3.0")
+{
+    return "# vtk DataFile Version " + version + "\n" + title + "\nASCII\nDATASET POLYDATA\n" + points + cells;
+}
+
+/// The bytes of a number in a binary one: the largest first.
+template<class T>
+void appendBig(std::string& out, T value)
+{
+    std::string raw;
+    appendRaw(raw, value);
+    out.append(raw.rbegin(), raw.rend());
+}
+
+/// The same surface as bytes, of version 5, with doubles, and fields and attributes that are of no use here.
+inline std::string binaryVtk()
+{
+    std::string out = "# vtk DataFile Version 5.1\n3D Slicer output. SPACE=LPS\nBINARY\nDATASET POLYDATA\n"
+                      "FIELD FieldData 2\ntime 1 1 double\n";
+    appendBig(out, 0.25);
+    out += "\nnote 1 2 string\n\xc2lp\xc1x\nPOINTS 3 double\n";
+    for (const double x : {0.0, 0.0, 0.0, 2.5, 0.0, 0.0, 0.0, 1.5, 0.0}) {
+        appendBig(out, x);
+    }
+    out += "\nMETADATA\nINFORMATION 0\n\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n";
+    for (const std::int64_t offset : {0, 3}) {
+        appendBig(out, offset);
+    }
+    out += "\nCONNECTIVITY vtktypeint64\n";
+    for (const std::int64_t corner : {0, 1, 2}) {
+        appendBig(out, corner);
+    }
+    return out += "\nPOINT_DATA 3\nSCALARS distance float\nLOOKUP_TABLE default\n............";
+}
+
 inline const std::string kObj = "v 0 0 0\nv 2.5 0 0\nv 0 1.5 0\nf 1 2 3\n";
 
 /// Area of all triangles of a structure [mm²].

@@ -239,7 +239,66 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 9: array \"StructureId\": its compressed data are damaged");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
-    row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "byte 0: a legacy VTK file");
+    row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "line 2: \"\"; expected \"ASCII\" or \"BINARY\"");
+
+    row("vtk of a grid", "a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n",
+        "line 4: a VTK file of a \"UNSTRUCTURED_GRID\"; expected POLYDATA");
+    row("vtk without a version", "a.vtk", "# vtk DataFile\nx\nASCII\nDATASET POLYDATA\n", "line 3: \"# vtk DataFile\"");
+    row("vtk of a version to come", "a.vtk", test::asciiVtk("", "", "x", "65536"),
+        "line 3: version 65536; expected 1 to 5");
+    row("vtk points beyond bytes", "a.vtk", test::asciiVtk("POINTS 1000000000 float\n0 0 0\n"),
+        "line 5: 1,000,000,000 points declared");
+    row("vtk negative points", "a.vtk", test::asciiVtk("POINTS -3 float\n0 0 0\n"), "line 5: \"-3\"");
+    row("vtk points of words", "a.vtk", test::asciiVtk("POINTS 3 string\na\nb\nc\n"),
+        "line 5: points of type \"string\"");
+    row("vtk points cut", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1\n", ""),
+        "line 7: no number for point 2 of 3");
+    row("vtk NaN", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 nan 0 0 1 0\n"),
+        "line 6: point 1: a coordinate is not");
+    row("vtk far", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 2e7 0 0 0 1 0\n"),
+        "line 6: point 1: a coordinate is farther");
+    row("vtk no points", "a.vtk", test::asciiVtk(""), "line 6: POLYGONS use point 0; expected POINTS before");
+    row("vtk points twice", "a.vtk", test::asciiVtk("POINTS 1 float\n0 0 0\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"),
+        "line 7: \"POINTS\" a second time");
+    row("vtk points twice, in small letters", "a.vtk",
+        test::asciiVtk("POINTS 1 float\n0 0 0\npoints 3 float\n0 0 0 1 0 0 0 1 0\n"),
+        "line 7: \"points\" a second time");
+    row("vtk index beyond", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n3 0 1 3\n"),
+        "line 8: POLYGONS use point 3; expected 0 to 2");
+    row("vtk index negative", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n3 0 1 -1\n"),
+        "line 8: POLYGONS use point -1");
+    row("vtk index of a line beyond", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\nLINES 1 3\n2 0 7\n"),
+        "line 8: LINES use point 7");
+    row("vtk corners beyond the list", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n4 0 1 2 0\n"),
+        "line 8: cell 0 of POLYGONS has 4 corners; expected at most 3");
+    row("vtk corners negative", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n-3 0 1 2\n"),
+        "line 8: cell 0 of POLYGONS has -3 corners");
+    row("vtk list too long", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 6\n3 0 1 2 0 0\n"),
+        "line 8: 6 numbers of POLYGONS declared; expected 4");
+    row("vtk cells beyond bytes", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 900000000 4\n3 0 1 2\n"),
+        "line 7: 900,000,000 cells declared");
+    row("vtk no polygon", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", ""), "line 7: 0 polygons");
+    const auto offsets = [](const std::string& numbers) {
+        return test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n",
+                              "POLYGONS 2 3\nOFFSETS vtktypeint64\n" + numbers + "\nCONNECTIVITY vtktypeint64\n0 1 2\n",
+                              "x", "5.1");
+    };
+    row("vtk first offset", "a.vtk", offsets("1 3"), "line 9: offset 0 of POLYGONS is 1; expected 0");
+    row("vtk offset beyond", "a.vtk", offsets("0 9"), "line 9: offset 1 of POLYGONS is 9; expected 0 to 3");
+    row("vtk offsets end early", "a.vtk", offsets("0 2"), "line 9: 3 corners of POLYGONS declared; expected 2");
+    row("vtk no offsets", "a.vtk",
+        test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n3 0 1 2\n", "x", "5.1"),
+        "line 8: \"3\" \"0\"; expected \"OFFSETS\"");
+    row("vtk unknown section", "a.vtk", test::asciiVtk("TRIANGLES 3\n"), "line 5: \"TRIANGLES\"");
+    row("vtk field beyond bytes", "a.vtk", test::asciiVtk("FIELD f 1\na 3 2000000000 double\n1 2 3\n"),
+        "line 6: 2,000,000,000 tuples declared");
+    row("vtk field of no type", "a.vtk", test::asciiVtk("FIELD f 1\na 1 3 quux\n1 2 3\n"),
+        "line 7: the array \"a\" of 3 values");
 }
 
 void HostileFiles::ownFilesAreRefused()
@@ -306,6 +365,8 @@ void HostileFiles::cutAnywhereNeverCrashes_data()
     QTest::newRow("obj") << std::string("a.obj") << "# x\ng a\n" + test::kObj;
     QTest::newRow("ply") << std::string("a.ply") << binaryPly();
     QTest::newRow("ply, text") << std::string("a.ply") << test::asciiPly();
+    QTest::newRow("vtk") << std::string("a.vtk") << test::binaryVtk();
+    QTest::newRow("vtk, text") << std::string("a.vtk") << test::asciiVtk();
 }
 
 void HostileFiles::cutAnywhereNeverCrashes()

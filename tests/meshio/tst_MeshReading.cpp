@@ -51,7 +51,11 @@ class GermanLocale
 
 std::string extensionOf(const std::string& format)
 {
-    return format == "obj" ? ".obj" : format == "ply" ? ".ply" : format == "vtp" ? ".vtp" : ".stl";
+    return format.starts_with("vtk") ? ".vtk"
+           : format == "obj"         ? ".obj"
+           : format == "ply"         ? ".ply"
+           : format == "vtp"         ? ".vtp"
+                                     : ".stl";
 }
 
 } // namespace
@@ -83,6 +87,9 @@ class MeshReading : public QObject
     void stlTextStaysTextToVtk();
     void vtpStructuresKeepTheirTriangles();
     void plyElementsAndTypesOfAnyKind();
+    void legacyVtkStripsDoublesAndTag();
+    void plyKeepsDoubles_data();
+    void plyKeepsDoubles();
     void progressRisesAndCancels_data() { readsEachFormat_data(); }
     void progressRisesAndCancels();
     void unitMustBePositive();
@@ -105,6 +112,8 @@ void MeshReading::readsEachFormat_data()
     row("obj", test::kObj, "OBJ");
     row("ply", test::asciiPly(), "PLY");
     row("vtp", test::asciiVtp(), "VTP");
+    row("vtk", test::asciiVtk(), "VTK");
+    row("vtk, binary", test::binaryVtk(), "VTK");
 }
 
 void MeshReading::readsEachFormat()
@@ -128,7 +137,7 @@ void MeshReading::kindComesFromContent()
     QFETCH(std::string, bytes);
     QFETCH(std::string, format);
     const test::Folder folder;
-    for (const char* extension : {".stl", ".obj", ".ply", ".vtp", ".dat", ""}) {
+    for (const char* extension : {".stl", ".obj", ".ply", ".vtp", ".vtk", ".dat", ""}) {
         const auto file = meshio::readMesh(folder.write(std::string("mesh") + extension, bytes));
         QVERIFY2(file.isOk(), file.status().message().c_str());
         QCOMPARE(file.value().format, format);
@@ -369,6 +378,45 @@ void MeshReading::vtpStructuresKeepTheirTriangles()
     QCOMPARE(s[1].name, std::string("a"));
     QCOMPARE(s[1].mesh.triangles.size(), std::size_t{2}); // the four-sided one
     QCOMPARE(s[2].name, std::string("structure 5"));
+}
+
+void MeshReading::legacyVtkStripsDoublesAndTag()
+{
+    const test::Folder folder;
+    const auto file = meshio::readMesh(folder.write(
+        "a.vtk", test::asciiVtk("POINTS 4 double\n0 0 0 1234567.0123456 0 0 0 1.5 0 1 1.5 0\n",
+                                "VERTICES 1 2\n1 0\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\nCELL_DATA 2\nSCALARS a int\n",
+                                "3D Slicer output. SPACE=RAS")));
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    QCOMPARE(file.value().frame, meshio::FileFrame::Ras);
+    QCOMPARE(test::triangles(file.value()), std::size_t{2});
+    QVERIFY(file.value().structures[0].mesh.bounds().min().x() == -1234567.0123456);
+}
+
+void MeshReading::plyKeepsDoubles_data()
+{
+    QTest::addColumn<std::string>("type");
+    QTest::addColumn<bool>("isExact");
+    QTest::newRow("double") << std::string("double") << true;
+    QTest::newRow("float64") << std::string("float64") << true;
+    QTest::newRow("float") << std::string("float") << false;
+}
+
+void MeshReading::plyKeepsDoubles()
+{
+    QFETCH(std::string, type);
+    QFETCH(bool, isExact);
+    const test::Folder folder;
+    const double x = 1234567.0123456; // a float holds 1234567
+    std::string text = test::asciiPly("0 0 0\n1234567.0123456 0 0\n0 1.5 0\n");
+    for (std::size_t at = text.find("float"); at != std::string::npos; at = text.find("float", at + type.size())) {
+        text.replace(at, 5, type);
+    }
+    const auto file = meshio::readMesh(folder.write("a.ply", text));
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    const double found = file.value().structures[0].mesh.bounds().max().x();
+    QVERIFY2(found == (isExact ? x : static_cast<double>(static_cast<float>(x))),
+             qPrintable(QString::number(found, 'g', 17)));
 }
 
 void MeshReading::plyElementsAndTypesOfAnyKind()

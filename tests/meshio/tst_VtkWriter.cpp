@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -136,6 +137,26 @@ void write(const std::filesystem::path& path, vtkPolyData* data, Mode mode, int 
     writer->Write();
 }
 
+/// @return how far a corner of a triangle is from where it was written; far when there are not all triangles [mm]
+double worstCorner(vtkPolyData& data, const meshio::MeshFile& file)
+{
+    vtkIdType triangle = 0;
+    double worst = 0.0;
+    for (const meshio::MeshStructure& structure : file.structures) {
+        for (const geometry::Triangle& corners : structure.mesh.triangles) {
+            vtkIdType count = 0;
+            const vtkIdType* expected = nullptr;
+            data.GetCellPoints(triangle++, count, expected);
+            for (std::size_t k = 0; k < 3; ++k) {
+                core::Vec3 p;
+                data.GetPoint(expected[k], p.data());
+                worst = std::max(worst, (structure.mesh.vertices[corners[k]] - p).norm());
+            }
+        }
+    }
+    return triangle == 48 ? worst : 1e9;
+}
+
 } // namespace
 
 /// Files as VTK's own writer makes them, in every mode it has.
@@ -173,6 +194,52 @@ class VtkWriter : public QObject
         }
     }
 
+    void legacyIsReadInEveryMode_data()
+    {
+        QTest::addColumn<bool>("isBinary");
+        QTest::addColumn<int>("version");
+        QTest::addColumn<unsigned>("extra");
+        const std::pair<const char*, unsigned> extras[]{{"surface alone", 0},
+                                                        {"keys, doubles", kKeys | kDoubles},
+                                                        {"arrays", kArrays},
+                                                        {"all", kRanges | kKeys | kArrays | kDoubles}};
+        for (const bool isBinary : {false, true}) {
+            for (const int version : {42, 51}) {
+                for (const auto& [extraName, extra] : extras) {
+                    QTest::addRow("%s, version %d, %s", isBinary ? "binary" : "ASCII", version, extraName)
+                        << isBinary << version << extra;
+                }
+            }
+        }
+    }
+
+    void legacyIsReadInEveryMode()
+    {
+        QFETCH(bool, isBinary);
+        QFETCH(int, version);
+        QFETCH(unsigned, extra);
+        const test::Folder folder;
+        const auto path = folder.path("a.vtk");
+        const auto data = fan(extra);
+        vtkNew<vtkPolyDataWriter> writer;
+        writer->SetFileName(path.c_str());
+        writer->SetInputData(data);
+        writer->SetFileVersion(version);
+        writer->SetFileType(isBinary ? VTK_BINARY : VTK_ASCII);
+        QVERIFY(writer->Write() == 1);
+        const std::string bytes = test::fileBytes(path); // or the row would not try what it says
+        QCOMPARE(bytes.find("METADATA") != std::string::npos, (extra & kKeys) != 0);
+        QCOMPARE(bytes.find("OFFSETS") != std::string::npos, version == 51);
+        QCOMPARE(bytes.find("FIELD FieldData 1\nStructureNames") != std::string::npos, (extra & kArrays) != 0);
+
+        const auto file = meshio::readMesh(path);
+        QVERIFY2(file.isOk(), file.status().message().c_str());
+        QCOMPARE(file.value().structures.size(), std::size_t{1}); // what parts it has is not told in this format
+        const double worst = worstCorner(*data, file.value());
+        // VTK writes text with enough digits for a float, and for a double but for its last.
+        QVERIFY2(worst <= (isBinary ? 0.0 : 1e-4), qPrintable(QString::number(worst)));
+    }
+
     void isReadInEveryMode()
     {
         QFETCH(int, mode);
@@ -193,21 +260,7 @@ class VtkWriter : public QObject
             QVERIFY2(note.find("damaged") == std::string::npos, note.c_str());
         }
         const auto& structures = file.value().structures;
-        std::size_t triangle = 0;
-        double worst = 0.0;
-        for (const meshio::MeshStructure& structure : structures) {
-            for (const geometry::Triangle& corners : structure.mesh.triangles) {
-                vtkIdType count = 0;
-                const vtkIdType* expected = nullptr;
-                data->GetCellPoints(static_cast<vtkIdType>(triangle++), count, expected);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    core::Vec3 p;
-                    data->GetPoint(expected[k], p.data());
-                    worst = std::max(worst, (structure.mesh.vertices[corners[k]] - p).norm());
-                }
-            }
-        }
-        QCOMPARE(triangle, std::size_t{48});
+        const double worst = worstCorner(*data, file.value());
         // VTK writes text with enough digits for a float, and for a double but for its last.
         QVERIFY2(worst <= 1e-5, qPrintable(QString::number(worst)));
         if (mode != Ascii) {

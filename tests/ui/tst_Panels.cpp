@@ -2,6 +2,7 @@
 #include "Rows.h"
 #include "TestRunner.h"
 
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/Theme.h>
@@ -223,6 +224,11 @@ class Panels : public QObject
     void welcomeOffersWhatIsThere()
     {
         ui::WelcomePage page;
+        bool isHinted = false;
+        for (const QLabel* label : page.findChildren<QLabel*>()) {
+            isHinted = isHinted || label->text().endsWith(QString::fromStdString(meshio::meshFormatNames("or")));
+        }
+        QVERIFY(isHinted);
         page.setChoices(true, {QStringLiteral("/a/liver.stl")});
         page.show();
         QSignalSpy recent(&page, &ui::WelcomePage::recentWanted);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/BoxHierarchy.h"
 
-#include "Together.h"
-
 #include <palpate/core/Float4.h>
+#include <palpate/core/Parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace palpate::geometry {
 
@@ -20,8 +20,9 @@ using core::Float4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
-constexpr int kFewBins = 8;          // for few items
-constexpr std::uint32_t kFew = 2048; // items that are all looked at to split them
+constexpr int kFewBins = 8;             // for few items
+constexpr std::uint32_t kFew = 2048;    // items that are all looked at to split them
+constexpr std::uint32_t kMany = 20'000; // items whose hierarchy several threads build
 
 /// A box in two registers; the fourth lanes mean nothing.
 struct Box4
@@ -87,8 +88,8 @@ class HierarchyBuilder
     void run(Nodes& nodes, unsigned threads)
     {
         const auto count = static_cast<std::uint32_t>(m_items.size());
-        nodes.reserve(m_items.size() / 6 + 8);
         if (count < kMany) {
+            nodes.reserve(likelyNodes(count));
             add(range(0, count, 0), nodes);
         } else {
             addMany(count, threads, nodes);
@@ -97,6 +98,8 @@ class HierarchyBuilder
     }
 
   private:
+    static std::size_t likelyNodes(std::uint32_t items) { return items / 6 + 8; }
+
     [[nodiscard]] Range range(std::uint32_t first, std::uint32_t last, int depth) const
     {
         Range result{first, last, depth, {}, {}};
@@ -178,66 +181,197 @@ class HierarchyBuilder
         return index;
     }
 
-    /// Splits a range in two; of a few items one part may be empty.
-    [[nodiscard]] std::array<Range, 2> split(const Range& whole)
+    /// What all items fill.
+    Range whole(std::uint32_t count, unsigned threads) const
     {
-        const std::uint32_t middle = partition(whole.centres, whole.first, whole.last, whole.depth);
-        return {range(whole.first, middle, whole.depth + 1), range(middle, whole.last, whole.depth + 1)};
+        constexpr std::size_t kPieces = 64;
+        std::vector<Range> pieces(kPieces);
+        const auto end = [count](std::size_t piece) { return static_cast<std::uint32_t>(piece * count / kPieces); };
+        core::parallelFor(
+            kPieces, [&](std::size_t i, unsigned /*thread*/) { pieces[i] = range(end(i), end(i + 1), 0); }, threads);
+        Range all{0, count, 0, {}, {}};
+        for (const Range& piece : pieces) {
+            all.box.extend(piece.box);
+            all.centres.extend(piece.centres);
+        }
+        return all;
     }
 
-    /// The whole tree; with two threads the same nodes in the same order. The last parts of the root are added apart,
-    /// then moved behind the first ones.
-    void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
+    /// A node near the root, and what its children are: other branches, or trees that one thread adds.
+    struct Branch
     {
-        Range whole, front, back;
-        together(
-            threads, [&] { front = range(0, count / 2, 0); }, [&] { back = range(count / 2, count, 0); });
-        whole = {0, count, 0, front.box, front.centres};
-        whole.box.extend(back.box);
-        whole.centres.extend(back.centres);
-        const std::uint32_t middle = partition(whole.centres, 0, count, 0);
         Parts parts;
-        parts.count = 4;
-        together(
-            threads,
-            [&] {
-                const auto [a, b] = split(range(0, middle, 1));
-                parts.part[0] = a;
-                parts.part[1] = b;
+        std::array<std::uint32_t, 4> below{}; ///< a branch's number, or a tree's and kTree
+        std::uint32_t place = 0;              ///< of its node
+    };
+    static constexpr std::uint32_t kTree = 0x80000000u;
+    struct Tree
+    {
+        Range range;
+        Nodes nodes;
+        std::uint32_t place = 0; ///< of the first of its nodes
+    };
+    /// The upper part of a hierarchy: a branch comes before what is below it.
+    struct Crown
+    {
+        std::vector<Branch> branches;
+        std::vector<Tree> trees;
+    };
+
+    /// The four parts of the root: of many items all are split in two, then both halves are.
+    Parts divideRoot(std::uint32_t count, unsigned threads)
+    {
+        const Range all = whole(count, threads);
+        const std::uint32_t middle = partition(all.centres, 0, count, 0);
+        Parts root;
+        root.count = 4;
+        core::parallelFor(
+            2,
+            [&](std::size_t i, unsigned /*thread*/) {
+                const Range half = i == 0 ? range(0, middle, 1) : range(middle, count, 1);
+                const std::uint32_t cut = partition(half.centres, half.first, half.last, half.depth);
+                root.part[2 * i] = range(half.first, cut, half.depth + 1);
+                root.part[2 * i + 1] = range(cut, half.last, half.depth + 1);
             },
-            [&] {
-                const auto [a, b] = split(range(middle, count, 1));
-                parts.part[2] = a;
-                parts.part[3] = b;
-            });
-        nodes.push_back(nodeOf(parts));
-        std::size_t shared = 1; // parts of the first thread: about half of the items
-        while (shared + 1 < parts.count && parts.part[shared].last <= count * 5 / 8) {
-            ++shared;
-        }
-        Nodes others;
-        others.reserve(nodes.capacity() / 2);
-        std::array<std::uint32_t, 4> root{};
-        const auto addParts = [&](std::size_t first, std::size_t last, Nodes& to) {
-            for (std::size_t i = first; i < last; ++i) {
-                if (parts.part[i].count() > BoxHierarchy::kLeafSize) {
-                    root[i] = add(parts.part[i], to);
+            threads);
+        return root;
+    }
+
+    /// Divides level by level what has more than `most` items.
+    Crown growCrown(std::uint32_t count, std::uint32_t most, unsigned threads)
+    {
+        Crown crown;
+        crown.branches.push_back({divideRoot(count, threads), {}, 0});
+        for (std::size_t first = 0, last = 1; first < last; first = last, last = crown.branches.size()) {
+            std::vector<Range> open;
+            for (std::size_t b = first; b < last; ++b) {
+                for (std::size_t i = 0; i < crown.branches[b].parts.count; ++i) {
+                    const Range& part = crown.branches[b].parts.part[i];
+                    if (part.count() > most) {
+                        crown.branches[b].below[i] = static_cast<std::uint32_t>(last + open.size());
+                        open.push_back(part);
+                    } else if (part.count() > BoxHierarchy::kLeafSize) {
+                        crown.branches[b].below[i] = static_cast<std::uint32_t>(crown.trees.size()) | kTree;
+                        crown.trees.push_back({part, {}, 0});
+                    }
                 }
             }
-        };
-        together(
-            threads, [&] { addParts(0, shared, nodes); }, [&] { addParts(shared, parts.count, others); });
-        const auto moved = static_cast<std::uint32_t>(nodes.size());
-        nodes.insert(nodes.end(), others.begin(), others.end());
-        for (std::size_t n = moved; n < nodes.size(); ++n) {
-            for (std::size_t i = 0; i < 4; ++i) {
-                const bool isInner = nodes[n].child[i] != 0 && (nodes[n].leafMask >> i & 1u) == 0;
-                nodes[n].child[i] += isInner ? moved : 0;
+            crown.branches.resize(last + open.size());
+            core::parallelFor(
+                open.size(),
+                [&](std::size_t i, unsigned /*thread*/) { crown.branches[last + i].parts = divide(open[i]); }, threads);
+        }
+        return crown;
+    }
+
+    /// Gives a branch and all below it their places, in the order in which `add` would add them. @return the next one
+    static std::uint32_t place(Crown& crown, std::uint32_t branch, std::uint32_t next)
+    {
+        crown.branches[branch].place = next++;
+        for (std::size_t i = 0; i < crown.branches[branch].parts.count; ++i) {
+            const std::uint32_t below = crown.branches[branch].below[i];
+            if ((below & kTree) != 0) {
+                Tree& tree = crown.trees[below & ~kTree];
+                tree.place = next;
+                next += static_cast<std::uint32_t>(tree.nodes.size());
+            } else if (below != 0) {
+                next = place(crown, below, next);
             }
         }
-        for (std::size_t i = 0; i < parts.count; ++i) {
-            if (parts.part[i].count() > BoxHierarchy::kLeafSize) {
-                nodes[0].child[i] = root[i] + (i < shared ? 0 : moved);
+        return next;
+    }
+
+    /// The whole tree of many items: what is divided by whom does not depend on the number of threads, nor do the
+    /// nodes' places.
+    void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
+    {
+        constexpr std::uint32_t kTrees = 128; // several for each thread: they take unequal times
+        Crown crown = growCrown(count, std::max(kMany / 4, count / kTrees), threads);
+        core::parallelFor(
+            crown.trees.size(),
+            [&](std::size_t i, unsigned /*thread*/) {
+                Tree& tree = crown.trees[i];
+                tree.nodes.reserve(likelyNodes(tree.range.count()));
+                add(tree.range, tree.nodes);
+            },
+            threads);
+        nodes.resize(place(crown, 0, 0));
+        for (const Branch& branch : crown.branches) {
+            Node& node = nodes[branch.place] = nodeOf(branch.parts);
+            for (std::size_t i = 0; i < branch.parts.count; ++i) {
+                const std::uint32_t below = branch.below[i];
+                if (below != 0) {
+                    node.child[i] =
+                        (below & kTree) != 0 ? crown.trees[below & ~kTree].place : crown.branches[below].place;
+                }
+            }
+        }
+        core::parallelFor(
+            crown.trees.size(),
+            [&](std::size_t t, unsigned /*thread*/) {
+                Tree& tree = crown.trees[t];
+                Node* to = nodes.data() + tree.place;
+                for (Node node : tree.nodes) {
+                    for (std::size_t i = 0; i < 4; ++i) {
+                        const bool isInner = node.child[i] != 0 && (node.leafMask >> i & 1u) == 0;
+                        node.child[i] += isInner ? tree.place : 0;
+                    }
+                    *to++ = node;
+                }
+                Nodes().swap(tree.nodes);
+            },
+            threads);
+    }
+
+    /// Where a range is cut: between two bins along an axis.
+    struct Cut
+    {
+        float cost = kInfinity;
+        std::size_t axis = 0;
+        int bin = 0; ///< the first of the right part
+    };
+
+    /// @return a function that gives an item's bin along an axis.
+    static auto binsAlong(std::size_t axis, const Box4& centres, int bins)
+    {
+        return
+            [axis, low = centres.low[axis],
+             scale = static_cast<float>(bins) * 0.9999f / (centres.high - centres.low)[axis]](const BoxedItem& item) {
+                return static_cast<int>((item.low[axis] + item.high[axis] - low) * scale);
+            };
+    }
+
+    /// Takes the cheapest cut along an axis when it is cheaper than `best`. @param stride  of the items that are looked
+    /// at
+    void findCut(const Box4& centres, std::uint32_t first, std::uint32_t last, std::uint32_t stride, std::size_t axis,
+                 int bins, Cut& best) const
+    {
+        std::array<Box4, kBins> boxes;
+        std::array<std::uint32_t, kBins> counts{};
+        const auto binOf = binsAlong(axis, centres, bins);
+        for (std::uint32_t i = first; i < last; i += stride) {
+            const auto bin = static_cast<std::size_t>(binOf(m_items[i]));
+            boxes[bin].extend(boxOf(m_items[i]));
+            ++counts[bin];
+        }
+        std::array<float, kBins> leftCost;
+        Box4 sweep;
+        std::uint32_t n = 0;
+        for (int b = 0; b + 1 < bins; ++b) {
+            sweep.extend(boxes[static_cast<std::size_t>(b)]);
+            n += counts[static_cast<std::size_t>(b)];
+            leftCost[static_cast<std::size_t>(b)] = n == 0 ? kInfinity : sweep.halfArea() * static_cast<float>(n);
+        }
+        sweep = Box4();
+        n = 0;
+        for (int b = bins - 1; b > 0; --b) {
+            sweep.extend(boxes[static_cast<std::size_t>(b)]);
+            n += counts[static_cast<std::size_t>(b)];
+            const float cost =
+                n == 0 ? kInfinity
+                       : leftCost[static_cast<std::size_t>(b - 1)] + sweep.halfArea() * static_cast<float>(n);
+            if (cost < best.cost) {
+                best = {cost, axis, b};
             }
         }
     }
@@ -251,60 +385,20 @@ class HierarchyBuilder
             const Float4 extent = centres.high - centres.low;
             const std::size_t longest = longestOf(extent);
             const int bins = count > kBins * kBins ? kBins : kFewBins;
-            const auto binsAlong = [&](std::size_t axis) {
-                return [axis, low = centres.low[axis],
-                        scale = static_cast<float>(bins) * 0.9999f / extent[axis]](const BoxedItem& item) {
-                    return static_cast<int>((item.low[axis] + item.high[axis] - low) * scale);
-                };
-            };
             // A large set is well described by a part of it; which part is fixed, so the tree is too. For a small one
             // the longest axis is nearly always the best.
             const std::uint32_t stride = count > kFew ? count / (kFew / 2) : 1;
             const std::size_t firstAxis = count > kFew ? 0 : longest, lastAxis = count > kFew ? 2 : longest;
-            float bestCost = kInfinity;
-            std::size_t bestAxis = 0;
-            int bestBin = 0;
+            Cut best;
             for (std::size_t axis = firstAxis; axis <= lastAxis; ++axis) {
-                if (!(extent[axis] > 0.0f)) {
-                    continue;
-                }
-                std::array<Box4, kBins> boxes;
-                std::array<std::uint32_t, kBins> counts{};
-                const auto binOf = binsAlong(axis);
-                for (std::uint32_t i = first; i < last; i += stride) {
-                    const auto bin = static_cast<std::size_t>(binOf(m_items[i]));
-                    boxes[bin].extend(boxOf(m_items[i]));
-                    ++counts[bin];
-                }
-                std::array<float, kBins> leftCost;
-                Box4 sweep;
-                std::uint32_t n = 0;
-                for (int b = 0; b + 1 < bins; ++b) {
-                    sweep.extend(boxes[static_cast<std::size_t>(b)]);
-                    n += counts[static_cast<std::size_t>(b)];
-                    leftCost[static_cast<std::size_t>(b)] =
-                        n == 0 ? kInfinity : sweep.halfArea() * static_cast<float>(n);
-                }
-                sweep = Box4();
-                n = 0;
-                for (int b = bins - 1; b > 0; --b) {
-                    sweep.extend(boxes[static_cast<std::size_t>(b)]);
-                    n += counts[static_cast<std::size_t>(b)];
-                    const float cost =
-                        n == 0 ? kInfinity
-                               : leftCost[static_cast<std::size_t>(b - 1)] + sweep.halfArea() * static_cast<float>(n);
-                    if (cost < bestCost) {
-                        bestCost = cost;
-                        bestAxis = axis;
-                        bestBin = b;
-                    }
+                if (extent[axis] > 0.0f) {
+                    findCut(centres, first, last, stride, axis, bins, best);
                 }
             }
-            if (bestCost < kInfinity) {
+            if (best.cost < kInfinity) {
                 const std::span<BoxedItem> items = m_items.subspan(first, count);
-                const auto isLeft = [binOf = binsAlong(bestAxis), bestBin](const BoxedItem& item) {
-                    return binOf(item) < bestBin;
-                };
+                const auto isLeft = [binOf = binsAlong(best.axis, centres, bins),
+                                     bin = best.bin](const BoxedItem& item) { return binOf(item) < bin; };
                 const auto left = static_cast<std::uint32_t>(
                     count > kFew ? std::partition(items.begin(), items.end(), isLeft) - items.begin()
                                  : partitionFew(items, isLeft));
@@ -316,7 +410,7 @@ class HierarchyBuilder
         return halve(centres, first, last);
     }
 
-    /// As std::partition, without a branch that nobody can foresee. Its room on the stack must not be part of each
+    /// As std::partition, without a branch that is often mispredicted. Its room on the stack must not be part of each
     /// level of `add`. @return how many are left.
     template<class IsLeft>
     [[gnu::noinline]] static std::size_t partitionFew(std::span<BoxedItem> items, IsLeft&& isLeft)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClearTriangles.h"
 
-#include "Together.h"
 #include "palpate/geometry/internal/BoxHierarchyPairs.h"
 
 #include <palpate/core/Float4.h>
+#include <palpate/core/Parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,9 @@ constexpr std::uint32_t kMostNearby = 256; // of one triangle
 
 using Corners = std::array<Vec3, 3>;
 
-Corners cornersOf(const SurfaceIndex& surface, const Triangle& t)
+Corners cornersOf(const JoinedSurface& surface, const Triangle& t)
 {
-    return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
+    return {surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]};
 }
 
 using core::Float4;
@@ -65,8 +65,8 @@ Float4 normalOf(const Corners& corners)
 
 typedef std::int16_t Short8 __attribute__((vector_size(16)));
 
-/// What a triangle spans along eight directions, in whole steps, rounded outwards: most that do not touch are told
-/// apart by it.
+/// What a triangle spans along eight directions, in whole steps, rounded outwards: most that do not touch are seen
+/// to be apart by it.
 struct Spans
 {
     Short8 low, high;
@@ -110,20 +110,14 @@ Spans spansOf(const Corners& corners, const Vec3& origin, double steps)
     return {steps8(low) - 2, steps8(high) + 2};
 }
 
+constexpr std::size_t kBlock = 16'384; // triangles that are worth a thread
+
 /// What is known of each triangle and each vertex.
 struct Survey
 {
-    explicit Survey(const SurfaceIndex& index)
-        : surface(index)
-        , normal(index.triangleCount())
-        , spans(index.triangleCount())
-        , uses(index.vertexCount(), 0)
-        , some(index.vertexCount())
-        , isSmooth(index.vertexCount())
-    {
-    }
+    Survey(const JoinedSurface& joined, unsigned threads);
 
-    const SurfaceIndex& surface;
+    const JoinedSurface& surface;
     core::LargeArray<Float4> normal;
     core::LargeArray<Spans> spans;
     std::vector<std::uint16_t> uses;    ///< triangles at each vertex; when it wraps round, no fan is so short
@@ -132,6 +126,37 @@ struct Survey
 
     [[nodiscard]] bool areSmoothAround(std::uint32_t vertex) const;
 };
+
+Survey::Survey(const JoinedSurface& joined, unsigned threads)
+    : surface(joined)
+    , normal(joined.triangleCount())
+    , spans(joined.triangleCount())
+    , uses(joined.vertexCount(), 0)
+    , some(joined.vertexCount())
+    , isSmooth(joined.vertexCount())
+{
+    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+        const Triangle& t = surface.triangles[i];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            ++uses[t[k]];
+            some[t[k]] = i << 2 | k;
+        }
+    }
+    const Vec3& origin = surface.hierarchy.origin();
+    const double most =
+        std::max((surface.bounds.max() - origin).maxCoeff(), (origin - surface.bounds.min()).maxCoeff());
+    core::parallelForBlocks(
+        surface.triangleCount(), kBlock,
+        [&](std::size_t i) {
+            const Corners corners = cornersOf(surface, surface.triangles[i]);
+            normal[i] = normalOf(corners);
+            spans[i] = spansOf(corners, origin, 32'000.0 / most);
+        },
+        threads);
+    core::parallelForBlocks(
+        surface.vertexCount(), kBlock / 2,
+        [&](std::size_t v) { isSmooth[v] = areSmoothAround(static_cast<std::uint32_t>(v)) ? 1 : 0; }, threads);
+}
 
 /// @return true when the triangles at a vertex are one fan, seen from above side by side; see findClear.
 bool Survey::areSmoothAround(std::uint32_t vertex) const
@@ -145,11 +170,11 @@ bool Survey::areSmoothAround(std::uint32_t vertex) const
     Float4 mean{};
     const std::uint32_t start = some[vertex] >> 2;
     std::uint32_t at = start, k = some[vertex] & 3u;
-    const Vec3& centre = surface.vertex(vertex);
+    const Vec3& centre = surface.vertices[vertex];
     for (std::size_t i = 0; i < count; ++i) {
         around[i] = at;
         mean += normal[at];
-        spoke[i] = floats(surface.vertex(surface.triangle(at)[k == 2 ? 0 : k + 1]) - centre);
+        spoke[i] = floats(surface.vertices[surface.triangles[at][k == 2 ? 0 : k + 1]] - centre);
         // Over the edge that ends in the vertex.
         const SurfaceIndex::Neighbour next = surface.neighbour(at, k == 0 ? 2 : k - 1);
         at = next.triangle;
@@ -208,19 +233,19 @@ bool areApart(const Corners& f, const Corners& g, double gap_mm)
 }
 
 /// @return true when all triangles that share no corner with triangle `i` are apart from it, and are not too many.
-bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
+bool isAlone(const JoinedSurface& surface, std::uint32_t i, double gap_mm)
 {
-    const Triangle t = surface.triangle(i);
+    const Triangle& t = surface.triangles[i];
     const Corners corners = cornersOf(surface, t);
     const Box box(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() - gap_mm,
                   corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() + gap_mm);
     bool result = true;
     std::uint32_t nearby = 0;
-    surface.hierarchy().visitBox(box, [&](std::uint32_t first, std::uint32_t n) {
+    surface.hierarchy.visitBox(box, [&](std::uint32_t first, std::uint32_t n) {
         nearby += n;
         result = nearby <= kMostNearby;
         for (std::uint32_t j = first; j < first + n && result; ++j) {
-            const Triangle other = surface.triangle(j);
+            const Triangle& other = surface.triangles[j];
             result = shareCorner(t, other) || areApart(corners, cornersOf(surface, other), gap_mm);
         }
         return result;
@@ -228,49 +253,51 @@ bool isAlone(const SurfaceIndex& surface, std::uint32_t i, double gap_mm)
     return result;
 }
 
-} // namespace
-
-std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned threads)
+/// How many triangles each one may touch: those of its leaf's neighbourhood whose spans overlap with its own.
+class TouchCount
 {
-    const std::uint32_t count = surface.triangleCount();
-    if (count < kMany) {
-        threads = 1;
-    }
-    Survey survey(surface);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Triangle t = surface.triangle(i);
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            ++survey.uses[t[k]];
-            survey.some[t[k]] = i << 2 | k;
+  public:
+    /// Looks at all pairs of triangles in leaves that come within `gap_mm` of each other, unless these are too many.
+    TouchCount(const Survey& survey, double gap_mm, unsigned threads);
+
+    /// There were so many pairs that the counts are not whole.
+    [[nodiscard]] bool isTooMuch() const noexcept { return m_pairs > m_mostPairs; }
+    /// @return as far as 16 bits go
+    [[nodiscard]] std::uint16_t of(std::uint32_t triangle) const noexcept
+    {
+        std::uint16_t sum = 0;
+        for (const Part& part : m_parts) {
+            sum += part.touching[triangle];
         }
+        return sum;
     }
-    const Vec3& origin = surface.hierarchy().origin();
-    const double most =
-        std::max((surface.bounds().max() - origin).maxCoeff(), (origin - surface.bounds().min()).maxCoeff());
-    inHalves(threads, count, [&](std::uint32_t i) {
-        const Corners corners = cornersOf(surface, surface.triangle(i));
-        survey.normal[i] = normalOf(corners);
-        survey.spans[i] = spansOf(corners, origin, 32'000.0 / most);
-    });
-    inHalves(threads, surface.vertexCount(),
-             [&](std::uint32_t v) { survey.isSmooth[v] = survey.areSmoothAround(v) ? 1 : 0; });
-    // Those that share a corner touch. Who touches no more than there are of these is alone.
-    struct alignas(64) Part
+
+  private:
+    struct alignas(64) Part // what one thread has counted
     {
         core::LargeArray<std::uint16_t> touching; ///< of each triangle
-        std::uint64_t pairs = 0;                  ///< not counted in `pairs` yet
+        std::uint64_t pairs = 0;                  ///< not counted in m_pairs yet
     };
-    std::array<Part, 2> parts; // by thread
-    for (unsigned thread = 0; thread < threads; ++thread) {
-        parts[thread].touching.assign(count, 0);
-    }
-    std::atomic<std::uint64_t> pairs = 0;
-    const std::uint64_t mostPairs = std::max<std::uint64_t>(kMostPairs * count, 1'000'000);
-    const double gap_mm = kApart * surface.skin_mm();
-    surface.hierarchy().visitPairs(
+
+    std::vector<Part> m_parts;
+    std::uint64_t m_mostPairs;
+    std::atomic<std::uint64_t> m_pairs = 0;
+};
+
+TouchCount::TouchCount(const Survey& survey, double gap_mm, unsigned threads)
+    : m_mostPairs(std::max<std::uint64_t>(kMostPairs * survey.surface.triangleCount(), 1'000'000))
+{
+    const std::uint32_t count = survey.surface.triangleCount();
+    // Each thread takes two bytes a triangle; together they take no more than the survey does.
+    constexpr std::uint32_t kMostThreads = 16;
+    threads = std::clamp(count / static_cast<std::uint32_t>(kBlock), 1U, std::clamp(threads, 1U, kMostThreads));
+    m_parts.resize(threads);
+    core::parallelFor(
+        threads, [&](std::size_t i, unsigned /*thread*/) { m_parts[i].touching.assign(count, 0); }, threads);
+    survey.surface.hierarchy.visitPairs(
         gap_mm, threads,
         [&](unsigned thread, std::uint32_t first, std::uint32_t n, std::uint32_t otherFirst, std::uint32_t m) {
-            Part& part = parts[thread];
+            Part& part = m_parts[thread];
             std::uint16_t* touching = part.touching.data();
             for (std::uint32_t i = first; i < first + n; ++i) {
                 const Spans spans = survey.spans[i];
@@ -286,23 +313,38 @@ std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned thread
             if (part.pairs < 1'000'000) {
                 return true;
             }
-            pairs += std::exchange(part.pairs, 0);
-            return pairs <= mostPairs;
+            m_pairs += std::exchange(part.pairs, 0);
+            return m_pairs <= m_mostPairs;
         });
-    std::vector<std::uint8_t> isClear(count);
-    if (pairs + parts[0].pairs + parts[1].pairs > mostPairs) {
+    for (const Part& part : m_parts) {
+        m_pairs += part.pairs;
+    }
+}
+
+} // namespace
+
+std::vector<std::uint8_t> findClear(const JoinedSurface& surface, unsigned threads)
+{
+    const Survey survey(surface, threads);
+    const double gap_mm = kApart * surface.skin_mm;
+    const TouchCount touching(survey, gap_mm, threads);
+    std::vector<std::uint8_t> isClear(surface.triangleCount());
+    if (touching.isTooMuch()) {
         return isClear;
     }
-    inHalves(threads, count, [&](std::uint32_t i) {
-        const Triangle t = surface.triangle(i);
-        if ((survey.isSmooth[t[0]] & survey.isSmooth[t[1]] & survey.isSmooth[t[2]]) == 0) {
-            return;
-        }
-        // Three of them at two corners.
-        const int sharing = survey.uses[t[0]] + survey.uses[t[1]] + survey.uses[t[2]] - 6;
-        const int found = parts[0].touching[i] + (threads > 1 ? parts[1].touching[i] : 0);
-        isClear[i] = found == sharing || isAlone(surface, i, gap_mm) ? 1 : 0;
-    });
+    core::parallelForBlocks(
+        surface.triangleCount(), kBlock,
+        [&](std::size_t at) {
+            const auto i = static_cast<std::uint32_t>(at);
+            const Triangle& t = surface.triangles[i];
+            if ((survey.isSmooth[t[0]] & survey.isSmooth[t[1]] & survey.isSmooth[t[2]]) == 0) {
+                return;
+            }
+            // Those that share a corner touch, three of them at two corners. One that touches no more is alone.
+            const int sharing = survey.uses[t[0]] + survey.uses[t[1]] + survey.uses[t[2]] - 6;
+            isClear[i] = touching.of(i) == sharing || isAlone(surface, i, gap_mm) ? 1 : 0;
+        },
+        threads);
     return isClear;
 }
 

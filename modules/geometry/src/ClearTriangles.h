@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/geometry/SurfaceIndex.h"
+#include "JoinedSurface.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,9 +16,8 @@ namespace palpate::geometry {
 /// mean normal they lie side by side, so whatever is d away from the corner on one of them is d/89 or more from those
 /// that only share the corner. And all triangles that share no corner with it are kApart skins away: an axis separates
 /// them. resources/docs/clear-facets.md says why that is enough.
-/// @param surface  all of it but this
 /// @return 1 for each triangle that is clear, in the index's own order.
-/// @par Cost O(n log n) as a rule, on at most two threads; the result does not depend on their number.
-[[nodiscard]] std::vector<std::uint8_t> findClear(const SurfaceIndex& surface, unsigned threads);
+/// @par Cost O(n log n) as a rule, on at most `threads` threads; the result does not depend on their number.
+[[nodiscard]] std::vector<std::uint8_t> findClear(const JoinedSurface& surface, unsigned threads);
 
 } // namespace palpate::geometry

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/MeshReport.h"
 
+#include <palpate/core/Text.h>
+
 namespace palpate::geometry {
 
 namespace {
@@ -8,16 +10,7 @@ namespace {
 /// "52,114 triangles"
 std::string counted(std::size_t n, const char* one, const char* many)
 {
-    const std::string digits = std::to_string(n);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) {
-            text += ',';
-        }
-        text += digits[i];
-    }
-    text += ' ';
-    return text += n == 1 ? one : many;
+    return core::grouped(n) + ' ' + (n == 1 ? one : many);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Neighbours.h"
 
-#include "Together.h"
+#include "palpate/geometry/SurfaceIndex.h"
+
+#include <palpate/core/Parallel.h>
 
 #include <algorithm>
 #include <numeric>
@@ -53,14 +55,15 @@ Found find(std::span<const Side> sides, std::uint32_t larger, bool isSorted)
     return found;
 }
 
-/// Joins the triangles at those edges whose smaller vertex is first … last.
-void join(const SurfaceIndex& surface, std::uint32_t first, std::uint32_t last, core::LargeArray<Triangle>& joined)
+/// Joins the triangles at those edges whose smaller vertex is first … last - 1.
+void join(std::span<const Triangle> triangles, std::uint32_t first, std::uint32_t last,
+          core::LargeArray<Triangle>& joined)
 {
     // Of each vertex the sides that lead away from it, then those that lead to it.
     std::vector<std::uint32_t> ends(2 * std::size_t{last - first} + 2, 0);
     const auto forEachSide = [&](auto&& f) {
-        for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
-            const Triangle t = surface.triangle(i);
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            const Triangle& t = triangles[i];
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = t[k], b = t[k == 2 ? 0 : k + 1];
                 const std::uint32_t smaller = std::min(a, b);
@@ -98,13 +101,16 @@ void join(const SurfaceIndex& surface, std::uint32_t first, std::uint32_t last, 
 
 } // namespace
 
-core::LargeArray<Triangle> findNeighbours(const SurfaceIndex& surface, unsigned threads)
+core::LargeArray<Triangle> findNeighbours(std::span<const Triangle> triangles, std::uint32_t vertexCount,
+                                          unsigned threads)
 {
-    core::LargeArray<Triangle> found(surface.triangleCount());
-    const std::uint32_t half = surface.vertexCount() / 2;
-    together(
-        found.size() < kMany ? 1 : threads, [&] { join(surface, 0, half, found); },
-        [&] { join(surface, half, surface.vertexCount(), found); });
+    core::LargeArray<Triangle> found(triangles.size());
+    // A part of the vertices each, as each part looks at all triangles.
+    constexpr std::size_t kTrianglesEach = 10'000;
+    const auto parts = std::clamp<std::size_t>(triangles.size() / kTrianglesEach, 1, std::max(1U, threads));
+    const auto end = [&](std::size_t part) { return static_cast<std::uint32_t>(part * vertexCount / parts); };
+    core::parallelFor(
+        parts, [&](std::size_t i, unsigned /*thread*/) { join(triangles, end(i), end(i + 1), found); }, threads);
     return found;
 }
 

@@ -185,23 +185,48 @@ int windingWithout(const TriangleMesh& mesh, const std::vector<std::uint32_t>& c
     return winding;
 }
 
-} // namespace
-
-RepairedMesh repair(const TriangleMesh& input)
+/// Makes a mesh fit for touching, step by step; each step leaves its counts in the report.
+class Repairer
 {
-    RepairedMesh result;
-    TriangleMesh& mesh = result.mesh;
-    MeshReport& report = result.report;
-    report.inputVertices = input.vertices.size();
-    report.inputTriangles = input.triangles.size();
+  public:
+    explicit Repairer(const TriangleMesh& input)
+        : m_input(input)
+    {
+    }
+    RepairedMesh run();
 
-    const std::vector<std::uint32_t> renumbered = weld(input.vertices, mesh.vertices);
-    report.weldedVertices = input.vertices.size() - mesh.vertices.size();
+  private:
+    void weldAndDrop();
+    void findComponents(const EdgeTable& edges);
+    void orient(const EdgeTable& edges);
+    void measureComponents();
+    void turnComponentsOutwards();
+    void measureTriangles();
+    void countComponents();
+    void turn(std::size_t triangle)
+    {
+        m_turned[triangle] ^= 1;
+        std::swap(m_mesh.triangles[triangle][1], m_mesh.triangles[triangle][2]);
+    }
 
-    std::vector<Triangle> candidates(input.triangles.size());
+    const TriangleMesh& m_input;
+    RepairedMesh m_result;
+    TriangleMesh& m_mesh = m_result.mesh;
+    MeshReport& m_report = m_result.report;
+    std::vector<std::uint32_t> m_componentOf; ///< of each triangle
+    std::vector<Component> m_components;
+    std::vector<std::uint8_t> m_turned; ///< of each triangle: 1 where it goes the other way round than in the input
+};
+
+/// Keeps one vertex at each place and the triangles that have an area, each once.
+void Repairer::weldAndDrop()
+{
+    const std::vector<std::uint32_t> renumbered = weld(m_input.vertices, m_mesh.vertices);
+    m_report.weldedVertices = m_input.vertices.size() - m_mesh.vertices.size();
+    std::vector<Triangle> candidates(m_input.triangles.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            candidates[i][k] = renumbered[input.triangles[i][k]];
+            candidates[i][k] = renumbered[m_input.triangles[i][k]];
         }
     }
     const auto sorted = [&candidates](std::uint32_t i) {
@@ -216,118 +241,167 @@ RepairedMesh repair(const TriangleMesh& input)
             return mix(mix(t[0] | std::uint64_t{t[1]} << 32) ^ t[2]);
         },
         [&](std::uint32_t a, std::uint32_t b) { return sorted(a) == sorted(b); });
-    mesh.triangles.reserve(candidates.size());
-    result.source.reserve(candidates.size());
+    m_mesh.triangles.reserve(candidates.size());
+    m_result.source.reserve(candidates.size());
     for (std::uint32_t i = 0; i < candidates.size(); ++i) {
         const Triangle& t = candidates[i];
-        if (isZeroArea(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])) {
-            ++report.zeroAreaTriangles;
+        if (isZeroArea(m_mesh.vertices[t[0]], m_mesh.vertices[t[1]], m_mesh.vertices[t[2]])) {
+            ++m_report.zeroAreaTriangles;
         } else if (seen.insert(i) != i) {
-            ++report.duplicateTriangles;
+            ++m_report.duplicateTriangles;
         } else {
-            mesh.triangles.push_back(t);
-            result.source.push_back(i);
+            m_mesh.triangles.push_back(t);
+            m_result.source.push_back(i);
         }
     }
-    dropUnusedVertices(mesh);
-    report.vertices = mesh.vertices.size();
-    report.triangles = mesh.triangles.size();
-    report.bounds = mesh.bounds();
-    const std::size_t n = mesh.triangles.size();
-    result.twoSided.assign(n, 0);
-    if (n == 0) {
-        return result;
-    }
+    dropUnusedVertices(m_mesh);
+}
 
-    const EdgeTable edges(mesh);
+/// Numbers the sets of triangles that are connected over edges, by their first triangles.
+void Repairer::findComponents(const EdgeTable& edges)
+{
+    const std::size_t n = m_mesh.triangles.size();
     DisjointSets sets(n);
     edges.forEach([&](const EdgeUse* uses, std::size_t count) {
         for (std::size_t i = 1; i < count; ++i) {
             sets.join(uses[0].triangle, uses[i].triangle);
         }
-        report.openEdges += count == 1 ? 1 : 0;
-        report.nonManifoldEdges += count > 2 ? 1 : 0;
-        report.inconsistentEdges += count == 2 && uses[0].isForward == uses[1].isForward ? 1 : 0;
+        m_report.openEdges += count == 1 ? 1 : 0;
+        m_report.nonManifoldEdges += count > 2 ? 1 : 0;
+        m_report.inconsistentEdges += count == 2 && uses[0].isForward == uses[1].isForward ? 1 : 0;
     });
-    std::vector<std::uint32_t> componentOf(n);
-    std::vector<Component> components;
+    m_componentOf.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t root = sets.find(i);
         if (root == i) {
-            componentOf[i] = static_cast<std::uint32_t>(components.size());
-            components.push_back({});
-            components.back().someTriangle = i;
+            m_componentOf[i] = static_cast<std::uint32_t>(m_components.size());
+            m_components.push_back({});
+            m_components.back().someTriangle = i;
         } else {
-            componentOf[i] = componentOf[root]; // the root is the smallest of its set, so it was seen before
+            m_componentOf[i] = m_componentOf[root]; // the root is the smallest of its set, so it was seen before
         }
     }
     edges.forEach([&](const EdgeUse* uses, std::size_t count) {
         if (count == 2 && uses[0].isForward == uses[1].isForward) {
-            components[componentOf[uses[0].triangle]].isConsistent = false;
+            m_components[m_componentOf[uses[0].triangle]].isConsistent = false;
         }
     });
-    std::vector<std::uint8_t> turned(n, 0);
-    if (report.inconsistentEdges > 0) {
-        for (const std::uint32_t t : trianglesToTurn(n, edges, componentOf, components)) {
-            turned[t] = 1;
-            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+}
+
+/// Turns what must turn to agree with its neighbours, and finds the components that are closed then.
+void Repairer::orient(const EdgeTable& edges)
+{
+    const std::size_t n = m_mesh.triangles.size();
+    m_turned.assign(n, 0);
+    if (m_report.inconsistentEdges > 0) {
+        for (const std::uint32_t t : trianglesToTurn(n, edges, m_componentOf, m_components)) {
+            turn(t);
         }
     }
     edges.forEach([&](const EdgeUse* uses, std::size_t count) {
         int balance = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            balance += uses[i].isForward != (turned[uses[i].triangle] != 0) ? 1 : -1;
+            balance += uses[i].isForward != (m_turned[uses[i].triangle] != 0) ? 1 : -1;
         }
         if (balance != 0) {
-            components[componentOf[uses[0].triangle]].isBalanced = false;
+            m_components[m_componentOf[uses[0].triangle]].isBalanced = false;
         }
     });
-    const Vec3 origin = report.bounds.center();
-    for (std::size_t i = 0; i < n; ++i) {
-        Component& component = components[componentOf[i]];
-        component.volume6 += signedVolume6(mesh, mesh.triangles[i], origin);
-        for (const std::uint32_t v : mesh.triangles[i]) {
-            component.box.extend(mesh.vertices[v]);
+    for (Component& component : m_components) {
+        component.isBalanced = component.isBalanced && component.isOrientable;
+    }
+}
+
+void Repairer::measureComponents()
+{
+    const Vec3 origin = m_report.bounds.center();
+    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+        Component& component = m_components[m_componentOf[i]];
+        component.volume6 += signedVolume6(m_mesh, m_mesh.triangles[i], origin);
+        for (const std::uint32_t v : m_mesh.triangles[i]) {
+            component.box.extend(m_mesh.vertices[v]);
         }
     }
-    // A component whose orientation was made up here faces outwards when it is closed.
-    std::vector<std::uint8_t> turnAll(components.size(), 0);
-    for (std::size_t c = 0; c < components.size(); ++c) {
-        Component& component = components[c];
-        component.isBalanced = component.isBalanced && component.isOrientable;
+}
+
+/// A component whose orientation was made up here faces outwards when it is closed.
+void Repairer::turnComponentsOutwards()
+{
+    std::vector<std::uint8_t> turnAll(m_components.size(), 0);
+    for (std::size_t c = 0; c < m_components.size(); ++c) {
+        Component& component = m_components[c];
         if (!component.isConsistent && component.isBalanced && component.volume6 < 0.0) {
             turnAll[c] = 1;
             component.volume6 = -component.volume6;
         }
     }
-    for (std::size_t i = 0; i < n; ++i) {
-        if (turnAll[componentOf[i]] != 0) {
-            turned[i] ^= 1;
-            std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+        if (turnAll[m_componentOf[i]] != 0) {
+            turn(i);
         }
-        report.reorientedTriangles += turned[i];
-        result.twoSided[i] = components[componentOf[i]].isBalanced ? 0 : 1;
-        const Triangle& t = mesh.triangles[i];
-        report.area_mm2 +=
-            0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
     }
-    report.components = components.size();
-    for (std::uint32_t c = 0; c < components.size(); ++c) {
-        const Component& component = components[c];
+}
+
+void Repairer::measureTriangles()
+{
+    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+        m_report.reorientedTriangles += m_turned[i];
+        m_result.twoSided[i] = m_components[m_componentOf[i]].isBalanced ? 0 : 1;
+        const Triangle& t = m_mesh.triangles[i];
+        const Vec3& a = m_mesh.vertices[t[0]];
+        m_report.area_mm2 += 0.5 * (m_mesh.vertices[t[1]] - a).cross(m_mesh.vertices[t[2]] - a).norm();
+    }
+}
+
+void Repairer::countComponents()
+{
+    m_report.components = m_components.size();
+    for (std::uint32_t c = 0; c < m_components.size(); ++c) {
+        const Component& component = m_components[c];
         if (!component.isBalanced) {
-            ++report.openComponents;
-            report.nonOrientableComponents += component.isOrientable ? 0 : 1;
+            ++m_report.openComponents;
+            m_report.nonOrientableComponents += component.isOrientable ? 0 : 1;
             continue;
         }
-        ++report.closedComponents;
-        report.volume_mm3 += component.volume6 / 6.0;
+        ++m_report.closedComponents;
+        m_report.volume_mm3 += component.volume6 / 6.0;
         // Facing inwards is right for a cavity inside another closed component.
         if (component.volume6 < 0.0) {
-            const Vec3& p = mesh.vertices[mesh.triangles[component.someTriangle][0]];
-            report.insideOutComponents += windingWithout(mesh, componentOf, components, c, p) > 0 ? 0 : 1;
+            const Vec3& p = m_mesh.vertices[m_mesh.triangles[component.someTriangle][0]];
+            m_report.insideOutComponents += windingWithout(m_mesh, m_componentOf, m_components, c, p) > 0 ? 0 : 1;
         }
     }
-    return result;
+}
+
+RepairedMesh Repairer::run()
+{
+    m_report.inputVertices = m_input.vertices.size();
+    m_report.inputTriangles = m_input.triangles.size();
+    weldAndDrop();
+    m_report.vertices = m_mesh.vertices.size();
+    m_report.triangles = m_mesh.triangles.size();
+    m_report.bounds = m_mesh.bounds();
+    m_result.twoSided.assign(m_mesh.triangles.size(), 0);
+    if (!m_mesh.triangles.empty()) {
+        const EdgeTable edges(m_mesh);
+        findComponents(edges);
+        orient(edges);
+        measureComponents();
+        turnComponentsOutwards();
+        measureTriangles();
+        countComponents();
+    }
+    if (m_report.reorientedTriangles > 0) {
+        m_result.turned = std::move(m_turned);
+    }
+    return std::move(m_result);
+}
+
+} // namespace
+
+RepairedMesh repair(const TriangleMesh& input)
+{
+    return Repairer(input).run();
 }
 
 } // namespace palpate::geometry

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/LoadScene.h"
+#include "palpate/meshio/MeshFormats.h"
 
 #include "AnatomyColours.h"
 #include "Fault.h"
-#include "FileKind.h"
-#include "Workers.h"
+
+#include <palpate/core/Parallel.h>
 
 #include <algorithm>
 #include <atomic>
@@ -117,7 +118,8 @@ Status Loader::addFolder(const std::filesystem::path& path)
                      "a folder of meshes");
     }
     if (files.empty()) {
-        return fault(StatusCode::Empty, name, "", "a folder without mesh files", "STL, VTP, OBJ or PLY files in it");
+        return fault(StatusCode::Empty, name, "", "a folder without mesh files",
+                     meshFormatNames("or") + " files in it");
     }
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files) {
@@ -128,15 +130,16 @@ Status Loader::addFolder(const std::filesystem::path& path)
 
 void Loader::readSources()
 {
+    constexpr unsigned kMostAtOnce = 8; // each is a process with memory of its own
     std::atomic<std::size_t> done{0};
     const auto count = static_cast<double>(m_sources.size());
-    onTwoThreads(m_sources.size(), [&](std::size_t i, bool isCaller) {
+    const auto read = [&](std::size_t i, unsigned thread) {
         Source& source = m_sources[i];
         ReadOptions options;
         options.unit_mm = source.unit_mm;
         options.isPartial = m_options.isPartial;
         // The caller's function is called on the caller's thread only.
-        options.progress = [&, isCaller](double share) {
+        options.progress = [&, isCaller = thread == 0](double share) {
             if (isCaller && m_options.progress &&
                 !m_options.progress(kFilesShare * (static_cast<double>(done.load()) + share) / count)) {
                 m_isCancelled = true;
@@ -149,7 +152,8 @@ void Loader::readSources()
             source.file = readMesh(source.path, options);
         }
         ++done;
-    });
+    };
+    core::parallelFor(m_sources.size(), read, std::min(kMostAtOnce, core::coreCount()));
 }
 
 /// Mesh files without a scene: each of their structures, as it is.
@@ -229,7 +233,7 @@ void Loader::expandScene()
 void Loader::repairAll()
 {
     std::atomic<std::size_t> done{0};
-    onTwoThreads(m_pending.size(), [&](std::size_t i, bool isCaller) {
+    core::parallelFor(m_pending.size(), [&](std::size_t i, unsigned thread) {
         if (m_isCancelled) {
             return;
         }
@@ -243,7 +247,7 @@ void Loader::repairAll()
         pending.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh));
         pending.mesh = {};
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
-        if (isCaller && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
+        if (thread == 0 && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
             m_isCancelled = true;
         }
     });

@@ -203,6 +203,35 @@ bool writeOutcome(int descriptor, Result<MeshFile> outcome)
     return true;
 }
 
+namespace {
+
+struct MeshCounts
+{
+    std::uint64_t vertices, triangles;
+};
+
+/// Gets the structures' meshes, which stand one after the other. @param at  where the first begins
+/// @return what is wrong with them; null when nothing is
+const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
+{
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        geometry::TriangleMesh& mesh = file.structures[i].mesh;
+        if (!moveItems(descriptor, at, counts[i].vertices, mesh.vertices,
+                       [](const Vec3& p) { return p.cwiseAbs().maxCoeff() <= kMostMm && p.allFinite(); })) {
+            return "an impossible coordinate";
+        }
+        const std::uint64_t vertices = counts[i].vertices;
+        if (!moveItems(descriptor, at, counts[i].triangles, mesh.triangles, [vertices](const Triangle& t) {
+                return t[0] < vertices && t[1] < vertices && t[2] < vertices;
+            })) {
+            return "an index out of range";
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
 Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, double unit_mm)
 {
     const std::string name = path.filename().string();
@@ -242,11 +271,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
     for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
         file.notes.push_back(head.text());
     }
-    struct Counts
-    {
-        std::uint64_t vertices, triangles;
-    };
-    std::vector<Counts> counts;
+    std::vector<MeshCounts> counts;
     std::uint64_t end = sizeof(headSize) + headSize;
     for (auto structures = head.take<std::uint64_t>(); structures > 0 && head.isGood(); --structures) {
         MeshStructure& structure = file.structures.emplace_back();
@@ -259,7 +284,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
             }
             structure.colour = colour;
         }
-        Counts& c = counts.emplace_back();
+        MeshCounts& c = counts.emplace_back();
         c.vertices = head.take<std::uint64_t>();
         c.triangles = head.take<std::uint64_t>();
         if (c.vertices > size || c.triangles > size || c.triangles == 0 ||
@@ -271,19 +296,8 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
     if (!head.isAtEnd() || file.structures.empty() || end != size) {
         return nonsense("counts that do not fit its size");
     }
-    std::uint64_t at = sizeof(headSize) + headSize;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        geometry::TriangleMesh& mesh = file.structures[i].mesh;
-        if (!moveItems(descriptor, at, counts[i].vertices, mesh.vertices,
-                       [](const Vec3& p) { return p.cwiseAbs().maxCoeff() <= kMostMm && p.allFinite(); })) {
-            return nonsense("an impossible coordinate");
-        }
-        const std::uint64_t vertices = counts[i].vertices;
-        if (!moveItems(descriptor, at, counts[i].triangles, mesh.triangles, [vertices](const Triangle& t) {
-                return t[0] < vertices && t[1] < vertices && t[2] < vertices;
-            })) {
-            return nonsense("an index out of range");
-        }
+    if (const char* wrong = moveMeshes(descriptor, sizeof(headSize) + headSize, counts, file)) {
+        return nonsense(wrong);
     }
     return file;
 }

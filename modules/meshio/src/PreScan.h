@@ -5,6 +5,8 @@
 
 #include "palpate/meshio/MeshFile.h"
 
+#include <palpate/core/Types.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,6 +22,8 @@ struct PreScan
     FileFrame frame = FileFrame::Untagged;
     std::uint64_t points = 0; ///< that the reader must give back
     std::uint64_t cells = 0;  ///< polygons and strips that the reader must give back
+    /// The points as the file has them, where VTK's reader would round them to floats; empty where it does not.
+    std::vector<core::Vec3> exactPoints;
     /// Names of the parts, and one entry a polygon: its part. Both empty when the content has no parts, or when VTK's
     /// own arrays say them (VTP).
     std::vector<std::string> partNames;
@@ -39,14 +43,6 @@ struct ScanContext
 };
 
 inline constexpr double kMostMm = 1e7; ///< largest coordinate [mm]
-
-/// Each checks the bytes of one format from end to end and, where VTK's reader has limits of its own (long names,
-/// marks before the first byte, group names, negative indices), rewrites the image so that it stays within them.
-[[nodiscard]] core::Result<PreScan> preScanBinaryStl(FileImage& image, const ScanContext& context);
-[[nodiscard]] core::Result<PreScan> preScanAsciiStl(FileImage& image, const ScanContext& context);
-[[nodiscard]] core::Result<PreScan> preScanObj(FileImage& image, const ScanContext& context);
-[[nodiscard]] core::Result<PreScan> preScanPly(FileImage& image, const ScanContext& context);
-[[nodiscard]] core::Result<PreScan> preScanVtp(FileImage& image, const ScanContext& context);
 
 /// Looks for 3D Slicer's `SPACE=LPS` or `SPACE=RAS` in a header or comment and keeps it in `scan`.
 void noteSpaceTag(std::string_view text, PreScan& scan);

@@ -2,7 +2,6 @@
 #include "ReadMesh.h"
 
 #include "Fault.h"
-#include "FileKind.h"
 #include "ImportServer.h"
 #include "NumericLocale.h"
 #include "PreScan.h"
@@ -27,23 +26,6 @@ using core::StatusCode;
 constexpr double kScanned = 0.3;
 constexpr double kRead = 0.8;
 
-Result<PreScan> preScan(FileKind kind, FileImage& image, const ScanContext& context)
-{
-    switch (kind) {
-    case FileKind::StlBinary:
-        return preScanBinaryStl(image, context);
-    case FileKind::StlAscii:
-        return preScanAsciiStl(image, context);
-    case FileKind::Obj:
-        return preScanObj(image, context);
-    case FileKind::Ply:
-        return preScanPly(image, context);
-    case FileKind::Vtp:
-        break;
-    }
-    return preScanVtp(image, context);
-}
-
 } // namespace
 
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
@@ -58,18 +40,18 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         }
         return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
     };
-    const Result<FileKind> kind = fileKind(image.bytes(), path);
-    if (!kind.isOk()) {
-        return kind.status();
+    const Result<const MeshFormat*> format = formatOf(image.bytes(), path);
+    if (!format.isOk()) {
+        return format.status();
     }
     context.progress = share(0.0, kScanned);
-    Result<PreScan> scanned = preScan(kind.value(), image, context);
+    Result<PreScan> scanned = format.value()->guard(image, context);
     if (!scanned.isOk()) {
         return scanned.status();
     }
     PreScan& scan = scanned.value();
     context.progress = share(kScanned, kRead);
-    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(kind.value(), image, scan, context);
+    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
     if (!data.isOk()) {
         return data.status();
     }

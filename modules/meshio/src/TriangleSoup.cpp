@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 namespace palpate::meshio::internal {
 
@@ -132,7 +133,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     const VtkMessages messages;
     TriangleSoup soup;
     takeFieldData(data, scan);
-    soup.mesh.vertices = takePoints(*data.GetPoints());
+    soup.mesh.vertices = scan.exactPoints.empty() ? takePoints(*data.GetPoints()) : std::move(scan.exactPoints);
     soup.partNames = scan.partNames;
     std::vector<Triangle>& triangles = soup.mesh.triangles;
     triangles.reserve(scan.cells);

@@ -5,15 +5,10 @@
 #include "NumericLocale.h"
 #include "VtkMessages.h"
 
-#include <vtkCallbackCommand.h>
+#include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
-#include <vtkDataArraySelection.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkSTLReader.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <exception>
 #include <new>
@@ -44,41 +39,9 @@ class ProgressObserver : public vtkCommand
     bool isCancelled = false;
 };
 
-vtkSmartPointer<vtkAlgorithm> makeReader(FileKind kind, const std::string& path)
-{
-    switch (kind) {
-    case FileKind::StlBinary:
-    case FileKind::StlAscii: {
-        auto reader = vtkSmartPointer<vtkSTLReader>::New();
-        reader->SetFileName(path.c_str());
-        reader->MergingOff(); // it would drop triangles silently; `repair` welds and counts
-        return reader;
-    }
-    case FileKind::Obj: {
-        auto reader = vtkSmartPointer<vtkOBJReader>::New();
-        reader->SetFileName(path.c_str());
-        return reader;
-    }
-    case FileKind::Ply: {
-        auto reader = vtkSmartPointer<vtkPLYReader>::New();
-        reader->SetFileName(path.c_str());
-        return reader;
-    }
-    case FileKind::Vtp:
-        break;
-    }
-    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-    reader->SetFileName(path.c_str());
-    reader->UpdateInformation();
-    reader->GetPointDataArraySelection()->DisableAllArrays();
-    reader->GetCellDataArraySelection()->DisableAllArrays();
-    reader->GetCellDataArraySelection()->EnableArray("StructureId");
-    return reader;
-}
-
 } // namespace
 
-Result<vtkSmartPointer<vtkPolyData>> readWithVtk(FileKind kind, const FileImage& image, const PreScan& scan,
+Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const FileImage& image, const PreScan& scan,
                                                  const ScanContext& context)
 {
     const NumericLocale locale;
@@ -87,7 +50,7 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(FileKind kind, const FileImage&
     observer->report = context.progress;
     vtkSmartPointer<vtkPolyData> mesh;
     try {
-        const vtkSmartPointer<vtkAlgorithm> reader = makeReader(kind, image.openPath());
+        const vtkSmartPointer<vtkAlgorithm> reader = format.reader(image.openPath());
         reader->AddObserver(vtkCommand::ProgressEvent, observer);
         reader->Update();
         mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));

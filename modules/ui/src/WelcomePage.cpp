@@ -3,6 +3,8 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/meshio/MeshFormats.h>
+
 #include <QFileInfo>
 #include <QPainter>
 #include <QPushButton>
@@ -23,7 +25,9 @@ WelcomePage::WelcomePage(QWidget* parent)
     large.setWeight(QFont::DemiBold);
     title->setFont(large);
     title->setAlignment(Qt::AlignCenter);
-    auto* hint = new QLabel(tr("Drop surface meshes or a scene here: STL, VTP, OBJ, PLY"), m_card);
+    auto* hint = new QLabel(
+        tr("Drop surface meshes or a scene here: %1").arg(QString::fromStdString(meshio::meshFormatNames("or"))),
+        m_card);
     hint->setAlignment(Qt::AlignCenter);
     hint->setForegroundRole(QPalette::PlaceholderText);
     hint->setWordWrap(true);

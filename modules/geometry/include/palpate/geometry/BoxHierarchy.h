@@ -69,7 +69,7 @@ class BoxHierarchy
     /// Builds over `items`; the result does not depend on the number of threads.
     /// @param items    reordered: on return they are in the order of the leaves
     /// @param origin   what the boxes are relative to, in the frame of the queries [mm]
-    /// @param threads  1 or 2 threads build
+    /// @param threads  at most
     [[nodiscard]] static BoxHierarchy build(std::span<BoxedItem> items, const Vec3& origin, unsigned threads);
 
     /// Calls `leaf(first, count)` for each leaf whose box touches `box`, in a fixed order, until it returns false.
@@ -105,10 +105,10 @@ class BoxHierarchy
     std::uint32_t visitAround(const Vec3& p, double reach_mm, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `pair(thread, first, count, otherFirst, otherCount)` once for each two leaves whose boxes come within
-    /// `around_mm` of each other, a leaf and itself among them: in no fixed order, and from thread 0 and 1 at once. A
+    /// `around_mm` of each other, a leaf and itself among them: in no fixed order, from several threads at once. A
     /// thread ends when `pair` returns false to it.
     /// Defined in internal/BoxHierarchyPairs.h.
-    /// @param threads  1 or 2
+    /// @param threads  at most; `pair` is told which one calls, from 0
     template<class Pair>
     void visitPairs(double around_mm, unsigned threads, Pair&& pair) const;
 

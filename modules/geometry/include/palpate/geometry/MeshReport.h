@@ -50,8 +50,12 @@ struct RepairedMesh
     TriangleMesh mesh;
     /// One entry a triangle: 1 where its component has no inside and is touched from both sides.
     std::vector<std::uint8_t> twoSided;
-    /// One entry a triangle: its index in the mesh that was given.
+    /// One entry a triangle: its index in the mesh that was given. Its corners are those of that triangle, in the same
+    /// order, so that a value at a corner there is one here, but for what `turned` says.
     std::vector<std::uint32_t> source;
+    /// One entry a triangle: 1 where it was turned round and its second and third corner have changed places. Empty
+    /// when none was.
+    std::vector<std::uint8_t> turned;
     MeshReport report;
 };
 

@@ -4,6 +4,7 @@
 #include "palpate/geometry/BoxHierarchy.h"
 #include "palpate/geometry/MeshReport.h"
 
+#include <palpate/core/Parallel.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
 
@@ -22,9 +23,10 @@ class SurfaceIndex
 {
   public:
     /// Builds the index in O(n log n) on at most `threads` threads; the result does not depend on their number.
+    /// Never from the servo thread.
     /// @param repaired  a mesh from `repair`, in the world frame [mm]; at most 2^29 triangles
     /// @return without a triangle, and `status` says why, where the mesh is larger than kLargest_mm from its middle
-    [[nodiscard]] static SurfaceIndex build(const RepairedMesh& repaired, unsigned threads = 2);
+    [[nodiscard]] static SurfaceIndex build(const RepairedMesh& repaired, unsigned threads = core::coreCount());
 
     /// Ok; or why nothing can be touched here.
     [[nodiscard]] const core::Status& status() const noexcept { return m_status; }
@@ -46,7 +48,8 @@ class SurfaceIndex
     }
     /// True when the triangle belongs to a surface without an inside.
     [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kFlagBit) != 0; }
-    /// @return the triangle's number in the repaired mesh that the index was built from.
+    /// @return the triangle's number in the repaired mesh that the index was built from: its corners are this one's, in
+    /// the same order, so that a value at a corner there is one here.
     [[nodiscard]] std::uint32_t sourceTriangle(std::uint32_t i) const noexcept { return m_sources[i]; }
 
     /// What lies beyond an edge of a triangle.
@@ -109,6 +112,8 @@ class SurfaceIndex
     [[nodiscard]] std::size_t byteSize() const noexcept;
 
   private:
+    friend class SurfaceBuilder;
+
     static constexpr std::uint32_t kFlagBit = 0x80000000u;
     static constexpr std::uint32_t kIndexMask = ~kFlagBit;
 

@@ -36,7 +36,7 @@ struct MeshStructure
 struct MeshFile
 {
     std::filesystem::path path;
-    std::string format; ///< "STL binary", "STL ASCII", "VTP", "OBJ", "PLY"
+    std::string format; ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
     FileFrame frame = FileFrame::Untagged;
     double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
     std::vector<MeshStructure> structures;
@@ -54,7 +54,7 @@ struct ReadOptions
     bool isPartial = false;
 };
 
-/// Reads STL (ASCII, binary), VTP, OBJ or PLY; the kind is told from the content.
+/// Reads a mesh file of one of the formats of MeshFormats.h; which one is told from the content.
 ///
 /// Polygons and strips are triangulated. OBJ groups and objects, and the `StructureId` cell array with
 /// `StructureNames` of a VTP, become structures. The numeric locale does not matter.

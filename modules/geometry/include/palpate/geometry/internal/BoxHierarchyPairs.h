@@ -6,18 +6,17 @@
 #include "palpate/geometry/BoxHierarchy.h"
 
 #include <palpate/core/Float4.h>
+#include <palpate/core/Parallel.h>
 
 #include <array>
-#include <atomic>
 #include <bit>
-#include <future>
 #include <vector>
 
 namespace palpate::geometry {
 
 /// Pairs of nodes, or of a leaf and a node, that are still to be opened.
 template<class Pair>
-class PairVisit
+class alignas(64) PairVisit // one a thread, each in lines of its own
 {
   public:
     using Node = BoxHierarchy::Node;
@@ -110,32 +109,29 @@ void BoxHierarchy::visitPairs(double around_mm, unsigned threads, Pair&& pair) c
         return;
     }
     const auto around = static_cast<float>(1.000001 * around_mm);
-    PairVisit visit(m_nodes.data(), around, 0, pair);
-    if (threads < 2) {
-        visit.openAll(0, 0);
-        return;
+    std::vector<PairVisit<std::remove_reference_t<Pair>>> visits; // by thread
+    for (unsigned thread = 0; thread < std::max(1U, threads); ++thread) {
+        visits.emplace_back(m_nodes.data(), around, thread, pair);
     }
-    // Enough pieces that both threads end at about the same time.
-    constexpr std::size_t kPieces = 256;
+    // Several pieces for each thread: they take unequal times.
+    const std::size_t most = 128 * visits.size();
     std::vector<std::array<std::uint32_t, 2>> pieces{{0, 0}};
     std::size_t opened = 0;
-    for (; opened < pieces.size() && pieces.size() - opened < kPieces && !visit.isOver(); ++opened) {
+    for (; opened < pieces.size() && pieces.size() - opened < most && !visits[0].isOver(); ++opened) {
         const auto [a, b] = pieces[opened];
-        visit.open(a, b, [&pieces](std::uint32_t c, std::uint32_t d) { pieces.push_back({c, d}); });
+        visits[0].open(a, b, [&pieces](std::uint32_t c, std::uint32_t d) { pieces.push_back({c, d}); });
     }
-    if (visit.isOver()) {
+    if (visits[0].isOver()) {
         return;
     }
-    std::atomic<std::size_t> next = opened;
-    const auto work = [&](unsigned thread) {
-        PairVisit mine(m_nodes.data(), around, thread, pair);
-        for (std::size_t i = next++; i < pieces.size() && !mine.isOver(); i = next++) {
-            mine.openAll(pieces[i][0], pieces[i][1]);
-        }
-    };
-    std::future<void> other = std::async(std::launch::async, work, 1);
-    work(0);
-    other.get();
+    core::parallelFor(
+        pieces.size() - opened,
+        [&](std::size_t i, unsigned thread) {
+            if (!visits[thread].isOver()) {
+                visits[thread].openAll(pieces[opened + i][0], pieces[opened + i][1]);
+            }
+        },
+        threads);
 }
 
 } // namespace palpate::geometry

@@ -4,6 +4,7 @@
 // Traversals of BoxHierarchy for a ball: private, included by BoxHierarchy.h so that the visitor is inlined.
 
 #include "palpate/geometry/BoxHierarchy.h"
+#include "palpate/geometry/internal/BoxHierarchyVisit.h"
 
 #include <palpate/core/Float4.h>
 
@@ -155,6 +156,35 @@ inline core::Mask4 boxesOf(const BoxHierarchy::Node& node, core::Float4* c, core
     return isUsed;
 }
 
+/// Cuts a segment to the part `first` … `last` of it that comes within `reach_mm` of the box around all of a node's.
+/// @return false where none does
+inline bool clipToBoxes(const BoxHierarchy::Node& node, const Vec3& start, const Vec3& whole, double reach_mm,
+                        double& first, double& last) noexcept
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = 0.0, high = 0.0;
+        bool isAny = false;
+        for (int lane = 0; lane < 4; ++lane) {
+            if (node.low[axis][lane] <= node.high[axis][lane]) {
+                low = isAny ? std::min<double>(low, node.low[axis][lane]) : node.low[axis][lane];
+                high = isAny ? std::max<double>(high, node.high[axis][lane]) : node.high[axis][lane];
+                isAny = true;
+            }
+        }
+        const double around = 1.01 * reach_mm + 1e-6 * (high - low);
+        if (whole[axis] == 0.0) {
+            if (start[axis] < low - around || start[axis] > high + around) {
+                return false;
+            }
+            continue;
+        }
+        const double a = (low - around - start[axis]) / whole[axis], b = (high + around - start[axis]) / whole[axis];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    return first <= last;
+}
+
 } // namespace internal
 
 template<class Leaf>
@@ -207,31 +237,8 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
         return kAll;
     }
     // What lies outside of the root's box, a reach around it, meets nothing: floats are of the size of the rest.
-    const Node& root = m_nodes[0];
     double first = 0.0, last = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        double low = 0.0, high = 0.0;
-        bool isAny = false;
-        for (int lane = 0; lane < 4; ++lane) {
-            if (root.low[axis][lane] <= root.high[axis][lane]) {
-                low = isAny ? std::min<double>(low, root.low[axis][lane]) : root.low[axis][lane];
-                high = isAny ? std::max<double>(high, root.high[axis][lane]) : root.high[axis][lane];
-                isAny = true;
-            }
-        }
-        const double around = 1.01 * reach_mm + 1e-6 * (high - low);
-        const double start = from[axis] - m_origin[axis], d = to[axis] - from[axis];
-        if (d == 0.0) {
-            if (start < low - around || start > high + around) {
-                return kAll;
-            }
-            continue;
-        }
-        const double a = (low - around - start) / d, b = (high + around - start) / d;
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    if (!(first <= last)) {
+    if (!internal::clipToBoxes(m_nodes[0], from - m_origin, to - from, reach_mm, first, last)) {
         return kAll;
     }
     const Vec3 along = (last - first) * (to - from);
@@ -277,20 +284,10 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
         }
         lanes &= ~node.leafMask;
         if (lanes != 0) {
-            // Farthest pushed first, so that the nearest is taken next.
-            const core::Float4 order = ball.order(c);
             const int begin = top;
-            for (; lanes != 0; lanes &= lanes - 1) {
-                int at = top++;
-                stack[at] = static_cast<std::uint32_t>(std::countr_zero(lanes));
-                for (; at > begin && order[static_cast<int>(stack[at - 1])] < order[static_cast<int>(stack[at])];
-                     --at) {
-                    std::swap(stack[at - 1], stack[at]);
-                }
-            }
+            top = internal::pushFarthestFirst(node, lanes, ball.order(c), stack, top);
             for (int i = begin; i < top; ++i) {
-                core::prefetch(&m_nodes[node.child[stack[i]]]);
-                stack[i] = node.child[stack[i]];
+                core::prefetch(&m_nodes[stack[i]]);
             }
         }
         if (top == 0) {

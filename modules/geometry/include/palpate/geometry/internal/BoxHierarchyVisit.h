@@ -9,8 +9,97 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace palpate::geometry {
+
+namespace internal {
+
+/// Puts the children in `lanes` of a node on a stack, the one that comes last in `order` first, so that the first is
+/// taken next. @return the stack's new top
+[[gnu::always_inline]] inline int pushFarthestFirst(const BoxHierarchy::Node& node, std::uint32_t lanes,
+                                                    core::Float4 order, std::uint32_t* stack, int top) noexcept
+{
+    const int first = top;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        int at = top++;
+        stack[at] = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        for (; at > first && order[static_cast<int>(stack[at - 1])] < order[static_cast<int>(stack[at])]; --at) {
+            std::swap(stack[at - 1], stack[at]);
+        }
+    }
+    for (int i = first; i < top; ++i) {
+        stack[i] = node.child[stack[i]];
+    }
+    return top;
+}
+
+/// A segment as floats against which boxes are ruled out, relative to a hierarchy's origin.
+class Segment4
+{
+  public:
+    /// @param start  first end [mm]
+    /// @param whole  to the other end [mm]
+    Segment4(const Vec3& start, const Vec3& whole, double around_mm) noexcept
+        : m_start(start)
+        , m_whole(whole)
+        , m_around_mm(around_mm)
+    {
+        clip(1.0);
+    }
+
+    /// Only the first `share` of the segment is of interest from now on.
+    void clip(double share) noexcept
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double h = 0.5 * share * m_whole[axis];
+            const double m = m_start[axis] + h;
+            m_mid[axis] = core::splat4(static_cast<float>(m));
+            m_half[axis] = core::splat4(static_cast<float>(h));
+            m_reach[axis] = core::splat4(std::fabs(static_cast<float>(h)));
+        }
+        // Rounding of the float arithmetic below: a few ulp of the largest number in it, so that boxes are kept rather
+        // than lost.
+        m_slack = static_cast<float>(1.000001 * m_around_mm) +
+                  8e-7f * static_cast<float>((m_start.cwiseAbs() + m_whole.cwiseAbs()).maxCoeff());
+    }
+
+    /// @param c  becomes the centres of the node's boxes as seen from the middle of the segment [mm]
+    /// @return bit i: the segment touches box i
+    [[nodiscard]] std::uint32_t touched(const BoxHierarchy::Node& node, core::Float4* c) const noexcept
+    {
+        using core::absolute, core::Float4, core::load4, core::Mask4, core::splat4;
+        Float4 e[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const Float4 low = load4(node.low[axis]), high = load4(node.high[axis]);
+            const Float4 extent = high - low;
+            c[axis] = (low + high) * splat4(0.5f) - m_mid[axis];
+            // Empty boxes keep a negative extent and touch nothing.
+            e[axis] = extent * splat4(0.5f) + absolute(extent) * splat4(4e-7f) + splat4(m_slack);
+        }
+        Mask4 touches = load4(node.low[0]) <= load4(node.high[0]);
+        for (int axis = 0; axis < 3; ++axis) {
+            touches &= absolute(c[axis]) <= e[axis] + m_reach[axis];
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+            const Float4 distance = absolute(c[j] * m_half[k] - c[k] * m_half[j]);
+            // The extents already carry the slack, times the segment's length: enough for this product's rounding.
+            const Float4 bound = e[j] * m_reach[k] + e[k] * m_reach[j] +
+                                 (absolute(c[j]) * m_reach[k] + absolute(c[k]) * m_reach[j]) * splat4(4e-7f);
+            touches &= distance <= bound;
+        }
+        return core::laneBits(touches);
+    }
+
+  private:
+    Vec3 m_start, m_whole;
+    double m_around_mm;
+    core::Float4 m_mid[3], m_half[3], m_reach[3];
+    float m_slack = 0.0f;
+};
+
+} // namespace internal
 
 inline FloatBox FloatBox::around(const Box& box, const Vec3& origin) noexcept
 {
@@ -77,55 +166,19 @@ void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf, d
     if (m_nodes.empty()) {
         return;
     }
-    using core::absolute, core::Float4, core::laneBits, core::load4, core::Mask4;
-    const auto splat = [](float v) { return core::splat4(v); };
-    const Vec3 start = from - m_origin;
+    using core::Float4, core::splat4;
     const Vec3 whole = to - from;
-    Float4 mid[3], half[3], reach[3];
-    float slack = 0.0f;
-    const auto clip = [&](double share) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double h = 0.5 * share * whole[axis];
-            const double m = start[axis] + h;
-            mid[axis] = splat(static_cast<float>(m));
-            half[axis] = splat(static_cast<float>(h));
-            reach[axis] = splat(std::fabs(static_cast<float>(h)));
-        }
-        // Rounding of the float arithmetic below: a few ulp of the largest number in it, so that boxes are kept rather
-        // than lost.
-        slack = static_cast<float>(1.000001 * around_mm) +
-                8e-7f * static_cast<float>((start.cwiseAbs() + whole.cwiseAbs()).maxCoeff());
-    };
-    clip(1.0);
-    const Float4 along0 = splat(static_cast<float>(whole[0])), along1 = splat(static_cast<float>(whole[1])),
-                 along2 = splat(static_cast<float>(whole[2]));
+    internal::Segment4 segment(from - m_origin, whole, around_mm);
+    const Float4 along0 = splat4(static_cast<float>(whole[0])), along1 = splat4(static_cast<float>(whole[1])),
+                 along2 = splat4(static_cast<float>(whole[2]));
     double share = 1.0;
     std::uint32_t stack[kStack];
     int top = 0;
     std::uint32_t current = 0;
     for (;;) {
         const Node& node = m_nodes[current];
-        Float4 c[3], e[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float4 low = load4(node.low[axis]), high = load4(node.high[axis]);
-            const Float4 extent = high - low;
-            c[axis] = (low + high) * splat(0.5f) - mid[axis];
-            // Empty boxes keep a negative extent and touch nothing.
-            e[axis] = extent * splat(0.5f) + absolute(extent) * splat(4e-7f) + splat(slack);
-        }
-        Mask4 touches = load4(node.low[0]) <= load4(node.high[0]);
-        for (int axis = 0; axis < 3; ++axis) {
-            touches &= absolute(c[axis]) <= e[axis] + reach[axis];
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-            const Float4 distance = absolute(c[j] * half[k] - c[k] * half[j]);
-            // The extents already carry the slack, times the segment's length: enough for this product's rounding.
-            const Float4 bound = e[j] * reach[k] + e[k] * reach[j] +
-                                 (absolute(c[j]) * reach[k] + absolute(c[k]) * reach[j]) * splat(4e-7f);
-            touches &= distance <= bound;
-        }
-        std::uint32_t lanes = laneBits(touches);
+        Float4 c[3];
+        std::uint32_t lanes = segment.touched(node, c);
         for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
             const std::uint32_t child = node.child[std::countr_zero(leaves)];
             const double left = leaf(child >> 3, child & 7u);
@@ -134,26 +187,12 @@ void BoxHierarchy::visitSegment(const Vec3& from, const Vec3& to, Leaf&& leaf, d
                     return;
                 }
                 share = left;
-                clip(share);
+                segment.clip(share);
             }
         }
         lanes &= ~node.leafMask;
         if (lanes != 0) {
-            // Farthest pushed first, so that the nearest is taken next.
-            const Float4 order = c[0] * along0 + c[1] * along1 + c[2] * along2;
-            const int first = top;
-            for (; lanes != 0; lanes &= lanes - 1) {
-                const int lane = std::countr_zero(lanes);
-                int at = top++;
-                stack[at] = static_cast<std::uint32_t>(lane);
-                for (; at > first && order[static_cast<int>(stack[at - 1])] < order[static_cast<int>(stack[at])];
-                     --at) {
-                    std::swap(stack[at - 1], stack[at]);
-                }
-            }
-            for (int i = first; i < top; ++i) {
-                stack[i] = node.child[stack[i]];
-            }
+            top = internal::pushFarthestFirst(node, lanes, c[0] * along0 + c[1] * along1 + c[2] * along2, stack, top);
         }
         if (top == 0) {
             return;

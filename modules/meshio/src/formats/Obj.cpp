@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PreScan.h"
+#include "MeshFormat.h"
 
 #include "Fault.h"
 #include "PolygonCutter.h"
@@ -7,6 +7,11 @@
 
 #include <palpate/core/Numbers.h>
 
+#include <vtkOBJReader.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -232,9 +237,26 @@ PreScan ObjScan::finish()
     return std::move(m_scan);
 }
 
-} // namespace
+/// True when the first lines of text read like an OBJ's.
+bool looksLikeObj(std::string_view bytes)
+{
+    static constexpr std::array<std::string_view, 12> kWords{"v", "vn",     "vt",     "f", "o", "g",
+                                                             "s", "mtllib", "usemtl", "l", "p", "vp"};
+    LineReader lines(headOf(bytes));
+    while (lines.next()) {
+        std::string_view rest = lines.line();
+        const std::string_view word = takeWord(rest);
+        if (word.empty() || word.front() == '#') {
+            continue;
+        }
+        return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+    }
+    return false;
+}
 
-Result<PreScan> preScanObj(FileImage& image, const ScanContext& context)
+/// VTK takes group names and materials for its own ends, counts no negative indices, and reads lines of a bounded
+/// length: the image becomes vertices and faces alone.
+Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
 {
     std::string_view text = image.bytes();
     if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
@@ -264,5 +286,18 @@ Result<PreScan> preScanObj(FileImage& image, const ScanContext& context)
     found.loss = std::move(loss);
     return found;
 }
+
+vtkSmartPointer<vtkAlgorithm> objReader(const std::string& path)
+{
+    auto made = vtkSmartPointer<vtkOBJReader>::New();
+    made->SetFileName(path.c_str());
+    return made;
+}
+
+constexpr std::array<std::string_view, 1> kObjExtensions{".obj"};
+
+} // namespace
+
+const MeshFormat kObj{"OBJ", kObjExtensions, true, looksLikeObj, guardObj, objReader};
 
 } // namespace palpate::meshio::internal

@@ -30,6 +30,7 @@ class VtpBlocks
     [[nodiscard]] std::optional<std::vector<unsigned char>> unpack() const;
 
   private:
+    friend class VtpBlockFinder;
     struct Block
     {
         std::uint64_t begin = 0; ///< in m_data

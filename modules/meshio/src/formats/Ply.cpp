@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFormat.h"
 #include "PlyHeader.h"
-#include "PreScan.h"
 
 #include "Fault.h"
 #include "TextScan.h"
+
+#include <vtkPLYReader.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <array>
@@ -138,8 +141,8 @@ class PlyScan
     {
         return fault(code, m_context.file, m_body.place(), found, expected);
     }
-    Status readElement(const PlyElement& element, std::uint64_t vertices);
-    Status keepVertex(std::uint64_t i, const std::array<double, 3>& p);
+    Status readElement(const PlyElement& element, PreScan& scan);
+    Status keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreScan& scan);
     Status keepFace(std::uint64_t i, std::uint64_t vertices);
 
     template<class T>
@@ -154,6 +157,7 @@ class PlyScan
     PlyBody m_body;
     std::vector<double> m_list;
     std::uint64_t m_wholeFaces = 0;
+    bool m_isExact = false; ///< some coordinate is of a type that a float does not hold
     std::string m_plain;
 };
 
@@ -162,7 +166,12 @@ bool isFaceList(const PlyProperty& p)
     return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
-Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p)
+bool isCoordinate(const PlyProperty& p)
+{
+    return !p.isList && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z';
+}
+
+Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreScan& scan)
 {
     for (const double x : p) {
         if (const std::string bad = coordinateFault(x, m_context.unit_mm); !bad.empty()) {
@@ -170,6 +179,9 @@ Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p)
                          "finite coordinates within 10 km");
         }
         append(static_cast<float>(x));
+    }
+    if (m_isExact) {
+        scan.exactPoints.emplace_back(p[0], p[1], p[2]);
     }
     return {};
 }
@@ -194,7 +206,7 @@ Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
     return {};
 }
 
-Status PlyScan::readElement(const PlyElement& element, std::uint64_t vertices)
+Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
 {
     const bool isVertex = element.name == "vertex";
     const bool isFace = element.name == "face";
@@ -213,7 +225,7 @@ Status PlyScan::readElement(const PlyElement& element, std::uint64_t vertices)
                 return cut();
             }
             if (!property.isList) {
-                if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z') {
+                if (isCoordinate(property)) {
                     p[static_cast<std::size_t>(property.name[0] - 'x')] = *value;
                 }
                 continue;
@@ -235,13 +247,13 @@ Status PlyScan::readElement(const PlyElement& element, std::uint64_t vertices)
                 }
             }
             if (isKept) {
-                if (Status status = keepFace(i, vertices); !status.isOk()) {
+                if (Status status = keepFace(i, scan.points); !status.isOk()) {
                     return status;
                 }
             }
         }
         if (isVertex) {
-            if (Status status = keepVertex(i, p); !status.isOk()) {
+            if (Status status = keepVertex(i, p, scan); !status.isOk()) {
                 return status;
             }
         }
@@ -288,11 +300,17 @@ Status PlyScan::run(PreScan& scan)
     }
     scan.points = vertex->count;
     scan.cells = face->count;
+    // VTK keeps coordinates as floats, whatever the file has.
+    m_isExact = std::ranges::any_of(vertex->properties, [](const PlyProperty& p) {
+        return isCoordinate(p) && (p.type == PlyType::Float64 || p.type == PlyType::Int32 || p.type == PlyType::UInt32);
+    });
+    scan.exactPoints.clear();
+    scan.exactPoints.reserve(m_isExact ? vertex->count : 0);
     m_plain = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertex->count) +
               "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(face->count) +
               "\nproperty list uchar int vertex_indices\nend_header\n";
     for (const PlyElement& element : m_header.elements) {
-        if (Status status = readElement(element, vertex->count); !status.isOk()) {
+        if (Status status = readElement(element, scan); !status.isOk()) {
             return status;
         }
     }
@@ -302,9 +320,13 @@ Status PlyScan::run(PreScan& scan)
     return {};
 }
 
-} // namespace
+bool looksLikePly(std::string_view bytes)
+{
+    const std::string_view head = headOf(bytes);
+    return head.starts_with("ply\n") || head.starts_with("ply\r\n");
+}
 
-Result<PreScan> preScanPly(FileImage& image, const ScanContext& context)
+Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
 {
     static_assert(std::endian::native == std::endian::little, "the plain PLY is written in the machine's byte order");
     PreScan scan;
@@ -337,5 +359,18 @@ Result<PreScan> preScanPly(FileImage& image, const ScanContext& context)
     image = std::move(plain).value();
     return scan;
 }
+
+vtkSmartPointer<vtkAlgorithm> plyReader(const std::string& path)
+{
+    auto made = vtkSmartPointer<vtkPLYReader>::New();
+    made->SetFileName(path.c_str());
+    return made;
+}
+
+constexpr std::array<std::string_view, 1> kPlyExtensions{".ply"};
+
+} // namespace
+
+const MeshFormat kPly{"PLY", kPlyExtensions, false, looksLikePly, guardPly, plyReader};
 
 } // namespace palpate::meshio::internal

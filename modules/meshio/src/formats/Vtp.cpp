@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PreScan.h"
+#include "MeshFormat.h"
 #include "VtpBlocks.h"
 #include "VtpHeader.h"
 
 #include "Fault.h"
 #include "TextScan.h"
 
+#include <vtkDataArraySelection.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palpate::meshio::internal {
@@ -350,9 +355,14 @@ Status VtpScan::run()
     return {};
 }
 
-} // namespace
+/// Any XML: the header's reader names one of another kind.
+bool looksLikeVtp(std::string_view bytes)
+{
+    const std::string_view text = textOf(bytes);
+    return text.starts_with('<') || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
 
-Result<PreScan> preScanVtp(FileImage& image, const ScanContext& context)
+Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
 {
     PreScan scan;
     scan.format = "VTP";
@@ -365,5 +375,22 @@ Result<PreScan> preScanVtp(FileImage& image, const ScanContext& context)
     }
     return scan;
 }
+
+vtkSmartPointer<vtkAlgorithm> vtpReader(const std::string& path)
+{
+    auto made = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    made->SetFileName(path.c_str());
+    made->UpdateInformation();
+    made->GetPointDataArraySelection()->DisableAllArrays();
+    made->GetCellDataArraySelection()->DisableAllArrays();
+    made->GetCellDataArraySelection()->EnableArray("StructureId");
+    return made;
+}
+
+constexpr std::array<std::string_view, 1> kVtpExtensions{".vtp"};
+
+} // namespace
+
+const MeshFormat kVtp{"VTP", kVtpExtensions, false, looksLikeVtp, guardVtp, vtpReader};
 
 } // namespace palpate::meshio::internal

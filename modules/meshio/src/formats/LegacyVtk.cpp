@@ -1,0 +1,601 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK's older file format, `.vtk`: lines of words, numbers as text or as big-endian bytes.
+// https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
+#include "MeshFormat.h"
+
+#include "Fault.h"
+#include "TextScan.h"
+
+#include <vtkPolyDataReader.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max(); ///< indices are 32-bit inside
+
+constexpr std::string_view kMark = "# vtk DataFile Version";
+
+/// How a number is stored in a binary file.
+struct NumberType
+{
+    std::string_view name; ///< in the file, in lower case
+    std::size_t size;      ///< [bytes]
+    bool isFloating;
+    bool isSigned;
+};
+
+constexpr std::array<NumberType, 14> kTypes{{{"unsigned_char", 1, false, false},
+                                             {"char", 1, false, true},
+                                             {"signed_char", 1, false, true},
+                                             {"unsigned_short", 2, false, false},
+                                             {"short", 2, false, true},
+                                             {"unsigned_int", 4, false, false},
+                                             {"int", 4, false, true},
+                                             {"unsigned_long", sizeof(long), false, false},
+                                             {"long", sizeof(long), false, true},
+                                             {"vtktypeuint64", 8, false, false},
+                                             {"vtktypeint64", 8, false, true},
+                                             {"vtkidtype", 4, false, true},
+                                             {"float", 4, true, true},
+                                             {"double", 8, true, true}}};
+
+const NumberType* typeOf(std::string_view word)
+{
+    const auto found =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return sameWord(t.name, word); });
+    return found == kTypes.end() ? nullptr : &*found;
+}
+
+/// Reads words and numbers from the file one after the other.
+class LegacyBody
+{
+  public:
+    explicit LegacyBody(std::string_view bytes)
+        : m_bytes(bytes)
+    {
+    }
+    bool isBinary = false;
+
+    [[nodiscard]] std::size_t at() const noexcept { return m_at; }
+    [[nodiscard]] std::string_view rest() const noexcept { return m_bytes.substr(m_at); }
+    [[nodiscard]] std::string place() const
+    {
+        return isBinary ? atByte(m_at)
+                        : atLine(1 + static_cast<std::uint64_t>(std::ranges::count(m_bytes.substr(0, m_at), '\n')));
+    }
+    /// @return the next word, empty at the end
+    std::string_view word()
+    {
+        std::string_view rest = m_bytes.substr(m_at);
+        const std::string_view found = takeWord(rest);
+        m_at = m_bytes.size() - rest.size();
+        return found;
+    }
+    /// @return what is left of the line, without its end
+    std::string_view line()
+    {
+        const std::size_t feed = std::min(m_bytes.find('\n', m_at), m_bytes.size());
+        const std::string_view found = m_bytes.substr(m_at, feed - m_at);
+        m_at = std::min(feed + 1, m_bytes.size());
+        return found;
+    }
+    /// Goes past `count` numbers. @return false when the file holds fewer
+    bool skip(std::uint64_t count, const NumberType& type)
+    {
+        if (isBinary) {
+            const bool isThere = count <= rest().size() / type.size;
+            m_at += isThere ? count * type.size : 0;
+            return isThere;
+        }
+        for (; count > 0; --count) {
+            if (!wordToNumber(word())) {
+                return false;
+            }
+        }
+        return true;
+    }
+    std::optional<double> number(const NumberType& type)
+    {
+        if (!isBinary) {
+            return wordToNumber(word());
+        }
+        const std::optional<std::uint64_t> raw = take(type.size);
+        if (!raw) {
+            return std::nullopt;
+        }
+        if (!type.isFloating) {
+            return type.isSigned ? static_cast<double>(extended(*raw, type.size)) : static_cast<double>(*raw);
+        }
+        if (type.size == sizeof(float)) {
+            return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(*raw)));
+        }
+        return std::bit_cast<double>(*raw);
+    }
+    /// @param type  of whole numbers
+    std::optional<std::int64_t> integer(const NumberType& type)
+    {
+        if (!isBinary) {
+            return wordToInteger(word());
+        }
+        const std::optional<std::uint64_t> raw = take(type.size);
+        return raw ? std::optional(extended(*raw, type.size)) : std::nullopt;
+    }
+
+  private:
+    std::optional<std::uint64_t> take(std::size_t size)
+    {
+        if (rest().size() < size) {
+            return std::nullopt;
+        }
+        std::uint64_t value = 0;
+        for (const char c : rest().substr(0, size)) {
+            value = value << 8 | static_cast<unsigned char>(c);
+        }
+        m_at += size;
+        return value;
+    }
+    static std::int64_t extended(std::uint64_t value, std::size_t size)
+    {
+        const std::size_t unused = 64 - 8 * size;
+        return static_cast<std::int64_t>(value << unused) >> unused;
+    }
+
+    std::string_view m_bytes;
+    std::size_t m_at = 0;
+};
+
+/// Checks points and cells and writes them as the plainest binary file of version 3. VTK's reader checks nothing: it
+/// follows a list of cells out of its memory, takes an unknown version for an older layout, sizes memory by what a
+/// field declares and reads an array's information for ever. What is not points and cells (fields, attributes,
+/// information keys) is not used here.
+class LegacyScan
+{
+  public:
+    LegacyScan(FileImage& image, const ScanContext& context)
+        : m_image(image)
+        , m_context(context)
+        , m_body(image.bytes())
+    {
+        m_scan.format = "VTK";
+    }
+    Result<PreScan> run();
+
+  private:
+    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    {
+        return fault(code, m_context.file, m_body.place(), found, expected);
+    }
+    Status readHeader();
+    Status readSection(std::string_view keyword);
+    Status readPoints();
+    Status readCells(std::string_view keyword);
+    Status readCellLists(std::uint64_t cells, std::uint64_t numbers, std::string_view keyword);
+    Status readCellOffsets(std::uint64_t offsets, std::uint64_t corners, std::string_view keyword);
+    Status skipField();
+    Status skipText(std::uint64_t count);
+    Status takeIndex(std::optional<std::int64_t> index, std::string_view keyword);
+    /// A count from 0 that the rest of the file can hold, one byte each at least.
+    Result<std::uint64_t> count(std::string_view of);
+    /// In a binary file numbers begin behind the end of the line.
+    Status endLine();
+    /// Reads a word of two that announces an array, then its type, one of whole numbers.
+    Result<const NumberType*> arrayType(std::string_view word);
+    Status reportProgress();
+    /// Goes to the empty line that ends the block behind an array. @param components  of the array
+    void skipMetadata(std::uint64_t components);
+    template<class T>
+    void append(T value)
+    {
+        std::array<char, sizeof(T)> raw;
+        std::memcpy(raw.data(), &value, sizeof(T));
+        std::reverse(raw.begin(), raw.end());
+        m_plain.append(raw.data(), raw.size());
+    }
+    void appendCorner(std::int64_t value)
+    {
+        if (m_isKept) {
+            append(static_cast<std::int32_t>(value));
+        }
+    }
+
+    FileImage& m_image;
+    const ScanContext& m_context;
+    LegacyBody m_body;
+    bool m_hasOffsets = false; ///< cells as offsets and corners, since version 5
+    std::optional<std::uint64_t> m_points;
+    std::vector<std::string> m_seen; ///< sections so far
+    std::string m_plain = "# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\n";
+    std::uint64_t m_steps = 0; ///< numbers that were checked
+    bool m_isKept = false;     ///< the cells that are read are polygons or strips
+    PreScan m_scan;
+};
+
+Status LegacyScan::reportProgress()
+{
+    if (m_steps++ % 65536 == 0 && m_context.progress &&
+        !m_context.progress(double(m_body.at()) / double(m_image.bytes().size()))) {
+        return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+    }
+    return {};
+}
+
+Result<std::uint64_t> LegacyScan::count(std::string_view of)
+{
+    const std::string_view word = m_body.word();
+    const std::optional<std::int64_t> value = wordToInteger(word);
+    if (!value || *value < 0) {
+        return wrong(StatusCode::BadFormat, inQuotes(word), "a number of " + std::string(of));
+    }
+    const auto found = static_cast<std::uint64_t>(*value);
+    if (found > std::min<std::uint64_t>(m_body.rest().size(), kMostElements)) {
+        return wrong(StatusCode::OutOfRange, grouped(found) + " " + std::string(of) + " declared",
+                     "at most " + grouped(std::min<std::uint64_t>(m_body.rest().size(), kMostElements)) +
+                         ", one for each byte that is left");
+    }
+    return found;
+}
+
+Status LegacyScan::endLine()
+{
+    if (!m_body.isBinary) {
+        return {};
+    }
+    const std::string_view rest = m_body.line();
+    return trimmed(rest).empty() ? Status()
+                                 : wrong(StatusCode::BadFormat, inQuotes(trimmed(rest)), "the end of the line");
+}
+
+Status LegacyScan::readHeader()
+{
+    const std::string_view first = m_body.line();
+    const std::string_view title = m_body.line();
+    const std::string_view encoding = m_body.word();
+    std::string_view number = first.substr(std::min(kMark.size(), first.size()));
+    number = takeWord(number);
+    const std::optional<std::int64_t> version = wordToInteger(number.substr(0, number.find('.')));
+    if (!version) {
+        return wrong(StatusCode::BadFormat, inQuotes(trimmed(first)), inQuotes(std::string(kMark) + " 3.0"));
+    }
+    if (*version < 1 || *version > 5) {
+        return wrong(StatusCode::Unsupported, "version " + std::to_string(*version), "1 to 5");
+    }
+    m_hasOffsets = *version == 5;
+    noteSpaceTag(title, m_scan);
+    m_body.isBinary = sameWord(encoding, "binary");
+    if (!m_body.isBinary && !sameWord(encoding, "ascii")) {
+        return wrong(StatusCode::BadFormat, inQuotes(encoding), "\"ASCII\" or \"BINARY\"");
+    }
+    return {};
+}
+
+Status LegacyScan::readPoints()
+{
+    const Result<std::uint64_t> points = count("points");
+    if (!points.isOk()) {
+        return points.status();
+    }
+    const std::string_view word = m_body.word();
+    const NumberType* type = typeOf(word);
+    if (type == nullptr) {
+        return wrong(StatusCode::BadFormat, "points of type " + inQuotes(word), "a type of numbers");
+    }
+    if (Status status = endLine(); !status.isOk()) {
+        return status;
+    }
+    const bool isFloat = type->isFloating && type->size == sizeof(float);
+    m_plain.append("POINTS ").append(std::to_string(points.value())).append(isFloat ? " float\n" : " double\n");
+    for (std::uint64_t i = 0; i < 3 * points.value(); ++i) {
+        const std::optional<double> value = m_body.number(*type);
+        if (!value) {
+            return wrong(StatusCode::BadFormat,
+                         "no number for point " + std::to_string(i / 3) + " of " + grouped(points.value()),
+                         "three for each");
+        }
+        if (const std::string bad = coordinateFault(*value, m_context.unit_mm); !bad.empty()) {
+            return wrong(StatusCode::NonFinite, "point " + std::to_string(i / 3) + ": " + bad,
+                         "finite coordinates within 10 km");
+        }
+        if (isFloat) {
+            append(static_cast<float>(*value));
+        } else {
+            append(*value);
+        }
+        if (Status status = reportProgress(); !status.isOk()) {
+            return status;
+        }
+    }
+    m_points = m_scan.points = points.value();
+    return {};
+}
+
+Status LegacyScan::takeIndex(std::optional<std::int64_t> index, std::string_view keyword)
+{
+    if (!index) {
+        return wrong(StatusCode::BadFormat, "no whole number in " + std::string(keyword), "as many as are declared");
+    }
+    if (!m_points || *index < 0 || *index >= static_cast<std::int64_t>(*m_points)) {
+        return wrong(StatusCode::OutOfRange, std::string(keyword) + " use point " + std::to_string(*index),
+                     !m_points       ? "POINTS before"
+                     : *m_points > 0 ? "0 to " + std::to_string(*m_points - 1)
+                                     : "no index: there are no points");
+    }
+    appendCorner(*index);
+    return reportProgress();
+}
+
+Status LegacyScan::readCellLists(std::uint64_t cells, std::uint64_t numbers, std::string_view keyword)
+{
+    constexpr NumberType kInt{"int", 4, false, true};
+    if (Status status = endLine(); !status.isOk()) {
+        return status;
+    }
+    std::uint64_t left = numbers;
+    for (std::uint64_t i = 0; i < cells; ++i) {
+        const std::optional<std::int64_t> corners = m_body.integer(kInt);
+        if (!corners || *corners < 0 || static_cast<std::uint64_t>(*corners) + 1 > left) {
+            return wrong(StatusCode::OutOfRange,
+                         "cell " + std::to_string(i) + " of " + std::string(keyword) + " has " +
+                             (corners ? std::to_string(*corners) : "no number of") + " corners",
+                         "at most " + grouped(left == 0 ? 0 : left - 1) + ", the numbers that are left");
+        }
+        left -= static_cast<std::uint64_t>(*corners) + 1;
+        appendCorner(*corners);
+        for (std::int64_t k = 0; k < *corners; ++k) {
+            if (Status status = takeIndex(m_body.integer(kInt), keyword); !status.isOk()) {
+                return status;
+            }
+        }
+    }
+    return left == 0
+               ? Status()
+               : wrong(StatusCode::OutOfRange, grouped(numbers) + " numbers of " + std::string(keyword) + " declared",
+                       grouped(numbers - left) + ", what its cells use");
+}
+
+Result<const NumberType*> LegacyScan::arrayType(std::string_view word)
+{
+    const std::string_view found = m_body.word();
+    const std::string_view name = m_body.word();
+    const NumberType* type = typeOf(name);
+    if (!sameWord(found, word) || type == nullptr || type->isFloating) {
+        return wrong(StatusCode::BadFormat, inQuotes(found) + " " + inQuotes(name),
+                     inQuotes(word) + " and a type of whole numbers");
+    }
+    if (Status status = endLine(); !status.isOk()) {
+        return status;
+    }
+    return type;
+}
+
+Status LegacyScan::readCellOffsets(std::uint64_t offsets, std::uint64_t corners, std::string_view keyword)
+{
+    Result<const NumberType*> type = arrayType("OFFSETS");
+    std::vector<std::int64_t> starts;
+    starts.reserve(offsets);
+    std::int64_t before = 0;
+    for (std::uint64_t i = 0; type.isOk() && i < offsets; ++i) {
+        const std::optional<std::int64_t> offset = m_body.integer(*type.value());
+        if (!offset || *offset < before || (i == 0 && *offset != 0) || *offset > static_cast<std::int64_t>(corners)) {
+            return wrong(StatusCode::OutOfRange,
+                         "offset " + std::to_string(i) + " of " + std::string(keyword) + " is " +
+                             (offset ? std::to_string(*offset) : "no whole number"),
+                         i == 0 ? "0" : std::to_string(before) + " to " + std::to_string(corners));
+        }
+        before = *offset;
+        starts.push_back(before);
+    }
+    if (type.isOk() && before != static_cast<std::int64_t>(corners)) {
+        return wrong(StatusCode::OutOfRange, grouped(corners) + " corners of " + std::string(keyword) + " declared",
+                     std::to_string(before) + ", the last offset");
+    }
+    if (type.isOk()) {
+        type = arrayType("CONNECTIVITY");
+    }
+    for (std::size_t cell = 0; type.isOk() && cell + 1 < starts.size(); ++cell) {
+        appendCorner(starts[cell + 1] - starts[cell]);
+        for (std::int64_t i = starts[cell]; i < starts[cell + 1]; ++i) {
+            if (Status status = takeIndex(m_body.integer(*type.value()), keyword); !status.isOk()) {
+                return status;
+            }
+        }
+    }
+    return type.status();
+}
+
+Status LegacyScan::readCells(std::string_view keyword)
+{
+    const Result<std::uint64_t> first = count("cells");
+    if (!first.isOk()) {
+        return first.status();
+    }
+    const Result<std::uint64_t> second = count("numbers");
+    if (!second.isOk()) {
+        return second.status();
+    }
+    const std::uint64_t cells = first.value() - (m_hasOffsets && first.value() > 0 ? 1 : 0);
+    const std::uint64_t numbers = second.value() + (m_hasOffsets ? cells : 0);
+    m_isKept = sameWord(keyword, "POLYGONS") || sameWord(keyword, "TRIANGLE_STRIPS");
+    if (m_isKept) {
+        m_scan.cells += cells;
+        m_plain.append("\n").append(keyword).append(" ");
+        m_plain.append(std::to_string(cells)).append(" ").append(std::to_string(numbers)).append("\n");
+    }
+    return m_hasOffsets ? readCellOffsets(first.value(), second.value(), keyword)
+                        : readCellLists(first.value(), second.value(), keyword);
+}
+
+/// Strings: a line each as text; behind their lengths as bytes, of which the first two bits say how long these are.
+Status LegacyScan::skipText(std::uint64_t count)
+{
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (!m_body.isBinary) {
+            (void)m_body.line();
+            continue;
+        }
+        const std::string_view rest = m_body.rest();
+        const std::size_t width = rest.empty() ? 0 : std::size_t{8} >> (static_cast<unsigned char>(rest.front()) >> 6);
+        constexpr NumberType kByte{"unsigned_char", 1, false, false};
+        std::uint64_t length = 0;
+        for (std::size_t k = 0; k < std::min(width, rest.size()); ++k) {
+            length = length << 8 | (static_cast<unsigned char>(rest[k]) & (k == 0 ? 0x3fU : 0xffU));
+        }
+        if (width == 0 || length > rest.size() || !m_body.skip(width + length, kByte)) {
+            return wrong(StatusCode::OutOfRange, "a text of " + grouped(length) + " bytes",
+                         "at most " + grouped(rest.size()) + ", the bytes that are left");
+        }
+    }
+    return {};
+}
+
+void LegacyScan::skipMetadata(std::uint64_t components)
+{
+    (void)m_body.line();
+    while (!m_body.rest().empty()) {
+        const std::string_view line = trimmed(m_body.line());
+        if (line.empty()) {
+            return;
+        }
+        if (sameWord(line, "COMPONENT_NAMES")) { // any of which may be empty
+            for (std::uint64_t i = 0; i < components && !m_body.rest().empty(); ++i) {
+                (void)m_body.line();
+            }
+        }
+    }
+}
+
+Status LegacyScan::skipField()
+{
+    (void)m_body.word(); // its name
+    const Result<std::uint64_t> arrays = count("arrays");
+    if (!arrays.isOk()) {
+        return arrays.status();
+    }
+    for (std::uint64_t i = 0; i < arrays.value(); ++i) {
+        const std::string_view name = m_body.word();
+        const Result<std::uint64_t> components = count("components");
+        if (!components.isOk()) {
+            return components.status();
+        }
+        const Result<std::uint64_t> tuples = count("tuples");
+        if (!tuples.isOk()) {
+            return tuples.status();
+        }
+        const std::string_view typeName = m_body.word();
+        const NumberType* type = typeOf(typeName);
+        if (m_body.isBinary || type == nullptr) {
+            (void)m_body.line();
+        }
+        const std::uint64_t values = components.value() * tuples.value(); // each below 2^31
+        if (sameWord(typeName, "string") || sameWord(typeName, "utf8_string")) {
+            if (Status status = skipText(std::min<std::uint64_t>(values, m_body.rest().size() + 1)); !status.isOk()) {
+                return status;
+            }
+        } else if (type == nullptr || !m_body.skip(values, *type)) {
+            return wrong(StatusCode::BadFormat,
+                         "the array " + inQuotes(name) + " of " + grouped(values) + " values of type " +
+                             inQuotes(typeName),
+                         "as many numbers as it declares");
+        }
+        std::string_view after = m_body.rest();
+        if (sameWord(takeWord(after), "METADATA")) {
+            (void)m_body.word();
+            skipMetadata(components.value());
+        }
+    }
+    return {};
+}
+
+Status LegacyScan::readSection(std::string_view keyword)
+{
+    const auto is = [&keyword](std::string_view word) { return sameWord(keyword, word); };
+    if (is("FIELD")) {
+        return skipField();
+    }
+    if (is("METADATA")) {
+        constexpr std::uint64_t kOfPoint = 3; // cells have none
+        skipMetadata(kOfPoint);
+        return {};
+    }
+    if (std::ranges::any_of(m_seen, is)) {
+        return wrong(StatusCode::Unsupported, inQuotes(keyword) + " a second time", "each section once");
+    }
+    m_seen.emplace_back(keyword);
+    if (is("DATASET")) {
+        const std::string_view kind = m_body.word();
+        return sameWord(kind, "POLYDATA") ? Status()
+                                          : wrong(StatusCode::Unsupported, "a VTK file of a " + inQuotes(kind),
+                                                  "POLYDATA, which is a surface");
+    }
+    if (is("POINTS")) {
+        return readPoints();
+    }
+    if (is("VERTICES") || is("LINES") || is("POLYGONS") || is("TRIANGLE_STRIPS")) {
+        return readCells(keyword);
+    }
+    return wrong(StatusCode::BadFormat, inQuotes(keyword),
+                 "DATASET, FIELD, POINTS, VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, POINT_DATA or CELL_DATA");
+}
+
+Result<PreScan> LegacyScan::run()
+{
+    Status status = readHeader();
+    while (status.isOk()) {
+        const std::string_view word = m_body.word();
+        if (word.empty() || sameWord(word, "POINT_DATA") || sameWord(word, "CELL_DATA")) {
+            break;
+        }
+        status = readSection(word);
+    }
+    if (status.isOk() && m_scan.cells == 0) {
+        status = wrong(StatusCode::Empty, "0 polygons and strips", "at least one");
+    }
+    if (!status.isOk()) {
+        return status;
+    }
+    Result<FileImage> plain = FileImage::copy(m_plain, m_context.file);
+    if (!plain.isOk()) {
+        return plain.status();
+    }
+    m_image = std::move(plain).value();
+    return std::move(m_scan);
+}
+
+bool looksLikeLegacyVtk(std::string_view bytes)
+{
+    return bytes.starts_with("# vtk DataFile");
+}
+
+Result<PreScan> guardLegacyVtk(FileImage& image, const ScanContext& context)
+{
+    return LegacyScan(image, context).run();
+}
+
+vtkSmartPointer<vtkAlgorithm> legacyVtkReader(const std::string& path)
+{
+    auto made = vtkSmartPointer<vtkPolyDataReader>::New();
+    made->SetFileName(path.c_str());
+    return made;
+}
+
+constexpr std::array<std::string_view, 1> kLegacyVtkExtensions{".vtk"};
+
+} // namespace
+
+const MeshFormat kLegacyVtk{"VTK", kLegacyVtkExtensions, false, looksLikeLegacyVtk, guardLegacyVtk, legacyVtkReader};
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PreScan.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+class vtkAlgorithm;
+template<class T>
+class vtkSmartPointer;
+
+namespace palpate::meshio::internal {
+
+/// A mesh format, all that the rest of meshio needs to know of it; each stands in a file of its own in this folder.
+struct MeshFormat
+{
+    std::string_view name;                        ///< as a person knows it, "STL"
+    std::span<const std::string_view> extensions; ///< in lower case, ".stl"; the first is the usual one
+    /// Its content may leave open what it is: then the extension decides.
+    bool isToldByExtension;
+    /// @param bytes  of the whole file, not empty
+    /// @return true when the content is this format's, valid or damaged
+    bool (*looksLike)(std::string_view bytes);
+    /// Checks all bytes before VTK sees them: counts against the bytes that are there, and every number and index that
+    /// VTK's reader would trust. Where VTK misreads what is valid the image is rewritten, and the reason stands there.
+    core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
+    /// @return VTK's reader, set up for the file at `path`
+    vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path);
+};
+
+extern const MeshFormat kStl;
+extern const MeshFormat kVtp;
+extern const MeshFormat kPly;
+extern const MeshFormat kLegacyVtk;
+extern const MeshFormat kObj;
+
+/// The table: all formats that can be opened, in the order in which a file's content is held against them.
+[[nodiscard]] std::span<const MeshFormat* const> formatTable();
+
+/// Tells what a file is from its bytes; the extension decides only where they leave it open.
+/// @return an error that names what it is instead: empty, a web page, a Git LFS pointer, another known format
+[[nodiscard]] core::Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path);
+
+/// The first bytes of a file, as far as a format is told from them, without a byte order mark.
+[[nodiscard]] std::string_view headOf(std::string_view bytes);
+/// The same without blanks and empty lines before the first word.
+[[nodiscard]] std::string_view textOf(std::string_view bytes);
+
+} // namespace palpate::meshio::internal

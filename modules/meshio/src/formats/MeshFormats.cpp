@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/MeshFormats.h"
+
+#include "Fault.h"
+#include "MeshFormat.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace palpate::meshio {
+
+namespace internal {
+
+namespace {
+
+using core::Result;
+using core::StatusCode;
+
+std::string lowered(std::string_view text)
+{
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return out;
+}
+
+bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
+{
+    return std::ranges::count(format.extensions, lowered(path.extension().string())) > 0;
+}
+
+bool isWebPage(std::string_view bytes)
+{
+    const std::string text = lowered(textOf(bytes));
+    return text.starts_with('<') && (text.find("<html") != std::string::npos || text.starts_with("<!doctype html"));
+}
+
+/// Names a file of another kind.
+std::string_view otherFormat(std::string_view head)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMagic{{
+        {"glTF", "a glTF file"},
+        {"PK\x03\x04", "a ZIP archive"},
+        {"\x1f\x8b", "a gzip file"},
+        {"NRRD", "an NRRD image"},
+        {"\x89PNG", "a PNG image"},
+        {"%PDF", "a PDF document"},
+        {"SQLite format 3", "an SQLite database (a recording?)"},
+    }};
+    for (const auto& [magic, name] : kMagic) {
+        if (head.starts_with(magic)) {
+            return name;
+        }
+    }
+    return head.size() > 132 && head.substr(128, 4) == "DICM" ? "a DICOM file" : "";
+}
+
+} // namespace
+
+std::span<const MeshFormat* const> formatTable()
+{
+    // OBJ last: it has no mark of its own, only words that a line may begin with.
+    static constexpr std::array<const MeshFormat*, 5> kTable{&kStl, &kVtp, &kPly, &kLegacyVtk, &kObj};
+    return kTable;
+}
+
+std::string_view headOf(std::string_view bytes)
+{
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    std::string_view head = bytes.substr(0, 4096);
+    if (head.starts_with(kByteOrderMark)) {
+        head.remove_prefix(kByteOrderMark.size());
+    }
+    return head;
+}
+
+std::string_view textOf(std::string_view bytes)
+{
+    const std::string_view head = headOf(bytes);
+    return head.substr(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+}
+
+Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path)
+{
+    const auto refused = [&](StatusCode code, std::string_view found) {
+        return fault(code, path.filename().string(), "byte 0", found, "an " + meshFormatNames("or") + " mesh");
+    };
+    if (bytes.empty()) {
+        return refused(StatusCode::Empty, "the file is empty");
+    }
+    if (isWebPage(bytes)) {
+        return refused(StatusCode::BadFormat, "a web page (HTML), perhaps a failed download");
+    }
+    for (const MeshFormat* format : formatTable()) {
+        if (format->looksLike(bytes)) {
+            return format;
+        }
+    }
+    if (headOf(bytes).starts_with("version https://git-lfs")) {
+        return refused(StatusCode::BadFormat,
+                       "a Git LFS pointer, not the file itself (fetch it with \"git lfs pull\")");
+    }
+    if (const std::string_view other = otherFormat(headOf(bytes)); !other.empty()) {
+        return refused(StatusCode::Unsupported, other);
+    }
+    // Damaged ones: let the format's own check say how.
+    for (const MeshFormat* format : formatTable()) {
+        if (format->isToldByExtension && hasExtension(*format, path)) {
+            return format;
+        }
+    }
+    return refused(StatusCode::BadFormat, "the content is no known mesh format");
+}
+
+} // namespace internal
+
+std::vector<std::string> meshExtensions()
+{
+    std::vector<std::string> all;
+    for (const internal::MeshFormat* format : internal::formatTable()) {
+        all.insert(all.end(), format->extensions.begin(), format->extensions.end());
+    }
+    return all;
+}
+
+bool hasMeshExtension(const std::filesystem::path& path)
+{
+    return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
+        return internal::hasExtension(*format, path);
+    });
+}
+
+std::string meshFormatNames(std::string_view conjunction)
+{
+    const std::span<const internal::MeshFormat* const> table = internal::formatTable();
+    std::string names;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const bool isLast = i + 1 == table.size();
+        if (i > 0) {
+            names.append(isLast ? " " : ", ").append(isLast ? conjunction : "").append(isLast ? " " : "");
+        }
+        names += table[i]->name;
+    }
+    return names;
+}
+
+} // namespace palpate::meshio

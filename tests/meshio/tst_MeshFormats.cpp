@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+#include "TestRunner.h"
+
+#include "formats/MeshFormat.h"
+
+#include <palpate/meshio/MeshFormats.h>
+
+#include <set>
+
+using namespace palpate;
+using meshio::internal::formatTable;
+using meshio::internal::MeshFormat;
+
+namespace {
+
+std::string document(const std::string& path)
+{
+    return test::fileBytes(std::filesystem::path(PALPATE_SOURCE_DIR) / path);
+}
+
+/// The words between `from` and `to`, both included.
+std::string passage(const std::string& text, const std::string& from, const std::string& to)
+{
+    const std::size_t begin = text.find(from);
+    return begin == std::string::npos ? std::string() : text.substr(begin, text.find(to, begin) + to.size() - begin);
+}
+
+} // namespace
+
+/// The table of formats, and what else must name each of them.
+class MeshFormats : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyFormatIsWhole()
+    {
+        std::set<std::string> names, extensions;
+        for (const MeshFormat* format : formatTable()) {
+            QVERIFY(format->looksLike != nullptr && format->guard != nullptr && format->reader != nullptr);
+            QVERIFY(names.insert(std::string(format->name)).second);
+            QVERIFY(!format->extensions.empty());
+            for (const std::string_view extension : format->extensions) {
+                QVERIFY(extension.starts_with('.') && extensions.insert(std::string(extension)).second);
+                QVERIFY(meshio::hasMeshExtension("organs/Liver" + std::string(extension)));
+            }
+        }
+        QVERIFY(meshio::hasMeshExtension("LIVER.STL"));
+        QVERIFY(!meshio::hasMeshExtension("liver.txt") && !meshio::hasMeshExtension("stl"));
+        const std::vector<std::string> offered = meshio::meshExtensions();
+        QCOMPARE(std::set<std::string>(offered.begin(), offered.end()), extensions);
+        QCOMPARE(offered.front(), std::string(".stl"));
+        const std::string sentence = meshio::meshFormatNames("or");
+        QVERIFY(sentence.starts_with("STL, ") && sentence.find(" or ") != std::string::npos);
+        QVERIFY(sentence.find(", or") == std::string::npos && sentence.find(",  ") == std::string::npos);
+    }
+
+    void documentsNameEach()
+    {
+        const std::string readme = passage(document("README.md"), "Formats: ", ".");
+        const std::string module = passage(document("modules/meshio/README.md"), "`readMesh` (", ")");
+        for (const MeshFormat* format : formatTable()) {
+            const std::string name(format->name);
+            QVERIFY2(readme.find(name) != std::string::npos, ("README.md: Formats: no " + name).c_str());
+            QVERIFY2(module.find(name) != std::string::npos,
+                     ("modules/meshio/README.md: readMesh: no " + name).c_str());
+        }
+    }
+
+    void eachIsFuzzed()
+    {
+        const std::string built = passage(document("tests/fuzz/CMakeLists.txt"), "foreach(target ", ")") + ' ';
+        const std::string run = passage(document(".ci/run"), "targets=(fuzz_", ")") + ' ';
+        for (const MeshFormat* format : formatTable()) {
+            const std::string target(format->extensions.front().substr(1));
+            const std::string source = document("tests/fuzz/fuzz_" + target + ".cpp");
+            QVERIFY2(source.find("tryMesh(bytes") != std::string::npos, ("tests/fuzz: no fuzz_" + target).c_str());
+            const auto names = [](std::string text, const std::string& word) {
+                std::ranges::replace_if(
+                    text, [](char c) { return c == '(' || c == ')'; }, ' ');
+                return text.find(' ' + word + ' ') != std::string::npos;
+            };
+            QVERIFY2(names(built, target), ("tests/fuzz/CMakeLists.txt: no " + target).c_str());
+            QVERIFY2(names(run, "fuzz_" + target), (".ci/run: no fuzz_" + target).c_str());
+        }
+    }
+};
+
+PALPATE_TEST(MeshFormats)
+#include "tst_MeshFormats.moc"
