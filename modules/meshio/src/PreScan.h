@@ -8,6 +8,7 @@
 #include <palpate/core/Types.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ struct ScanContext
 };
 
 inline constexpr double kMostMm = 1e7; ///< largest coordinate [mm]
+/// Points and cells of a file: indices are 32-bit inside.
+inline constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max();
 
 /// Looks for 3D Slicer's `SPACE=LPS` or `SPACE=RAS` in a header or comment and keeps it in `scan`.
 void noteSpaceTag(std::string_view text, PreScan& scan);

@@ -13,7 +13,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,8 +24,6 @@ namespace {
 using core::Result;
 using core::Status;
 using core::StatusCode;
-
-constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max(); ///< indices are 32-bit inside
 
 constexpr std::string_view kMark = "# vtk DataFile Version";
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace palpate::meshio::internal {
 
@@ -21,8 +20,6 @@ namespace {
 using core::Result;
 using core::Status;
 using core::StatusCode;
-
-constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max(); ///< indices are 32-bit inside
 
 /// Checks each array that VTK will read against the counts that size VTK's memory.
 class VtpScan
