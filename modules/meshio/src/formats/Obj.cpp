@@ -24,7 +24,6 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-constexpr std::size_t kMostCorners = PolygonCutter::kMostCorners;
 constexpr std::size_t kLongestNumber = 64; ///< VTK reads lines of a bounded length
 
 /// Numbers names in the order of their first use.
@@ -161,9 +160,9 @@ Status ObjScan::readFace(std::string_view rest)
         ++corners;
     }
     m_plain += '\n';
-    if (corners < 3 || corners > kMostCorners) {
+    if (corners < 3 || corners > PolygonCutter::kMostCorners) {
         return wrong(StatusCode::BadFormat, "a face with " + counted(corners, "corner"),
-                     corners < 3 ? "at least 3" : "at most " + grouped(kMostCorners));
+                     corners < 3 ? "at least 3" : "at most " + grouped(PolygonCutter::kMostCorners));
     }
     m_object = m_object ? m_object : m_objects.idOf("");
     m_group = m_group ? m_group : m_groups.idOf("");
