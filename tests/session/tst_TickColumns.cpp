@@ -23,7 +23,7 @@ class TickColumns : public QObject
         for (const bool isStored : {true, false}) {
             QString table;
             for (const TickColumn& column : kTickColumns) {
-                if (column.isStored == isStored) {
+                if (column.isStored() == isStored) {
                     QStringList names;
                     for (const std::string& name : columnNames(column)) {
                         names << QString::fromStdString(name);
@@ -55,9 +55,9 @@ class TickColumns : public QObject
             });
             std::string after;
             packTick(after, other);
-            QCOMPARE(after != before, column.isStored);
+            QCOMPARE(after != before, column.isStored());
             QCOMPARE(after.size(), before.size());
-            stored += column.isStored ? int(columnNames(column).size()) : 0;
+            stored += column.isStored() ? int(columnNames(column).size()) : 0;
         }
         QCOMPARE(std::size_t(stored), tickColumnCount());
     }

@@ -3,25 +3,15 @@
 
 #include "AtomicFile.h"
 #include "Fault.h"
-#include "NumericLocale.h"
 #include "TextScan.h"
-#include "VtkMessages.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
+#include "palpate/meshio/VtpFile.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -43,63 +33,29 @@ std::uint64_t triangleCount(std::span<const MeshStructure> structures)
     return count;
 }
 
-/// Points, triangles, `StructureId`, `StructureNames`, `StructureColours` where there are some, and `SPACE`.
-void fill(vtkPolyData& data, std::span<const MeshStructure> structures)
+/// All structures in one, each triangle with its structure's number in `StructureId`.
+VtpFile merged(std::span<const MeshStructure> structures)
 {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> polys;
-    vtkNew<vtkIntArray> ids;
-    ids->SetName("StructureId");
-    vtkNew<vtkStringArray> names;
-    names->SetName("StructureNames");
-    vtkNew<vtkDoubleArray> colours;
-    colours->SetName("StructureColours"); // a negative red: none
-    colours->SetNumberOfComponents(3);
+    VtpFile out;
+    std::vector<std::int32_t> ids;
     bool hasColours = false;
-    for (std::size_t s = 0; s < structures.size(); ++s) {
-        const MeshStructure& structure = structures[s];
-        const vtkIdType first = points->GetNumberOfPoints();
-        for (const Vec3& p : structure.mesh.vertices) {
-            points->InsertNextPoint(p.data());
-        }
+    for (const MeshStructure& structure : structures) {
+        const auto first = static_cast<std::uint32_t>(out.points.size());
+        out.points.insert(out.points.end(), structure.mesh.vertices.begin(), structure.mesh.vertices.end());
         for (const Triangle& t : structure.mesh.triangles) {
-            const std::array<vtkIdType, 3> corners{first + t[0], first + t[1], first + t[2]};
-            polys->InsertNextCell(3, corners.data());
-            ids->InsertNextValue(static_cast<int>(s));
+            out.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+            ids.push_back(static_cast<std::int32_t>(out.structureNames.size()));
         }
-        names->InsertNextValue(structure.name);
-        colours->InsertNextTuple(structure.colour.value_or(std::array<double, 3>{-1.0, 0.0, 0.0}).data());
+        out.structureNames.push_back(structure.name);
+        const auto colour = structure.colour.value_or(std::array<double, 3>{-1.0, 0.0, 0.0}); // a negative red: none
+        out.structureColours.emplace_back(colour[0], colour[1], colour[2]);
         hasColours = hasColours || structure.colour.has_value();
     }
-    data.SetPoints(points);
-    data.SetPolys(polys);
-    data.GetCellData()->AddArray(ids);
-    data.GetFieldData()->AddArray(names);
-    if (hasColours) {
-        data.GetFieldData()->AddArray(colours);
+    out.cellArrays = {{"StructureId", std::move(ids)}};
+    if (!hasColours) {
+        out.structureColours.clear();
     }
-    vtkNew<vtkStringArray> space;
-    space->SetName("SPACE");
-    space->InsertNextValue("LPS");
-    data.GetFieldData()->AddArray(space);
-}
-
-Result<std::string> vtpBytes(std::span<const MeshStructure> structures, const std::string& file)
-{
-    const NumericLocale locale;
-    const VtkMessages messages;
-    vtkNew<vtkPolyData> data;
-    fill(*data, structures);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetInputData(data);
-    writer->SetHeaderTypeToUInt64();
-    writer->EncodeAppendedDataOff();
-    writer->WriteToOutputStringOn();
-    if (writer->Write() == 0 || !messages.firstError().empty()) {
-        return fault(StatusCode::Internal, file, "", "VTK could not write it: " + messages.firstError(), "");
-    }
-    return writer->GetOutputString();
+    return out;
 }
 
 std::string stlBytes(std::span<const MeshStructure> structures)
@@ -145,8 +101,9 @@ core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshSt
     }
     const std::string extension = path.extension().string();
     if (sameWord(extension, ".vtp")) {
-        const Result<std::string> bytes = vtpBytes(structures, file);
-        return bytes.isOk() ? writeAtomically(path, bytes.value()) : bytes.status();
+        const Result<std::string> bytes = vtpBytes(merged(structures));
+        return bytes.isOk() ? writeAtomically(path, bytes.value())
+                            : fault(StatusCode::Internal, file, "", bytes.status().message(), "");
     }
     if (sameWord(extension, ".stl")) {
         return writeAtomically(path, stlBytes(structures));

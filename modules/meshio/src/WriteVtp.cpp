@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -22,37 +23,36 @@ namespace palpate::meshio {
 
 namespace {
 
-void copy(const std::vector<core::Vec3>& from, vtkDoubleArray& to)
+template<class Array, class Number>
+vtkSmartPointer<Array> arrayOf(const Number* numbers, std::size_t tuples, int components)
 {
-    to.SetNumberOfComponents(3);
-    to.SetNumberOfTuples(static_cast<vtkIdType>(from.size()));
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        to.SetTypedTuple(static_cast<vtkIdType>(i), from[i].data());
-    }
+    auto made = vtkSmartPointer<Array>::New();
+    made->SetNumberOfComponents(components);
+    made->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::copy_n(numbers, tuples * static_cast<std::size_t>(components), made->GetPointer(0));
+    return made;
 }
 
-void copy(const std::vector<double>& from, vtkDoubleArray& to)
+vtkSmartPointer<vtkDataArray> arrayOf(const std::vector<double>& values)
 {
-    to.SetNumberOfValues(static_cast<vtkIdType>(from.size()));
-    std::copy(from.begin(), from.end(), to.GetPointer(0));
+    return arrayOf<vtkDoubleArray>(values.data(), values.size(), 1);
 }
 
-void copy(const std::vector<std::int32_t>& from, vtkIntArray& to)
+vtkSmartPointer<vtkDataArray> arrayOf(const std::vector<std::int32_t>& values)
 {
-    to.SetNumberOfValues(static_cast<vtkIdType>(from.size()));
-    std::copy(from.begin(), from.end(), to.GetPointer(0));
+    return arrayOf<vtkIntArray>(values.data(), values.size(), 1);
+}
+
+vtkSmartPointer<vtkDataArray> arrayOf(const std::vector<core::Vec3>& values)
+{
+    return arrayOf<vtkDoubleArray>(values.empty() ? nullptr : values.front().data(), values.size(), 3);
 }
 
 void add(vtkFieldData& to, const VtpArray& array)
 {
-    std::visit(
-        [&]<class Value>(const std::vector<Value>& values) {
-            vtkNew<std::conditional_t<std::is_same_v<Value, std::int32_t>, vtkIntArray, vtkDoubleArray>> made;
-            made->SetName(array.name.c_str());
-            copy(values, *made);
-            to.AddArray(made);
-        },
-        array.values);
+    const auto made = std::visit([](const auto& values) { return arrayOf(values); }, array.values);
+    made->SetName(array.name.c_str());
+    to.AddArray(made);
 }
 
 void addTexts(vtkFieldData& to, const char* name, const std::vector<std::string>& texts)
@@ -67,10 +67,8 @@ void addTexts(vtkFieldData& to, const char* name, const std::vector<std::string>
 
 void fill(vtkPolyData& data, const VtpFile& content)
 {
-    vtkNew<vtkDoubleArray> coordinates;
-    copy(content.points, *coordinates);
     vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
+    points->SetData(arrayOf(content.points));
     data.SetPoints(points);
     vtkNew<vtkCellArray> lines;
     vtkIdType first = 0;
@@ -98,6 +96,9 @@ void fill(vtkPolyData& data, const VtpFile& content)
     }
     if (!content.structureNames.empty()) {
         addTexts(*data.GetFieldData(), "StructureNames", content.structureNames);
+    }
+    if (!content.structureColours.empty()) {
+        add(*data.GetFieldData(), {"StructureColours", content.structureColours});
     }
     addTexts(*data.GetFieldData(), "SPACE", {"LPS"});
 }

@@ -76,10 +76,10 @@ void packTick(std::string& out, const servo::TickRecord& tick)
     const servo::TickRecord none{};
     for (const std::size_t width : {8U, 4U, 2U, 1U}) {
         for (const TickColumn& column : kTickColumns) {
-            const bool isNull = column.null == Null::InFreeSpace && tick.felt.structure < 0;
+            const bool isNull = column.stored == Stored::InContact && tick.felt.structure < 0;
             useValue(column, isNull ? none : tick, [&]<class Value>(const Value& value) {
                 constexpr std::size_t kWidth = std::is_same_v<Value, core::Vec3> ? sizeof(double) : sizeof(Value);
-                if (column.isStored && kWidth == width) {
+                if (column.isStored() && kWidth == width) {
                     put(out, value);
                 }
             });

@@ -24,7 +24,7 @@ std::vector<std::string> columnNames(const TickColumn& column)
 core::Vec3 impliedVector(const TickColumn& column, const servo::TickRecord& tick)
 {
     core::Vec3 implied = core::Vec3::Zero();
-    if (column.null == Null::SameAs) {
+    if (column.stored == Stored::UnlessSame) {
         const auto same = std::find_if(std::begin(kTickColumns), std::end(kTickColumns),
                                        [&](const TickColumn& other) { return other.name == column.same; });
         useValue(*same, tick, [&]<class Value>(const Value& value) {

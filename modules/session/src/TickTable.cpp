@@ -17,7 +17,7 @@ const std::vector<std::string>& storedNames()
     static const std::vector<std::string> kNames = [] {
         std::vector<std::string> names;
         for (const TickColumn& column : kTickColumns) {
-            if (column.isStored) {
+            if (column.isStored()) {
                 const std::vector<std::string> own = columnNames(column);
                 names.insert(names.end(), own.begin(), own.end());
             }
@@ -41,10 +41,10 @@ std::string joined(const std::vector<std::string>& texts)
 std::string filledIn(const TickColumn& column, const std::string& axis)
 {
     const std::string name = std::string(column.name) + axis;
-    switch (column.null) {
-    case Null::Zero:
+    switch (column.stored) {
+    case Stored::UnlessZero:
         return "coalesce(" + name + ", 0.0)";
-    case Null::SameAs: {
+    case Stored::UnlessSame: {
         const auto same = std::find_if(std::begin(kTickColumns), std::end(kTickColumns),
                                        [&](const TickColumn& other) { return other.name == column.same; });
         return "coalesce(" + name + ", " + filledIn(*same, axis) + ")";
@@ -67,7 +67,7 @@ std::string createTickValues()
 {
     std::vector<std::string> columns;
     for (const TickColumn& column : kTickColumns) {
-        for (const std::string& name : column.isStored ? columnNames(column) : std::vector<std::string>()) {
+        for (const std::string& name : column.isStored() ? columnNames(column) : std::vector<std::string>()) {
             const std::string value = filledIn(column, name.substr(column.name.size()));
             if (name == "time_ns") {
                 columns.push_back("time_ns * 1e-9 AS time_s");
@@ -102,19 +102,19 @@ void bindTick(Statement& row, const servo::TickRecord& tick)
 {
     int place = 0;
     for (const TickColumn& column : kTickColumns) {
-        if (!column.isStored) {
+        if (!column.isStored()) {
             continue;
         }
         useValue(column, tick, [&]<class Value>(const Value& value) {
             if constexpr (std::is_same_v<Value, core::Vec3>) {
-                const bool isNull = column.null != Null::Never && sameBits(value, impliedVector(column, tick));
+                const bool isNull = column.stored != Stored::Always && sameBits(value, impliedVector(column, tick));
                 for (const double number : value) {
                     isNull ? row.bindNull(place++) : row.bind(place++, number);
                 }
             } else if constexpr (std::is_same_v<Value, double>) {
                 row.bind(place++, value);
             } else {
-                const bool isNull = column.null == Null::InFreeSpace && tick.felt.structure < 0;
+                const bool isNull = column.stored == Stored::InContact && tick.felt.structure < 0;
                 isNull ? row.bindNull(place++) : row.bind(place++, static_cast<std::int64_t>(value));
             }
         });
@@ -126,19 +126,19 @@ servo::TickRecord readTick(const Statement& row)
     servo::TickRecord tick;
     int place = 0;
     for (const TickColumn& column : kTickColumns) {
-        if (!column.isStored) {
+        if (!column.isStored()) {
             continue;
         }
         useValue(column, tick, [&]<class Value>(Value& value) {
             if constexpr (std::is_same_v<Value, core::Vec3>) {
-                value = column.null != Null::Never && row.isNull(place)
+                value = column.stored != Stored::Always && row.isNull(place)
                             ? impliedVector(column, tick)
                             : core::Vec3(row.real(place), row.real(place + 1), row.real(place + 2));
                 place += 3;
             } else if constexpr (std::is_same_v<Value, double>) {
                 value = row.real(place++);
             } else {
-                if (column.null == Null::Never || !row.isNull(place)) {
+                if (column.stored == Stored::Always || !row.isNull(place)) {
                     value = static_cast<Value>(row.integer(place));
                 }
                 ++place;

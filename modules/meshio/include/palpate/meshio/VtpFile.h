@@ -26,9 +26,10 @@ struct VtpFile
     std::vector<core::Vec3> points;
     std::vector<std::size_t> lineEnds; ///< lines through the points in their order: where each ends and the next begins
     std::vector<geometry::Triangle> triangles;
-    std::vector<VtpArray> pointArrays;       ///< one value a point each; the first is what a viewer shows
-    std::vector<VtpArray> cellArrays;        ///< one value a line or triangle each
-    std::vector<std::string> structureNames; ///< field array `StructureNames`, where there are some
+    std::vector<VtpArray> pointArrays;        ///< one value a point each; the first is what a viewer shows
+    std::vector<VtpArray> cellArrays;         ///< one value a line or triangle each
+    std::vector<std::string> structureNames;  ///< field array `StructureNames`, where there are some
+    std::vector<core::Vec3> structureColours; ///< field array `StructureColours`, likewise: red, green, blue in 0 … 1
 };
 
 /// @return the bytes of the file, tagged `SPACE=LPS`; Internal with what VTK says when it cannot
