@@ -19,7 +19,8 @@ if(PALPATE_BUILD_FUZZERS)
 endif()
 
 # palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT])
-# makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed and exported.
+# makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed, each as a component NAME
+# of find_package(Palpate); a module comes after those that it uses.
 function(palpate_module name)
   cmake_parse_arguments(M "ENGINE;QT" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(palpate_${name} STATIC ${M_SOURCES})
@@ -35,7 +36,16 @@ function(palpate_module name)
   endif()
   if(M_ENGINE)
     set_target_properties(palpate_${name} PROPERTIES EXPORT_NAME ${name})
-    install(TARGETS palpate_${name} EXPORT PalpateTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS palpate_${name} EXPORT Palpate_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT Palpate_${name} FILE Palpate_${name}.cmake NAMESPACE palpate::
+      DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Palpate)
     install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    set_property(GLOBAL APPEND PROPERTY PALPATE_COMPONENTS ${name})
+    set_property(GLOBAL APPEND PROPERTY PALPATE_PUBLIC_HEADERS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    string(REGEX MATCHALL "VTK::[A-Za-z0-9]+" vtk "${M_PRIVATE_LIBRARIES}")
+    list(TRANSFORM vtk REPLACE "VTK::" "")
+    set_property(GLOBAL APPEND PROPERTY PALPATE_VTK_COMPONENTS ${vtk})
+    string(REPLACE "palpate::" "" uses "${M_USES}")
+    set_property(GLOBAL APPEND_STRING PROPERTY PALPATE_COMPONENT_USES "set(palpate_uses_${name} ${uses})\n")
   endif()
 endfunction()

@@ -25,7 +25,7 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-constexpr std::uint64_t kMostListed = 255; ///< of a face, in VTK's reader
+constexpr std::uint64_t kMostFaceCorners = 255; ///< of a face, in VTK's reader
 
 /// Reads the body's numbers one after the other, from text or from bytes.
 class PlyBody
@@ -188,7 +188,7 @@ Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreS
 
 Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
 {
-    if (m_list.size() < 3 || m_list.size() > kMostListed) {
+    if (m_list.size() < 3 || m_list.size() > kMostFaceCorners) {
         return wrong(StatusCode::BadFormat, "face " + std::to_string(i) + " has " + counted(m_list.size(), "corner"),
                      "3 to 255");
     }
