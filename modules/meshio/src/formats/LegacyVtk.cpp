@@ -36,26 +36,26 @@ struct NumberType
     bool isSigned;
 };
 
-constexpr std::array<NumberType, 14> kTypes{{{"unsigned_char", 1, false, false},
-                                             {"char", 1, false, true},
-                                             {"signed_char", 1, false, true},
-                                             {"unsigned_short", 2, false, false},
-                                             {"short", 2, false, true},
-                                             {"unsigned_int", 4, false, false},
-                                             {"int", 4, false, true},
-                                             {"unsigned_long", sizeof(long), false, false},
-                                             {"long", sizeof(long), false, true},
-                                             {"vtktypeuint64", 8, false, false},
-                                             {"vtktypeint64", 8, false, true},
-                                             {"vtkidtype", 4, false, true},
-                                             {"float", 4, true, true},
-                                             {"double", 8, true, true}}};
+constexpr std::array<NumberType, 14> kNumberTypes{{{"unsigned_char", 1, false, false},
+                                                   {"char", 1, false, true},
+                                                   {"signed_char", 1, false, true},
+                                                   {"unsigned_short", 2, false, false},
+                                                   {"short", 2, false, true},
+                                                   {"unsigned_int", 4, false, false},
+                                                   {"int", 4, false, true},
+                                                   {"unsigned_long", sizeof(long), false, false},
+                                                   {"long", sizeof(long), false, true},
+                                                   {"vtktypeuint64", 8, false, false},
+                                                   {"vtktypeint64", 8, false, true},
+                                                   {"vtkidtype", 4, false, true},
+                                                   {"float", 4, true, true},
+                                                   {"double", 8, true, true}}};
 
 const NumberType* typeOf(std::string_view word)
 {
     const auto found =
-        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return sameWord(t.name, word); });
-    return found == kTypes.end() ? nullptr : &*found;
+        std::find_if(kNumberTypes.begin(), kNumberTypes.end(), [&](const auto& t) { return sameWord(t.name, word); });
+    return found == kNumberTypes.end() ? nullptr : &*found;
 }
 
 /// Reads words and numbers from the file one after the other.

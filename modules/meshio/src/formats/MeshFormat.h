@@ -45,8 +45,8 @@ extern const MeshFormat kObj;
 [[nodiscard]] core::Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path);
 
 /// The first bytes of a file, as far as a format is told from them, without a byte order mark.
-[[nodiscard]] std::string_view headOf(std::string_view bytes);
+[[nodiscard]] std::string_view startOf(std::string_view bytes);
 /// The same without blanks and empty lines before the first word.
-[[nodiscard]] std::string_view textOf(std::string_view bytes);
+[[nodiscard]] std::string_view startOfText(std::string_view bytes);
 
 } // namespace palpate::meshio::internal

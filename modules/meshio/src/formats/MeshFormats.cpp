@@ -32,7 +32,7 @@ bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 
 bool isWebPage(std::string_view bytes)
 {
-    const std::string text = lowered(textOf(bytes));
+    const std::string text = lowered(startOfText(bytes));
     return text.starts_with('<') && (text.find("<html") != std::string::npos || text.starts_with("<!doctype html"));
 }
 
@@ -65,7 +65,7 @@ std::span<const MeshFormat* const> formatTable()
     return kTable;
 }
 
-std::string_view headOf(std::string_view bytes)
+std::string_view startOf(std::string_view bytes)
 {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     std::string_view head = bytes.substr(0, 4096);
@@ -75,9 +75,9 @@ std::string_view headOf(std::string_view bytes)
     return head;
 }
 
-std::string_view textOf(std::string_view bytes)
+std::string_view startOfText(std::string_view bytes)
 {
-    const std::string_view head = headOf(bytes);
+    const std::string_view head = startOf(bytes);
     return head.substr(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
 }
 
@@ -97,11 +97,11 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
             return format;
         }
     }
-    if (headOf(bytes).starts_with("version https://git-lfs")) {
+    if (startOf(bytes).starts_with("version https://git-lfs")) {
         return refused(StatusCode::BadFormat,
                        "a Git LFS pointer, not the file itself (fetch it with \"git lfs pull\")");
     }
-    if (const std::string_view other = otherFormat(headOf(bytes)); !other.empty()) {
+    if (const std::string_view other = otherFormat(startOf(bytes)); !other.empty()) {
         return refused(StatusCode::Unsupported, other);
     }
     // Damaged ones: let the format's own check say how.

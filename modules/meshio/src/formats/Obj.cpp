@@ -241,7 +241,7 @@ bool looksLikeObj(std::string_view bytes)
 {
     static constexpr std::array<std::string_view, 12> kWords{"v", "vn",     "vt",     "f", "o", "g",
                                                              "s", "mtllib", "usemtl", "l", "p", "vp"};
-    LineReader lines(headOf(bytes));
+    LineReader lines(startOf(bytes));
     while (lines.next()) {
         std::string_view rest = lines.line();
         const std::string_view word = takeWord(rest);

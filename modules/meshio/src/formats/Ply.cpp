@@ -322,7 +322,7 @@ Status PlyScan::run(PreScan& scan)
 
 bool looksLikePly(std::string_view bytes)
 {
-    const std::string_view head = headOf(bytes);
+    const std::string_view head = startOf(bytes);
     return head.starts_with("ply\n") || head.starts_with("ply\r\n");
 }
 

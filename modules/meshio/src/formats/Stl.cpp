@@ -384,7 +384,7 @@ bool isExactBinary(std::string_view bytes)
 
 bool startsWithSolid(std::string_view bytes)
 {
-    std::string_view rest = textOf(bytes);
+    std::string_view rest = startOfText(bytes);
     return sameWord(takeWord(rest), "solid");
 }
 
@@ -400,7 +400,7 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
         return guardBinary(image, context);
     }
     // A binary file whose header says "solid" has a zero byte in its count, and no line before it.
-    const std::string_view text = textOf(bytes);
+    const std::string_view text = startOfText(bytes);
     const std::size_t nul = text.substr(0, kFirstFacet).find('\0');
     const bool isBinary = nul != std::string_view::npos && text.find('\n') > nul;
     return isBinary ? guardBinary(image, context) : guardAscii(image, context);

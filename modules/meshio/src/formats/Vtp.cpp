@@ -355,7 +355,7 @@ Status VtpScan::run()
 /// Any XML: the header's reader names one of another kind.
 bool looksLikeVtp(std::string_view bytes)
 {
-    const std::string_view text = textOf(bytes);
+    const std::string_view text = startOfText(bytes);
     return text.starts_with('<') || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
 }
 
