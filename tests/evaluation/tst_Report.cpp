@@ -39,7 +39,7 @@ meshio::LoadedScene layeredScene()
                               std::uint32_t layer) {
         meshio::LoadedStructure result;
         result.description.name = name;
-        result.description.stiffness_N_per_mm = stiffness;
+        result.description.tissue.stiffness_N_per_mm = stiffness;
         result.description.layer = layer;
         result.surface = std::make_shared<geometry::RepairedMesh>(geometry::repair(mesh));
         return result;
