@@ -68,7 +68,8 @@ void LoadScene::meshFileBecomesAScene()
     QCOMPARE(d.part, std::string("hepatic artery"));
     QCOMPARE(d.name, d.part);
     QCOMPARE(d.mesh, folder.path("both.vtp"));
-    QVERIFY(d.visible && d.palpable && d.layer == 0U && d.tissue.stiffness_N_per_mm == 0.5 && d.tissue.damping_Ns_per_mm == 0.0);
+    QVERIFY(d.visible && d.palpable && d.layer == 0U && d.tissue.stiffness_N_per_mm == 0.5 &&
+            d.tissue.damping_Ns_per_mm == 0.0);
     QCOMPARE(scene.value().structures[0].surface->mesh.triangles.size(), std::size_t{4});
     QVERIFY(scene.value().warnings.empty());
     QVERIFY(scene.value().losses.empty());

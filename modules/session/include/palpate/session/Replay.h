@@ -8,8 +8,8 @@
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/servo/TickRecord.h>
 
-#include <cstdint>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
