@@ -142,76 +142,95 @@ void printReport(const FileReport& report)
           report.load_s * 1e3, report.index_s * 1e3, report.examine_s * 1e3);
 }
 
+namespace {
+
+qint64 count(std::size_t n)
+{
+    return static_cast<qint64>(n);
+}
+
+QJsonArray texts(const std::vector<std::string>& lines)
+{
+    QJsonArray array;
+    for (const std::string& line : lines) {
+        array.append(text(line));
+    }
+    return array;
+}
+
+/// What an examination found, if there was one. @param sentences  gets what it says of it
+void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_t triangles, QJsonObject& object,
+         QJsonArray& sentences)
+{
+    if (!examined) {
+        return;
+    }
+    sentences.append(text(crossings(*examined, triangles)));
+    object["crossing_pairs"] = count(examined->crossingPairs);
+    object["crossing_examined_triangles"] = count(examined->examinedTriangles);
+    object["crossing_bound_hit"] = examined->isCrossingBounded;
+    object["wall_samples"] = count(examined->wallSamples);
+    object["thinnest_wall_mm"] = examined->thinnestWall_mm ? QJsonValue(*examined->thinnestWall_mm) : QJsonValue();
+    if (examined->thinnestWall_mm) {
+        object["thinnest_wall_at_mm"] = triple(examined->thinnestAt);
+        sentences.append(text(wall(*examined)));
+    }
+}
+
+QJsonObject toJson(const meshio::LoadedStructure& structure, const session::StructureSource& source,
+                   const std::optional<geometry::SurfaceExamination>& examined)
+{
+    const geometry::MeshReport& r = structure.surface->report;
+    QJsonArray sentences = texts(r.sentences());
+    QJsonObject object{
+        {"name", text(structure.description.name)},
+        {"mesh", text(source.mesh)},
+        {"part", text(source.part)},
+        {"unit_mm", source.unit_mm},
+        {"frame", frameName(structure.frame)},
+        {"frame_from", frameSource(structure.frame)},
+        {"palpable", structure.description.palpable},
+        {"sha256", text(source.sha256)},
+        {"input_vertices", count(r.inputVertices)},
+        {"input_triangles", count(r.inputTriangles)},
+        {"vertices", count(r.vertices)},
+        {"triangles", count(r.triangles)},
+        {"welded_vertices", count(r.weldedVertices)},
+        {"zero_area_triangles", count(r.zeroAreaTriangles)},
+        {"duplicate_triangles", count(r.duplicateTriangles)},
+        {"reoriented_triangles", count(r.reorientedTriangles)},
+        {"inconsistent_edges", count(r.inconsistentEdges)},
+        {"open_edges", count(r.openEdges)},
+        {"non_manifold_edges", count(r.nonManifoldEdges)},
+        {"components", count(r.components)},
+        {"closed_components", count(r.closedComponents)},
+        {"open_components", count(r.openComponents)},
+        {"non_orientable_components", count(r.nonOrientableComponents)},
+        {"inside_out_components", count(r.insideOutComponents)},
+        {"is_closed", r.isClosed()},
+        {"area_mm2", r.area_mm2},
+        {"volume_mm3", r.volume_mm3},
+        {"orientation", orientation(r)},
+        {"feels", text(feeling(r))},
+    };
+    add(examined, r.triangles, object, sentences);
+    object["findings"] = sentences;
+    if (!r.bounds.isEmpty()) {
+        object["low_mm"] = triple(r.bounds.min());
+        object["high_mm"] = triple(r.bounds.max());
+        object["extent_mm"] = triple(r.bounds.sizes());
+    }
+    return object;
+}
+
+} // namespace
+
 QJsonObject toJson(const FileReport& report)
 {
-    const auto count = [](std::size_t n) { return static_cast<qint64>(n); };
     const auto sources = study::sourcesOf(report.scene);
     QJsonArray structures;
     for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
-        const meshio::LoadedStructure& structure = report.scene.structures[i];
-        const geometry::MeshReport& r = structure.surface->report;
-        QJsonArray sentences;
-        for (const std::string& sentence : r.sentences()) {
-            sentences.append(text(sentence));
-        }
-        QJsonObject object{
-            {"name", text(structure.description.name)},
-            {"mesh", text(sources[i].mesh)},
-            {"part", text(sources[i].part)},
-            {"unit_mm", sources[i].unit_mm},
-            {"frame", frameName(structure.frame)},
-            {"frame_from", frameSource(structure.frame)},
-            {"palpable", structure.description.palpable},
-            {"sha256", text(sources[i].sha256)},
-            {"input_vertices", count(r.inputVertices)},
-            {"input_triangles", count(r.inputTriangles)},
-            {"vertices", count(r.vertices)},
-            {"triangles", count(r.triangles)},
-            {"welded_vertices", count(r.weldedVertices)},
-            {"zero_area_triangles", count(r.zeroAreaTriangles)},
-            {"duplicate_triangles", count(r.duplicateTriangles)},
-            {"reoriented_triangles", count(r.reorientedTriangles)},
-            {"inconsistent_edges", count(r.inconsistentEdges)},
-            {"open_edges", count(r.openEdges)},
-            {"non_manifold_edges", count(r.nonManifoldEdges)},
-            {"components", count(r.components)},
-            {"closed_components", count(r.closedComponents)},
-            {"open_components", count(r.openComponents)},
-            {"non_orientable_components", count(r.nonOrientableComponents)},
-            {"inside_out_components", count(r.insideOutComponents)},
-            {"is_closed", r.isClosed()},
-            {"area_mm2", r.area_mm2},
-            {"volume_mm3", r.volume_mm3},
-            {"orientation", orientation(r)},
-            {"feels", text(feeling(r))},
-        };
-        if (const auto& e = report.examined[i]) {
-            sentences.append(text(crossings(*e, r.triangles)));
-            object["crossing_pairs"] = count(e->crossingPairs);
-            object["crossing_examined_triangles"] = count(e->examinedTriangles);
-            object["crossing_bound_hit"] = e->isCrossingBounded;
-            object["wall_samples"] = count(e->wallSamples);
-            object["thinnest_wall_mm"] = e->thinnestWall_mm ? QJsonValue(*e->thinnestWall_mm) : QJsonValue();
-            if (e->thinnestWall_mm) {
-                object["thinnest_wall_at_mm"] = triple(e->thinnestAt);
-                sentences.append(text(wall(*e)));
-            }
-        }
-        object["findings"] = sentences;
-        if (!r.bounds.isEmpty()) {
-            object["low_mm"] = triple(r.bounds.min());
-            object["high_mm"] = triple(r.bounds.max());
-            object["extent_mm"] = triple(r.bounds.sizes());
-        }
-        structures.append(object);
-    }
-    QJsonArray noteArray;
-    for (const std::string& note : notes(report)) {
-        noteArray.append(text(note));
-    }
-    QJsonArray losses;
-    for (const std::string& loss : report.scene.losses) {
-        losses.append(text(loss));
+        structures.append(toJson(report.scene.structures[i], sources[i], report.examined[i]));
     }
     const std::optional<double>& likely = report.scene.likelyUnit_mm;
     return {{"schema", 1},
@@ -221,8 +240,8 @@ QJsonObject toJson(const FileReport& report)
                                                            {"unit_mm", *likely},
                                                            {"option", QString("--unit ") + unitName(*likely)}})
                                   : QJsonValue()},
-            {"notes", noteArray},
-            {"losses", losses},
+            {"notes", texts(notes(report))},
+            {"losses", texts(report.scene.losses)},
             {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
                                   {"bytes", count(report.touchBytes)},
                                   {"load_s", report.load_s},

@@ -57,7 +57,9 @@ MainWindow::MainWindow()
     m_keys = new KeysCard(this);
     m_document = new SceneDocument(m_model, this);
     m_loader.setReader(study::openScene);
-    connectParts();
+    connectActions();
+    connectLoading();
+    connectTouch();
     styleView();
     refreshRecent();
     showStatus();
@@ -200,7 +202,7 @@ void MainWindow::makeStatusBar()
     statusBar()->addPermanentWidget(notice);
 }
 
-void MainWindow::connectParts()
+void MainWindow::connectActions()
 {
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFiles);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::saveScene);
@@ -236,8 +238,11 @@ void MainWindow::connectParts()
     connect(m_redoAction, &QAction::triggered, &m_model.undoStack(), &QUndoStack::redo);
     connect(&m_model.undoStack(), &QUndoStack::canUndoChanged, m_undoAction, &QAction::setEnabled);
     connect(&m_model.undoStack(), &QUndoStack::canRedoChanged, m_redoAction, &QAction::setEnabled);
-    connect(m_cancel, &QToolButton::clicked, &m_loader, &SceneLoader::cancel);
+}
 
+void MainWindow::connectLoading()
+{
+    connect(m_cancel, &QToolButton::clicked, &m_loader, &SceneLoader::cancel);
     connect(m_welcome, &WelcomePage::openWanted, this, &MainWindow::chooseFiles);
     connect(m_welcome, &WelcomePage::recentWanted, this, [this](const QString& path) { open({toPath(path)}); });
     connect(m_welcome, &WelcomePage::phantomWanted, this, [this] {
@@ -275,7 +280,10 @@ void MainWindow::connectParts()
                 m_model.setTouch(row, touch, sha256.toStdString());
             });
     connect(&m_model, &StructureModel::edited, this, &MainWindow::followModel);
+}
 
+void MainWindow::connectTouch()
+{
     connect(m_palpation, &PalpationController::touched, this, [this](const TouchReading& reading) {
         m_touch->show(reading);
         m_touchedStructure = reading.structure;

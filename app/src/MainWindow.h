@@ -70,7 +70,9 @@ class MainWindow : public QMainWindow
     void makeToolBar();
     void makeDocks();
     void makeStatusBar();
-    void connectParts();
+    void connectActions();
+    void connectLoading();
+    void connectTouch();
     QAction* makeAction(const QString& text, palpate::ui::Symbol symbol, const QKeySequence& key, const QString& tip);
     void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::view::ViewFrom from);
 

@@ -52,77 +52,115 @@ void SceneLoader::finish()
     m_isBusy = false;
 }
 
-void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
+/// Opens files on a thread of its own.
+class SceneLoader::Opening
 {
-    finish();
-    m_job = std::make_shared<Job>();
-    m_isBusy = true;
-    m_worker = std::thread([this, job = m_job, read = m_reader, files = std::move(files), unit_mm] {
+  public:
+    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, double unit_mm)
+        : m_loader(loader)
+        , m_job(loader.m_job)
+        , m_read(loader.m_reader)
+        , m_unit_mm(unit_mm)
+    {
+        m_opened->files = std::move(files);
+    }
+
+    void operator()()
+    {
         QElapsedTimer timer;
         timer.start();
-        // Signals of a job that was replaced meanwhile must not reach the window.
-        const auto tell = [this, job](auto&& call) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, call = std::forward<decltype(call)>(call)] {
-                    if (job == m_job) {
-                        call();
-                    }
-                },
-                Qt::QueuedConnection);
-        };
-        double lastTold = -1.0;
-        const auto progress = [&](const QString& what, double share) {
-            if (share - lastTold >= 0.01 || share < lastTold) {
-                lastTold = share;
-                tell([this, what, share] { Q_EMIT progressed(what, share); });
-            }
-            return !job->isCancelled;
-        };
-        auto opened = std::make_shared<OpenedScene>();
-        opened->files = files;
-        QStringList problems;
-        for (std::size_t i = 0; i < files.size() && !job->isCancelled; ++i) {
-            const QString what = tr("Reading %1").arg(QString::fromStdString(files[i].filename().string()));
-            const double count = static_cast<double>(files.size());
-            meshio::ReadOptions options;
-            options.unit_mm = unit_mm;
-            options.progress = [&](double share) {
-                return progress(what, kReading * (static_cast<double>(i) + share) / count);
-            };
-            progress(what, kReading * static_cast<double>(i) / count);
-            auto loaded = read(files[i], options);
-            if (!loaded.isOk()) {
-                if (loaded.status().code() != core::StatusCode::Cancelled) {
-                    problems << QString::fromStdString(loaded.status().message());
-                }
-                continue;
-            }
-            meshio::LoadedScene& part = loaded.value();
-            if (i == 0) {
-                opened->scene = part.scene;
-            } else {
-                auto& all = opened->scene.structures;
-                all.insert(all.end(), part.scene.structures.begin(), part.scene.structures.end());
-            }
-            for (meshio::LoadedStructure& one : part.structures) {
-                opened->rows.push_back({std::move(one), nullptr, nullptr, {}});
-            }
-            opened->unopened.insert(opened->unopened.end(), part.unopened.begin(), part.unopened.end());
-            for (const std::string& line : part.losses) {
-                problems << QString::fromStdString(line);
-            }
-            for (const std::string& line : part.warnings) {
-                opened->warnings << QString::fromStdString(line);
-            }
+        for (std::size_t i = 0; i < m_opened->files.size() && !m_job->isCancelled; ++i) {
+            read(i);
         }
+        prepare();
+        m_opened->seconds = static_cast<double>(timer.elapsed()) * 1e-3;
+        tell([&loader = m_loader, opened = m_opened, problems = m_problems, isCancelled = m_job->isCancelled.load()] {
+            loader.m_isBusy = false;
+            if (isCancelled) {
+                Q_EMIT loader.cancelled();
+            } else if (opened->rows.empty()) {
+                Q_EMIT loader.failed(problems.isEmpty() ? tr("Nothing to open.") : problems.join(QLatin1Char('\n')));
+            } else {
+                opened->problems = problems;
+                Q_EMIT loader.opened(opened);
+            }
+        });
+    }
+
+  private:
+    /// Calls in the window's thread, unless another job has taken this one's place by then.
+    template<class Call>
+    void tell(Call&& call)
+    {
+        QMetaObject::invokeMethod(
+            &m_loader,
+            [&loader = m_loader, job = m_job, call = std::forward<Call>(call)] {
+                if (job == loader.m_job) {
+                    call();
+                }
+            },
+            Qt::QueuedConnection);
+    }
+
+    /// @return false when the job was cancelled
+    bool progress(const QString& what, double share)
+    {
+        if (share - m_lastTold >= 0.01 || share < m_lastTold) {
+            m_lastTold = share;
+            tell([&loader = m_loader, what, share] { Q_EMIT loader.progressed(what, share); });
+        }
+        return !m_job->isCancelled;
+    }
+
+    void read(std::size_t i)
+    {
+        const std::filesystem::path& file = m_opened->files[i];
+        const QString what = tr("Reading %1").arg(QString::fromStdString(file.filename().string()));
+        const auto count = static_cast<double>(m_opened->files.size());
+        meshio::ReadOptions options;
+        options.unit_mm = m_unit_mm;
+        options.progress = [&](double share) {
+            return progress(what, kReading * (static_cast<double>(i) + share) / count);
+        };
+        progress(what, kReading * static_cast<double>(i) / count);
+        auto loaded = m_read(file, options);
+        if (loaded.isOk()) {
+            add(std::move(loaded).value(), i == 0);
+        } else if (loaded.status().code() != core::StatusCode::Cancelled) {
+            m_problems << QString::fromStdString(loaded.status().message());
+        }
+    }
+
+    void add(meshio::LoadedScene part, bool isFirst)
+    {
+        if (isFirst) {
+            m_opened->scene = part.scene;
+        } else {
+            auto& all = m_opened->scene.structures;
+            all.insert(all.end(), part.scene.structures.begin(), part.scene.structures.end());
+        }
+        for (meshio::LoadedStructure& one : part.structures) {
+            m_opened->rows.push_back({std::move(one), nullptr, nullptr, {}});
+        }
+        m_opened->unopened.insert(m_opened->unopened.end(), part.unopened.begin(), part.unopened.end());
+        for (const std::string& line : part.losses) {
+            m_problems << QString::fromStdString(line);
+        }
+        for (const std::string& line : part.warnings) {
+            m_opened->warnings << QString::fromStdString(line);
+        }
+    }
+
+    /// Makes of each surface what is drawn and what is felt.
+    void prepare()
+    {
         double triangles = 0.0;
-        for (const StructureRow& row : opened->rows) {
+        for (const StructureRow& row : m_opened->rows) {
             triangles += static_cast<double>(row.loaded.surface->mesh.triangles.size());
         }
         double done = 0.0;
-        for (StructureRow& row : opened->rows) {
-            if (job->isCancelled) {
+        for (StructureRow& row : m_opened->rows) {
+            if (m_job->isCancelled) {
                 break;
             }
             row.picture = view::makeSurface(*row.loaded.surface);
@@ -133,20 +171,23 @@ void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
             done += static_cast<double>(row.loaded.surface->mesh.triangles.size());
             progress(tr("Preparing for touch"), kReading + (1.0 - kReading) * done / std::max(1.0, triangles));
         }
-        opened->seconds = static_cast<double>(timer.elapsed()) * 1e-3;
-        const bool isCancelled = job->isCancelled;
-        tell([this, opened, problems, isCancelled] {
-            m_isBusy = false;
-            if (isCancelled) {
-                Q_EMIT cancelled();
-            } else if (opened->rows.empty()) {
-                Q_EMIT failed(problems.isEmpty() ? tr("Nothing to open.") : problems.join(QLatin1Char('\n')));
-            } else {
-                opened->problems = problems;
-                Q_EMIT this->opened(opened);
-            }
-        });
-    });
+    }
+
+    SceneLoader& m_loader;
+    std::shared_ptr<Job> m_job;
+    Reader m_read;
+    double m_unit_mm;
+    double m_lastTold = -1.0;
+    std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
+    QStringList m_problems;
+};
+
+void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
+{
+    finish();
+    m_job = std::make_shared<Job>();
+    m_isBusy = true;
+    m_worker = std::thread(Opening(*this, std::move(files), unit_mm));
 }
 
 void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface)

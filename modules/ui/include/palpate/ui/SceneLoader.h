@@ -61,6 +61,7 @@ class SceneLoader : public QObject
 
   private:
     struct Job;
+    class Opening;
     void finish();
 
     Reader m_reader = meshio::loadScene;
