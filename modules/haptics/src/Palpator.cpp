@@ -42,11 +42,11 @@ std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexce
 
 /// @param v_WH  of the HIP [mm/s]
 /// @pre the step ended in contact
-Contact contactOf(const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH, const Vec3& v_WH) noexcept
+void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
+          const Vec3& v_WH) noexcept
 {
     const ActiveConstraint& touched = step.active[stiffest(scene, step)];
     const HapticStructure& structure = scene.structures()[touched.structure];
-    Contact contact;
     contact.p_WG = step.p_WG;
     const Vec3 push = step.p_WG - p_WH;
     contact.depth_mm = push.norm();
@@ -54,7 +54,6 @@ Contact contactOf(const GodObjectStep& step, const HapticScene& scene, const Vec
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
     contact.f_W = law::Law::force({structure.tissue, *structure.surface, touched.triangle, contact.p_WG, p_WH, v_WH});
-    return contact;
 }
 
 } // namespace
@@ -159,7 +158,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             continue;
         }
         Contact& contact = result.contacts[result.contactCount++];
-        contact = contactOf(step, *me.scene, p_WH, v_WH);
+        fill(contact, step, *me.scene, p_WH, v_WH);
         contact.layer = static_cast<std::uint32_t>(i);
         result.f_W += contact.f_W;
         if (result.contactCount == 1) {

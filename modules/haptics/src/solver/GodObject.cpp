@@ -31,7 +31,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticLayer& layer, const 
     return result;
 }
 
-void GodObject::recallFacets(const HapticLayer& layer) noexcept
+PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noexcept
 {
     for (std::size_t i = 0; i < m_state.constraints && !m_hasFacets; ++i) {
         m_facets[i] = Facet::of(layer.surface(m_state.structure[i]), m_state.structure[i], m_state.triangle[i]);
@@ -58,8 +58,8 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     }
 }
 
-void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
-                          GodObjectStep& result) noexcept
+PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer,
+                                                const GodObjectLimits& limits, GodObjectStep& result) noexcept
 {
     m_near.beginTick(TickWork(limits.work));
     Walk::Ended ended = Walk::Ended::Unfinished;
@@ -109,7 +109,7 @@ void GodObject::keep(const Contacts& contacts) noexcept
     }
 }
 
-void GodObject::report(GodObjectStep& result) noexcept
+PALPATE_ALWAYS_INLINE void GodObject::report(GodObjectStep& result) noexcept
 {
     result.p_WG = m_state.p_WG;
     result.constraints = m_state.constraints;
@@ -123,7 +123,7 @@ void GodObject::report(GodObjectStep& result) noexcept
 }
 
 /// Gathers a part of the facets that the next ticks will need.
-void GodObject::lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept
+PALPATE_ALWAYS_INLINE void GodObject::lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept
 {
     if (hasWalkedClear) {
         const geometry::SurfaceIndex& surface = layer.surface(m_facets[0].structure);

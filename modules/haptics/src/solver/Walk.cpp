@@ -67,7 +67,7 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
     return m_ended;
 }
 
-void Walk::begin(Start start) noexcept
+PALPATE_ALWAYS_INLINE void Walk::begin(Start start) noexcept
 {
     m_path[0] = m_god;
     m_over[0] = m_over[1] = {m_facet.structure, m_facet.triangle};
@@ -77,7 +77,7 @@ void Walk::begin(Start start) noexcept
     }
 }
 
-bool Walk::isClearAt(const Facet& facet, const Vec3& p) noexcept
+PALPATE_ALWAYS_INLINE bool Walk::isClearAt(const Facet& facet, const Vec3& p) noexcept
 {
     return m_surface.isClear(facet.triangle) &&
            isOffCorners(facet, p, geometry::SurfaceIndex::kClearOfCorners * m_facet.skin_mm) &&
@@ -114,7 +114,7 @@ Walk::Next Walk::leaveCrease() noexcept
 }
 
 /// Over the facet here: to the foot of the HIP on it, or to the edge on the way there.
-Walk::Next Walk::step() noexcept
+PALPATE_ALWAYS_INLINE Walk::Next Walk::step() noexcept
 {
     const Vec3 outwards = m_side * m_here->n;
     const double rise = m_here->skin_mm - outwards.dot(m_hip - m_here->a);
@@ -132,12 +132,12 @@ Walk::Next Walk::step() noexcept
     return exit.edge == m_entered ? enterCrease(last()) : cross(exit, target);
 }
 
-bool Walk::isFar(const Vec3& target) const noexcept
+PALPATE_ALWAYS_INLINE bool Walk::isFar(const Vec3& target) const noexcept
 {
     return (target - last()).squaredNorm() > kFarTarget * kFarTarget * m_layer.facetSize_mm * m_layer.facetSize_mm;
 }
 
-Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to) const noexcept
+PALPATE_ALWAYS_INLINE Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to) const noexcept
 {
     // Seen along the axis that shows most of the facet; the margin shrinks there with it.
     const Facet& facet = *m_here;
@@ -174,7 +174,7 @@ Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to) const noexcept
     return exit;
 }
 
-Walk::Next Walk::arrive(const Vec3& target) noexcept
+PALPATE_ALWAYS_INLINE Walk::Next Walk::arrive(const Vec3& target) noexcept
 {
     m_isClear = m_isClear && isClearAt(*m_here, target);
     // The facets gathered next need not be those around the path so far: it is asked for first.
@@ -297,7 +297,7 @@ bool Walk::liftOver(const Facet& next, const Vec3& target, double share, Vec3& t
     return m_side * next.n.dot(to - next.a) > 0.0;
 }
 
-void Walk::stand() noexcept
+PALPATE_ALWAYS_INLINE void Walk::stand() noexcept
 {
     if (m_here != &m_facet) {
         m_facet = *m_here;
@@ -332,7 +332,7 @@ bool Walk::isPathFree() noexcept
 }
 
 /// Makes the last move. @return false when it is blocked
-bool Walk::hasArrivedAt(const Vec3& target) noexcept
+PALPATE_ALWAYS_INLINE bool Walk::hasArrivedAt(const Vec3& target) noexcept
 {
     if (m_isClear) {
         m_god = target;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/core/Float4.h"
+#include "palpate/core/Realtime.h"
 
 /// For functions that work on eight lanes at once: compiled for the processors that have them, too, and chosen when the
 /// program starts. Not under the sanitizers, which cannot run that early.
@@ -11,8 +12,6 @@
 #else
 #define PALPATE_WIDE_LANES
 #endif
-
-#define PALPATE_ALWAYS_INLINE inline __attribute__((always_inline))
 
 namespace palpate::core {
 

@@ -12,6 +12,9 @@
 #define PALPATE_NONBLOCKING
 #endif
 
+/// For the parts of a function that every tick runs: one function to a reader, one to the compiler.
+#define PALPATE_ALWAYS_INLINE inline __attribute__((always_inline))
+
 namespace palpate::core {
 
 /// Asks for the memory at `p` without waiting for it. Never changes a result; `p` need not be readable.
