@@ -50,10 +50,12 @@ class SceneCost : public QObject
         }
         const geometry::RepairedMesh mesh = geometry::repair(sphere(128, 50.0));
         const auto triangles = static_cast<double>(mesh.mesh.triangles.size());
-        (void)geometry::SurfaceIndex::build(mesh); // what a first build leaves behind is not the copy's
+        // On one thread: others have stacks and heaps of their own, which is not the copy's; nor is what a first build
+        // leaves behind.
+        (void)geometry::SurfaceIndex::build(mesh, 1);
         const double before = residentBytes();
         std::vector<HapticStructure> structures(1);
-        structures[0].surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
+        structures[0].surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh, 1));
         const HapticScene scene(std::move(structures));
         const double grown = residentBytes() - before, counted = static_cast<double>(scene.byteSize());
         qInfo("%.1f bytes a triangle counted, %.1f by the process's growth", counted / triangles, grown / triangles);

@@ -16,12 +16,13 @@ namespace palpate::geometry {
 
 namespace {
 
-/// Skins: how high a god-object goes above a triangle it moves over and how far outside its edges, and as much again.
-constexpr double kApart = 8.0;
+// How high a god-object goes above a triangle it moves over, as far outside its edges, and as much for rounding.
+constexpr double kApart = SurfaceIndex::kClearApart;
+static_assert(3.0 * SurfaceIndex::kClearHeight < kApart);
 
 constexpr float kLeastSine = 1.0f / 32.0f; // of an angle of a triangle
-constexpr float kMostTurned = 0.6f;        // cosine
-constexpr std::size_t kMostAround = 32;    // triangles at a vertex
+constexpr float kMostTurned = SurfaceIndex::kClearTurned;
+constexpr std::size_t kMostAround = 32; // triangles at a vertex
 
 // Where everything lies across everything, to look at all pairs would take for ever, and nothing would be clear.
 constexpr std::uint64_t kMostPairs = 64;   // for each triangle; a sphere's have 16

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Packing.h"
 
+#include "Schema.h"
+
 #include "MetaTable.h"
 #include "TickColumns.h"
 
@@ -87,7 +89,7 @@ void packTick(std::string& out, const servo::TickRecord& tick)
     }
 }
 
-void packScene(std::string& out, const SceneRecord& scene)
+void packScene(std::string& out, const SceneRecord& scene, int version)
 {
     put(out, scene.generation);
     put(out, static_cast<std::uint64_t>(scene.structures.size()));
@@ -100,7 +102,7 @@ void packScene(std::string& out, const SceneRecord& scene)
         put(out, static_cast<std::uint8_t>(structure.source.flipped));
         putText(out, poseText(structure.source.X_WM));
         putText(out, structure.source.sha256);
-        for (const core::TissueTerm& term : core::kTissueTerms) {
+        for (const core::TissueTerm& term : tissueTerms(version)) {
             putNumber(out, structure.tissue.*term.member + 0.0); // a REAL column keeps no sign of a zero
         }
         put(out, structure.layer);

@@ -25,7 +25,8 @@ namespace palpate::session::internal {
 void packTick(std::string& out, const servo::TickRecord& tick);
 
 /// What the checksum of a scene covers.
-void packScene(std::string& out, const SceneRecord& scene);
+/// @param version  of the recording that the scene is checked against
+void packScene(std::string& out, const SceneRecord& scene, int version);
 /// What the checksum of events covers.
 void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
 /// What the checksum of an embedded surface covers: all its arrays.

@@ -81,7 +81,7 @@ RecordingStore::RecordingStore(Database database)
     , m_insertMesh(m_database.prepare("INSERT OR IGNORE INTO meshes(path, part, unit_mm, flipped, pose, sha256) "
                                       "VALUES(?1, ?2, ?3, ?4, ?5, ?6)"))
     , m_insertStructure(m_database.prepare(
-          ("INSERT INTO structures(generation, number, name, mesh, layer, palpable" + tissueColumns() +
+          ("INSERT INTO structures(generation, number, name, mesh, layer, palpable" + tissueColumns(kRecordingVersion) +
            ") SELECT ?7, ?8, ?9, mesh, ?10, ?11" + tissuePlaces(12) +
            " FROM meshes WHERE path = ?1 AND part = ?2 AND unit_mm = ?3 AND flipped = ?4 AND pose = ?5 AND sha256 = ?6")
               .c_str()))
@@ -116,7 +116,7 @@ Status RecordingStore::storeScenes(const RecordingBatch& batch, std::string& has
 {
     for (const SceneRecord& scene : batch.scenes) {
         std::string content;
-        packScene(content, scene);
+        packScene(content, scene, kRecordingVersion);
         Status status = storeScene(scene);
         if (status.isOk()) {
             status =

@@ -117,7 +117,7 @@ class Surveyor
             name = "scene " + std::to_string(check.first);
             const auto found = m_scenes.find(static_cast<std::uint32_t>(check.first));
             if (found != m_scenes.end()) {
-                packScene(content, found->second);
+                packScene(content, found->second, m_tables.version());
                 rows = static_cast<std::int64_t>(found->second.structures.size());
                 m_checkedScenes.insert(found->first);
             }

@@ -65,8 +65,8 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
     }
     const Status status = step == Step::Failed ? damaged() : Status();
     Statement rows = m_database.prepare(
-        ("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable" + tissueColumns() +
-         " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
+        ("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable" +
+         tissueColumns(m_version) + " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
             .c_str());
     for (step = rows.step(); step == Step::Row; step = rows.step()) {
         const auto generation = static_cast<std::uint32_t>(rows.integer(0));
@@ -86,7 +86,7 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.layer = static_cast<std::uint32_t>(rows.integer(8));
         structure.palpable = rows.integer(9) != 0;
         int column = 10;
-        for (const core::TissueTerm& term : core::kTissueTerms) {
+        for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
         }
     }

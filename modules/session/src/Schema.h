@@ -2,20 +2,30 @@
 #pragma once
 
 #include "TickTable.h"
+#include "palpate/session/Recording.h"
 
 #include <palpate/core/Tissue.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace palpate::session::internal {
 
+/// @return the numbers of a tissue that recordings of this version hold.
+inline std::span<const core::TissueTerm> tissueTerms(int version)
+{
+    constexpr std::size_t kUpToVersion2 = 2;
+    static_assert(core::kTissueTerms.size() == kUpToVersion2 || kRecordingVersion > 2, "another term, another version");
+    return std::span(core::kTissueTerms).first(version <= 2 ? kUpToVersion2 : core::kTissueTerms.size());
+}
+
 /// @return the columns of a tissue in the table `structures`, each behind a comma. @param type  of each
-inline std::string tissueColumns(std::string_view type = "")
+inline std::string tissueColumns(int version, std::string_view type = "")
 {
     std::string columns;
-    for (const core::TissueTerm& term : core::kTissueTerms) {
+    for (const core::TissueTerm& term : tissueTerms(version)) {
         columns.append(", ").append(term.key).append(type);
     }
     return columns;
@@ -39,7 +49,7 @@ CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL,
 CREATE TABLE meshes(mesh INTEGER PRIMARY KEY, path TEXT, part TEXT, unit_mm REAL, flipped INTEGER, pose TEXT,
   sha256 TEXT, UNIQUE(path, part, unit_mm, flipped, pose, sha256));
 CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh))sql" +
-           tissueColumns(" REAL") + R"sql(, layer INTEGER, palpable INTEGER,
+           tissueColumns(kRecordingVersion, " REAL") + R"sql(, layer INTEGER, palpable INTEGER,
   PRIMARY KEY(generation, number)) WITHOUT ROWID;
 CREATE TABLE events(id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, kind TEXT NOT NULL, json TEXT NOT NULL);
 CREATE TABLE checks(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER, last INTEGER, rows INTEGER NOT NULL,

@@ -26,7 +26,7 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .many = 48,
             .narrowest_mm = 0.2 * layer.facetSize_mm,
             .widest_mm = 16.0 * layer.facetSize_mm,
-            .around_mm = NearPoint::kNearby * layer.skin_mm};
+            .around_mm = kNearby * layer.skin_mm};
 }
 
 bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::uint32_t triangle) noexcept

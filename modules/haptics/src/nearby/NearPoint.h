@@ -24,8 +24,7 @@ struct FacetNumber
 class NearPoint
 {
   public:
-    static constexpr std::size_t kMostPoints = 9;     ///< of a path
-    static constexpr double kNearby = 2.0 * kTouched; ///< skins: as far as forEachNear can ask
+    static constexpr std::size_t kMostPoints = 9; ///< of a path
 
     /// Forgets everything: the scene changed.
     void clear() noexcept PALPATE_NONBLOCKING

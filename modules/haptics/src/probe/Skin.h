@@ -46,6 +46,8 @@ static_assert(geometry::SurfaceIndex::kClearHeight >= kTouching && geometry::Sur
               "what touches or supports a walking god-object is within the height that was cleared");
 static_assert(kLifted <= kStanding && kStanding <= 1.0, "a walk's moves begin and end where the next one may");
 static_assert(kPlate <= kLifted, "a walk over an edge stays out of the plate of the facet before");
+static_assert(kLifted / 2.0 <= geometry::SurfaceIndex::kClearApart - 3.0 * geometry::SurfaceIndex::kClearHeight,
+              "lifted over an edge, a walk stays as near to it as was cleared: tan(53 deg / 2) is half");
 static_assert(kNearby * 512.0 <= geometry::SurfaceIndex::kClearOfCorners,
               "far beyond all that a corner's facets can touch");
 

@@ -13,6 +13,7 @@ constexpr std::uint32_t kMostFacets = 64;
 constexpr std::uint32_t kStepPrice = 12; // of going over to the next facet, in units of TickWork
 constexpr double kFarTarget = 16.0;      // facet sizes
 constexpr double kSharpest = 0.5;        // cosine of the angle between two facets' normals
+static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses every edge of a clear facet");
 
 /// @return true when a god-object stands on a facet as one does that has walked there.
 bool isOn(const Facet& facet, int side, const Vec3& g) noexcept

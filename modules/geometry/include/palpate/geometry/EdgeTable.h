@@ -17,7 +17,7 @@ struct EdgeUse
     bool isForward;         ///< traversed from the smaller to the larger vertex
 };
 
-/// Who neighbours whom: the triangles at every edge of a mesh, in O(n) memory and O(n log n) time. Read-only once
+/// The triangles at every edge of a mesh, in O(n) memory and O(n log n) time. Read-only once
 /// built. Any number of triangles may share an edge.
 class EdgeTable
 {

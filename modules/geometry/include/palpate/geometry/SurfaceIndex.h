@@ -81,6 +81,8 @@ class SurfaceIndex
     }
     static constexpr double kClearHeight = 2.0;
     static constexpr double kClearOfCorners = 65536.0;
+    static constexpr double kClearApart = 8.0;  ///< skins from a clear triangle to those that share no corner with it
+    static constexpr float kClearTurned = 0.6f; ///< cosine of the angle to its neighbours, at least
 
     /// Asks for what will be read soon, without waiting for it: a triangle, the neighbours of one that is clear, or
     /// the corners of one.
