@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 
 #include <exception>
+#include <mutex>
 #include <new>
 
 namespace palpate::meshio::internal {
@@ -44,6 +45,10 @@ class ProgressObserver : public vtkCommand
 Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const FileImage& image, const PreScan& scan,
                                                  const ScanContext& context)
 {
+    // One at a time in one process: VTK's PLY reader keeps all its memory in one heap (vtkPLY.cxx). The program reads
+    // in child processes and never waits here.
+    static std::mutex oneAtATime;
+    const std::scoped_lock lock(oneAtATime);
     const NumericLocale locale;
     const VtkMessages messages;
     vtkNew<ProgressObserver> observer;
