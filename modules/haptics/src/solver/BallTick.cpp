@@ -327,10 +327,10 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 void BallTick::dropUntouched() noexcept
 {
     const double radius = m_layer.fingertip_mm;
-    const auto isParted = [&](BallContact& c) {
-        c.lookFrom(m_god);
-        return c.distance_mm > radius + kParted * c.facet.skin_mm;
-    };
+    for (BallContact& contact : m_active) {
+        contact.lookFrom(m_god);
+    }
+    const auto isParted = [radius](const BallContact& c) { return c.distance_mm > radius + kParted * c.facet.skin_mm; };
     if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
         m_active.release(isParted);
     }
