@@ -19,6 +19,9 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     for (std::size_t i = 0; i < core::kTissueTerms.size(); ++i) {
         const core::TissueTerm& term = core::kTissueTerms[i];
+        if (term.option.empty()) {
+            continue;
+        }
         command->add_option(std::string(term.option), options->tissue[i],
                             std::string(term.name) + " of every tissue [" + std::string(term.unit) + "]");
     }

@@ -9,12 +9,12 @@
 
 namespace palpate::meshio::internal {
 
-namespace {
-
 std::string brief(double value)
 {
     return QByteArray::number(value, 'g', 12).toStdString();
 }
+
+namespace {
 
 std::string range(double low, double high)
 {
@@ -67,6 +67,13 @@ void JsonFields::fail(const char* name, const std::string& found, const std::str
 void JsonFields::failType(const char* name, const QJsonValue& value, const std::string& expected)
 {
     fail(name, shown(value), expected);
+}
+
+void JsonFields::keepUnknown(const char* name, const std::string& fields)
+{
+    if (!fields.empty()) {
+        m_unknown[QLatin1String(name)] = QJsonDocument::fromJson(QByteArray::fromStdString(fields)).object();
+    }
 }
 
 QJsonValue JsonFields::take(const char* name)
@@ -130,6 +137,12 @@ std::optional<std::vector<double>> JsonFields::numbers(const char* name, std::si
         values.push_back(entry.toDouble());
     }
     return values;
+}
+
+std::optional<JsonFields> JsonFields::fieldsOf(const char* name)
+{
+    const auto found = object(name);
+    return found ? std::optional(JsonFields(*found, m_file, pathOf(name), m_status)) : std::nullopt;
 }
 
 std::optional<QJsonObject> JsonFields::object(const char* name)

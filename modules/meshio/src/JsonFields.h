@@ -13,6 +13,9 @@
 
 namespace palpate::meshio::internal {
 
+/// @return a number as messages say it.
+[[nodiscard]] std::string brief(double value);
+
 /// Reads one JSON object field by field. The first field that is not what it must be is kept as the error, with its
 /// path in the document; fields that nobody asked for are what is unknown.
 class JsonFields
@@ -27,8 +30,13 @@ class JsonFields
     /// Reads exactly `count` numbers. @return nothing when the field is absent or wrong
     std::optional<std::vector<double>> numbers(const char* name, std::size_t count, double low, double high);
     std::optional<QJsonObject> object(const char* name);
+    /// The fields of an object; nothing when it is absent or wrong.
+    std::optional<JsonFields> fieldsOf(const char* name);
     /// The objects of an array; empty when the field is absent.
     std::vector<QJsonObject> objects(const char* name);
+
+    /// Lets fields of an object that nobody asked for count as unknown here. @param fields  as `unknown` says them
+    void keepUnknown(const char* name, const std::string& fields);
 
     [[nodiscard]] bool has(const char* name) const { return m_object.contains(QLatin1String(name)); }
     /// Fields not read so far, as JSON text; empty when there are none.

@@ -54,6 +54,27 @@ void readPose(JsonFields& fields, const char* name, core::Transform& pose)
     pose.matrix() = m;
 }
 
+void readTissue(JsonFields& fields, core::Tissue& tissue)
+{
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        if (term.group.empty()) {
+            fields.read(term.key.data(), tissue.*term.member, 0.0, term.most);
+        }
+    }
+    if (auto friction = fields.fieldsOf("friction")) {
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            if (term.group == "friction") {
+                friction->read(term.field.data(), tissue.*term.member, 0.0, term.most);
+            }
+        }
+        if (tissue.friction_dynamic > tissue.friction_static) {
+            friction->fail("dynamic", internal::brief(tissue.friction_dynamic),
+                           "at most `static`, which is " + internal::brief(tissue.friction_static));
+        }
+        fields.keepUnknown("friction", friction->unknown());
+    }
+}
+
 SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& folder)
 {
     SceneStructure s;
@@ -75,9 +96,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("visible", s.visible);
     fields.read("palpable", s.palpable);
     fields.read("flipped", s.flipped);
-    for (const core::TissueTerm& term : core::kTissueTerms) {
-        fields.read(term.key.data(), s.tissue.*term.member, 0.0, term.most);
-    }
+    readTissue(fields, s.tissue);
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {

@@ -59,7 +59,14 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     out["palpable"] = s.palpable;
     out["flipped"] = s.flipped;
     for (const core::TissueTerm& term : core::kTissueTerms) {
-        out[term.key.data()] = s.tissue.*term.member;
+        const double value = s.tissue.*term.member;
+        if (term.group.empty()) {
+            out[term.key.data()] = value;
+        } else if (value != 0.0) { // what a tissue lacks is not said
+            QJsonObject group = out[term.group.data()].toObject();
+            group[term.field.data()] = value;
+            out[term.group.data()] = group;
+        }
     }
     out["layer"] = static_cast<double>(s.layer);
     out["pose"] = pose(s.X_WM);

@@ -17,7 +17,7 @@ namespace palpate::session::internal {
 inline std::span<const core::TissueTerm> tissueTerms(int version)
 {
     constexpr std::size_t kUpToVersion2 = 2;
-    static_assert(core::kTissueTerms.size() == kUpToVersion2 || kRecordingVersion > 2, "another term, another version");
+    static_assert(core::kTissueTerms.size() == 5 || kRecordingVersion > 3, "another term, another version");
     return std::span(core::kTissueTerms).first(version <= 2 ? kUpToVersion2 : core::kTissueTerms.size());
 }
 

@@ -9,16 +9,27 @@ namespace palpate::haptics {
 
 using core::Vec3;
 
+/// What friction does to a god-object.
+enum class Friction : std::uint8_t
+{
+    None,   ///< what is touched has none
+    Holds,  ///< it sticks where it is
+    Slides, ///< the hand drags it along
+};
+
 /// Where the god-object of one layer touches, and what is felt there.
 struct Contact
 {
     Vec3 p_WG;               ///< god-object [mm]
-    Vec3 n_W;                ///< unit normal of the contact, from surface to free space
+    /// Unit normal of the contact, from surface to free space: without friction the direction of the spring. With
+    /// several planes that of their push together.
+    Vec3 n_W;
     Vec3 f_W;                ///< the layer's share of the force on the hand [N]
     double depth_mm;         ///< of the HIP below the god-object
     std::uint32_t structure; ///< touched, as its number in the scene; of several the stiffest: the hand can't pass it
     std::uint32_t triangle;  ///< touched, as its index in the structure's mesh as given to `repair`
     std::uint32_t layer;     ///< position in the scene's layers, 0 the outermost
+    Friction friction;
 };
 
 } // namespace palpate::haptics

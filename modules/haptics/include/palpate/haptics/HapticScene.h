@@ -6,6 +6,7 @@
 
 #include <palpate/geometry/SurfaceIndex.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -14,6 +15,26 @@
 
 namespace palpate::haptics {
 
+class ForceTable;
+
+/// A number that varies over a surface: at each corner of each triangle, linear between.
+struct TissueMap
+{
+    /// By the triangle's position in the SurfaceIndex; null: no map.
+    std::shared_ptr<const std::vector<std::array<float, 3>>> corners;
+    double factor = 1.0; ///< that each number is multiplied by
+
+    [[nodiscard]] bool isEmpty() const noexcept { return corners == nullptr; }
+};
+
+/// What varies over a structure.
+struct TissueMaps
+{
+    TissueMap stiffness; ///< s [1]: scales the law's force and energy; > 0
+    TissueMap damping;   ///< b [N·s/mm]: stands for the tissue's own; >= 0
+    TissueMap friction;  ///< scales both coefficients [1]; >= 0
+};
+
 /// One palpable structure. Its surface is shared, so that a change of tissue needs no new index.
 struct HapticStructure
 {
@@ -21,6 +42,10 @@ struct HapticStructure
     std::shared_ptr<const geometry::SurfaceIndex> surface; ///< world frame [mm]; never null in a scene
     Tissue tissue;
     std::uint32_t layer = 0; ///< 0 is the outermost; structures of one layer share one god-object
+    TissueMaps maps{};
+    /// The law by which the force rises; null: linear. A scene makes it of the tissue's law where that is another one
+    /// and no table is given, as from a recording.
+    std::shared_ptr<const ForceTable> law{};
 };
 
 /// The structures that share one god-object: all that a god-object knows of a scene.

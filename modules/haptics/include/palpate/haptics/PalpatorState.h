@@ -17,7 +17,8 @@ struct GodObjectState
     std::array<std::int8_t, 3> side{}; ///< +1: on the front of the triangle, -1: behind it
     std::uint8_t constraints = 0;      ///< how many of the three are valid
     std::uint8_t placed = 0;           ///< 0: the next step starts at its HIP
-    std::uint8_t pad[3]{};
+    std::uint8_t slides = 0;           ///< 1: friction let go of it, and has not caught it again
+    std::uint8_t pad[2]{};
 };
 
 /// Everything that decides the coming ticks besides the scene and the HIP. Trivially copyable, so that a recording can

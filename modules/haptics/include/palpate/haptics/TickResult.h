@@ -33,7 +33,7 @@ struct TickResult
 {
     Vec3 p_WG = Vec3::Zero();    ///< god-object of the layer that is reported (see `structure`) [mm]
     Vec3 f_W = Vec3::Zero();     ///< force on the hand, summed over the layers, unbounded [N]
-    Vec3 n_W = Vec3::Zero();     ///< unit direction of the contact, from surface to free space; zero in free space
+    Vec3 n_W = Vec3::Zero();     ///< unit normal of the contact, from surface to free space; zero in free space
     std::int32_t structure = -1; ///< number of the touched structure in the scene, -1 in free space; with several
                                  ///< layers in contact, the outermost one
     std::uint32_t triangle = 0;  ///< touched triangle, index in the structure's mesh as given to `repair`
@@ -43,6 +43,12 @@ struct TickResult
     std::uint32_t iterations = 0;              ///< summed over the layers
     std::array<Contact, kMaxLayers> contacts;  ///< of the layers that are touched, the outermost first
     std::uint8_t contactCount = 0;             ///< how many of `contacts` are valid
+
+    /// What friction does to the layer that is reported.
+    [[nodiscard]] Friction friction() const noexcept
+    {
+        return contactCount == 0 ? Friction::None : contacts[0].friction;
+    }
 };
 
 } // namespace palpate::haptics

@@ -22,6 +22,7 @@ enum TickFlag : std::uint16_t
     kSceneChanged = 32,  ///< first tick on another scene
     kReset = 64,         ///< the god-object started anew at the HIP in this tick (the hand came or the device started)
     kClutched = 256,     ///< the device moved without the HIP: nothing was to be felt
+    kSlides = 512,       ///< friction lets the god-object slide
     kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
 };
 

@@ -17,7 +17,7 @@
 namespace palpate::session {
 
 /// Version of the schema in resources/docs/recording.md, kept as the database's `user_version`.
-inline constexpr int kRecordingVersion = 2;
+inline constexpr int kRecordingVersion = 3;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 

@@ -29,7 +29,8 @@ void replay(const haptics::HapticScene& scene, const Motion& motion, const TickS
 /// Values for core::kTissueTerms, in their order and units; none: as it is.
 using TissueOverride = std::array<std::optional<double>, core::kTissueTerms.size()>;
 
-/// Gives every structure these values instead of its own.
+/// Gives every structure these values instead of its own: with any of them it is a spring and a damper alone, without
+/// friction, map or another law.
 [[nodiscard]] haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueOverride& given);
 
 /// Surfaces by geometryHash.

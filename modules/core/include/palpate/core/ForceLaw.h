@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace palpate::core {
+
+/// By what law the force rises with the depth. resources/docs/laws.md has the formulas and their sources.
+enum class LawKind : std::uint8_t
+{
+    Linear,      ///< stiffness times depth
+    Exponential, ///< after Fung: soft at first, ever stiffer
+    Hertz,       ///< a ball on a soft half-space
+    Layer,       ///< a ball on a soft layer on something rigid
+    Click,       ///< rises, snaps through, rises again
+    Points,      ///< as measured
+};
+
+/// A law and its numbers. A value: what is felt is a table made of it (haptics::ForceTable).
+struct ForceLaw
+{
+    static constexpr std::size_t kMostNumbers = 5;
+    static constexpr std::size_t kMostPoints = 64;
+
+    /// Depth [mm] and force [N].
+    using Point = std::array<double, 2>;
+
+    LawKind kind = LawKind::Linear;
+    std::array<double, kMostNumbers> numbers{}; ///< by `lawTerms(kind)`; the others are 0
+    std::vector<Point> points;                  ///< of LawKind::Points alone, ascending, the first (0, 0)
+
+    friend bool operator==(const ForceLaw&, const ForceLaw&) = default;
+};
+
+/// One number of a law, as files and panels tell it.
+struct LawTerm
+{
+    std::string_view key; ///< in scene files
+    std::string_view name;
+    std::string_view unit;
+    double least, most;
+    double usual; ///< where a file does not say it
+};
+
+/// The name of a law in files: "linear".
+[[nodiscard]] std::string_view lawName(LawKind kind) noexcept;
+/// All laws, in the order in which a person chooses among them.
+inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, LawKind::Hertz,
+                                      LawKind::Layer,  LawKind::Click,       LawKind::Points};
+/// The numbers of a law, in the order of ForceLaw::numbers.
+[[nodiscard]] std::span<const LawTerm> lawTerms(LawKind kind) noexcept;
+
+} // namespace palpate::core
