@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/core/ForceLaw.h"
 
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
 namespace palpate::core {
 
 namespace {
@@ -22,11 +27,65 @@ constexpr LawTerm kLayer[] = {
 };
 constexpr LawTerm kClick[] = {
     {"k1_N_per_mm", "Stiffness before the click", "N/mm", 1e-6, 1000.0, 0.5},
-    {"F1_N", "Force at which it gives way", "N", 1e-6, 1000.0, 1.0},
+    {"F1_N", "Force at which it gives way", "N", 1e-3, 1000.0, 1.0},
     {"F2_N", "Force that it falls to", "N", 0.0, 1000.0, 0.6},
     {"fall_mm", "Depth over which it falls", "mm", 1e-3, 25.0, 1.0},
     {"k3_N_per_mm", "Stiffness after the click", "N/mm", 1e-6, 1000.0, 0.5},
 };
+
+std::string text(double number)
+{
+    std::array<char, 32> digits{};
+    std::snprintf(digits.data(), digits.size(), "%.6g", number);
+    return digits.data();
+}
+
+Status wrong(std::string what)
+{
+    return {StatusCode::OutOfRange, std::move(what)};
+}
+
+/// @return what is wrong with a measured point by itself or after the one before it; empty: nothing.
+std::string pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* before)
+{
+    const auto [depth_mm, force_N] = point;
+    const std::string found = "is (" + text(depth_mm) + " mm, " + text(force_N) + " N)";
+    if (!std::isfinite(depth_mm) || !std::isfinite(force_N)) {
+        return found + "; expected numbers";
+    }
+    if (before == nullptr) {
+        return depth_mm != 0.0 || force_N != 0.0 ? found + "; expected the first at 0 mm and 0 N" : "";
+    }
+    if (force_N < 0.0) {
+        return found + "; expected a force of at least 0 N";
+    }
+    const double step_mm = depth_mm - (*before)[0];
+    if (!(step_mm >= ForceLaw::kLeastStep_mm) || depth_mm > ForceLaw::kMostDepth_mm) {
+        return found + "; expected more than " + text((*before)[0]) + " mm, and at most " +
+               text(ForceLaw::kMostDepth_mm) + " mm";
+    }
+    const double slope = (force_N - (*before)[1]) / step_mm;
+    if (std::abs(slope) > ForceLaw::kMostSlope) {
+        return found + ", a slope of " + text(slope) + " N/mm from the one before; expected at most " +
+               text(ForceLaw::kMostSlope);
+    }
+    return "";
+}
+
+Status checkPoints(const std::vector<ForceLaw::Point>& points)
+{
+    if (points.size() < 2 || points.size() > ForceLaw::kMostPoints) {
+        return wrong("it has " + std::to_string(points.size()) + " points; expected 2 to " +
+                     std::to_string(ForceLaw::kMostPoints));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::string problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
+        if (!problem.empty()) {
+            return wrong("point " + std::to_string(i + 1) + " of " + std::to_string(points.size()) + ' ' + problem);
+        }
+    }
+    return {};
+}
 
 } // namespace
 
@@ -53,6 +112,29 @@ std::span<const LawTerm> lawTerms(LawKind kind) noexcept
         break;
     }
     return {};
+}
+
+Status check(const ForceLaw& law)
+{
+    const std::span<const LawTerm> terms = lawTerms(law.kind);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        if (!(law.numbers[i] >= terms[i].least && law.numbers[i] <= terms[i].most)) {
+            return wrong(std::string(terms[i].key) + " is " + text(law.numbers[i]) + "; expected " +
+                         text(terms[i].least) + " to " + text(terms[i].most) + ' ' + std::string(terms[i].unit));
+        }
+    }
+    const std::array<double, ForceLaw::kMostNumbers>& n = law.numbers;
+    if (law.kind == LawKind::Exponential && n[0] > n[2]) {
+        return wrong("k0_N_per_mm is " + text(n[0]) + ", above k_max_N_per_mm, " + text(n[2]));
+    }
+    if (law.kind == LawKind::Click && n[2] > n[1]) {
+        return wrong("F2_N is " + text(n[2]) + ", above F1_N, " + text(n[1]));
+    }
+    if (law.kind == LawKind::Click && n[1] - n[2] > ForceLaw::kMostSlope * n[3]) {
+        return wrong("it falls by " + text((n[1] - n[2]) / n[3]) + " N/mm; expected at most " +
+                     text(ForceLaw::kMostSlope));
+    }
+    return law.kind == LawKind::Points ? checkPoints(law.points) : Status();
 }
 
 } // namespace palpate::core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/HapticScene.h"
 
+#include "palpate/haptics/ForceTable.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,6 +13,11 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
     : m_structures(std::move(structures))
     , m_fingertip_mm(fingertip_mm)
 {
+    for (HapticStructure& structure : m_structures) {
+        if (structure.law == nullptr) {
+            structure.law = ForceTable::build(structure.tissue);
+        }
+    }
     std::map<std::uint32_t, std::vector<std::uint32_t>> byNumber;
     for (std::uint32_t i = 0; i < m_structures.size(); ++i) {
         if (m_structures[i].surface != nullptr && m_structures[i].surface->triangleCount() > 0) {

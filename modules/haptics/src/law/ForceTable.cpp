@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/ForceTable.h"
+
+#include "law/LawKnots.h"
+
+#include <bit>
+#include <cstring>
+#include <string>
+
+namespace palpate::haptics {
+
+namespace {
+
+using core::Status;
+using core::StatusCode;
+using Knot = ForceTable::Knot;
+using Numbers = std::array<double, 4>; // of a knot in bytes
+
+static_assert(std::endian::native == std::endian::little, "bytes() writes numbers as they lie in memory");
+
+constexpr double kDeepest_mm = 1e9; // a law's last knot: what keeps a force finite
+
+/// @return what is wrong with the cell from a knot to the next, or null.
+const char* problem(const Knot& from, const Knot& to)
+{
+    const double length = to.depth_mm - from.depth_mm;
+    if (!(length >= ForceTable::kLeastCell_mm)) {
+        return "does not lie below the knot before it";
+    }
+    const double most = ForceTable::kMostSlope;
+    if (std::abs(from.slopeAfter) > most || std::abs(to.slopeBefore) > most ||
+        std::abs(to.force_N - from.force_N) > most * length) {
+        return "is steeper than any law";
+    }
+    // A cubic lies within the polygon of its four control points; these are the inner two.
+    const double allowed = -1e-9 * (from.force_N + to.force_N);
+    if (from.force_N + from.slopeAfter * length / 3.0 < allowed ||
+        to.force_N - to.slopeBefore * length / 3.0 < allowed) {
+        return "has a force below 0 before it";
+    }
+    return nullptr;
+}
+
+/// @return what is wrong with a knot by itself, or null.
+const char* problem(const Knot& knot, bool isFirst, bool isLast)
+{
+    if (!std::isfinite(knot.depth_mm) || !std::isfinite(knot.force_N) || !std::isfinite(knot.slopeBefore) ||
+        !std::isfinite(knot.slopeAfter)) {
+        return "has a number that is not finite";
+    }
+    if (isFirst && (knot.depth_mm != 0.0 || knot.force_N != 0.0)) {
+        return "is not at 0 mm and 0 N";
+    }
+    if (knot.force_N < 0.0) {
+        return "has a force below 0";
+    }
+    if (isLast && (knot.slopeAfter < 0.0 || knot.slopeAfter > ForceTable::kMostSlope || knot.depth_mm > kDeepest_mm)) {
+        return "ends with a slope below 0 or steeper than any law";
+    }
+    return nullptr;
+}
+
+} // namespace
+
+core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromKnots(std::vector<Knot> knots)
+{
+    if (knots.empty() || knots.size() > kMostKnots) {
+        return Status(StatusCode::OutOfRange, "a force table has " + std::to_string(knots.size()) +
+                                                  " knots; expected 1 to " + std::to_string(kMostKnots));
+    }
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const char* what = problem(knots[i], i == 0, i + 1 == knots.size());
+        if (what == nullptr && i > 0) {
+            what = problem(knots[i - 1], knots[i]);
+        }
+        if (what != nullptr) {
+            return Status(StatusCode::OutOfRange, "knot " + std::to_string(i + 1) + " of " +
+                                                      std::to_string(knots.size()) + " of a force table " + what);
+        }
+    }
+    return std::shared_ptr<const ForceTable>(new ForceTable(std::move(knots)));
+}
+
+std::shared_ptr<const ForceTable> ForceTable::build(const Tissue& tissue)
+{
+    if (tissue.law.kind == core::LawKind::Linear || !core::check(tissue.law).isOk()) {
+        return nullptr;
+    }
+    core::Result<std::shared_ptr<const ForceTable>> table = fromKnots(law::knotsOf(tissue.law));
+    return table.isOk() ? std::move(table).value() : nullptr;
+}
+
+core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromBytes(std::span<const std::byte> bytes)
+{
+    if (bytes.size() % sizeof(Numbers) != 0 || bytes.size() > kMostKnots * sizeof(Numbers)) {
+        return Status(StatusCode::BadFormat, "a force table has " + std::to_string(bytes.size()) + " bytes; expected " +
+                                                 std::to_string(sizeof(Numbers)) + " a knot");
+    }
+    std::vector<Knot> knots;
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof(Numbers)) {
+        Numbers numbers;
+        std::memcpy(numbers.data(), bytes.data() + at, sizeof(Numbers));
+        knots.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+    }
+    return fromKnots(std::move(knots));
+}
+
+std::vector<std::byte> ForceTable::bytes() const
+{
+    std::vector<std::byte> bytes(m_knots.size() * sizeof(Numbers));
+    for (std::size_t i = 0; i < m_knots.size(); ++i) {
+        const Knot& knot = m_knots[i];
+        const Numbers numbers{knot.depth_mm, knot.force_N, knot.slopeBefore, knot.slopeAfter};
+        std::memcpy(bytes.data() + i * sizeof(Numbers), numbers.data(), sizeof(Numbers));
+    }
+    return bytes;
+}
+
+ForceTable::Cell ForceTable::cellBetween(const Knot& from, const Knot& to, double energy_mJ)
+{
+    const double length = to.depth_mm - from.depth_mm;
+    const double line = (to.force_N - from.force_N) / length;
+    const double square = (3.0 * line - 2.0 * from.slopeAfter - to.slopeBefore) / length;
+    const double cube = (from.slopeAfter + to.slopeBefore - 2.0 * line) / (length * length);
+    return {from.depth_mm, to.depth_mm, from.force_N, from.slopeAfter, square, cube, energy_mJ, square / 3.0};
+}
+
+double ForceTable::greatestSlope(const Cell& cell)
+{
+    const auto slopeAt = [&](double t) { return cell.rise + t * (2.0 * cell.square + t * (3.0 * cell.cube)); };
+    const double length = cell.end_mm - cell.start_mm, top = -cell.square / (3.0 * cell.cube);
+    const double within = cell.cube < 0.0 && top > 0.0 && top < length ? slopeAt(top) : cell.rise;
+    return std::max({cell.rise, slopeAt(length), within});
+}
+
+ForceTable::ForceTable(std::vector<Knot> knots)
+    : m_knots(std::move(knots))
+{
+    m_cells.reserve(m_knots.size());
+    double energy_mJ = 0.0;
+    for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
+        const Cell& cell = m_cells.emplace_back(cellBetween(m_knots[i], m_knots[i + 1], energy_mJ));
+        m_greatestSlope = std::max(m_greatestSlope, greatestSlope(cell));
+        const double t = cell.end_mm - cell.start_mm;
+        energy_mJ += t * (cell.force_N + t * (0.5 * cell.rise + t * (cell.third + t * (0.25 * cell.cube))));
+    }
+    const Knot& last = m_knots.back();
+    m_cells.push_back({last.depth_mm, std::numeric_limits<double>::infinity(), last.force_N, last.slopeAfter, 0.0, 0.0,
+                       energy_mJ, 0.0});
+    m_greatestSlope = std::max(m_greatestSlope, last.slopeAfter);
+
+    constexpr double kPlaces = kIndexSize;
+    m_scale = last.depth_mm > 0.0 ? kPlaces * kPlaces / last.depth_mm : 0.0;
+    std::uint16_t cell = 0;
+    for (std::size_t place = 0; place < kIndexSize && m_scale > 0.0; ++place) {
+        const double shallowest_mm = double(place) * double(place) / m_scale * (1.0 - 1e-12); // that may mean the place
+        while (shallowest_mm > m_cells[cell].end_mm) {
+            ++cell;
+        }
+        m_index[place] = cell;
+    }
+}
+
+std::size_t ForceTable::byteSize() const noexcept
+{
+    return sizeof(ForceTable) + m_cells.capacity() * sizeof(Cell) + m_knots.capacity() * sizeof(Knot);
+}
+
+} // namespace palpate::haptics
