@@ -61,7 +61,7 @@ std::string pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* be
     }
     const double step_mm = depth_mm - (*before)[0];
     if (!(step_mm >= ForceLaw::kLeastStep_mm) || depth_mm > ForceLaw::kMostDepth_mm) {
-        return found + "; expected more than " + text((*before)[0]) + " mm, and at most " +
+        return found + "; expected a depth of " + text((*before)[0] + ForceLaw::kLeastStep_mm) + " to " +
                text(ForceLaw::kMostDepth_mm) + " mm";
     }
     const double slope = (force_N - (*before)[1]) / step_mm;
@@ -112,6 +112,19 @@ std::span<const LawTerm> lawTerms(LawKind kind) noexcept
         break;
     }
     return {};
+}
+
+ForceLaw usualLaw(LawKind kind)
+{
+    ForceLaw law{kind, {}, {}};
+    std::size_t i = 0;
+    for (const LawTerm& term : lawTerms(kind)) {
+        law.numbers[i++] = term.usual;
+    }
+    if (kind == LawKind::Points) {
+        law.points = {{0.0, 0.0}, {2.0, 0.2}, {5.0, 1.0}, {8.0, 2.5}};
+    }
+    return law;
 }
 
 Status check(const ForceLaw& law)

@@ -93,14 +93,16 @@ class Bounding
     {
         m_knots.back().slopeAfter = std::min(m_most, slopeAfter);
         m_knots.push_back({to.depth_mm, to.force_N, std::min(m_most, to.slopeBefore), 0.0});
+        m_endsLine = false;
     }
     void goStraight(double depth_mm, double force_N)
     {
         m_knots.back().slopeAfter = m_most;
-        if (m_knots.size() > 1 && m_knots.back().slopeBefore == m_most) {
+        if (m_endsLine) {
             m_knots.pop_back(); // one line, not two
         }
         m_knots.push_back({depth_mm, force_N, m_most, 0.0});
+        m_endsLine = true;
     }
     /// The line meets the law at a depth within a piece that ends at `to`.
     template<class Force, class Slope>
@@ -120,6 +122,7 @@ class Bounding
 
     double m_most;
     bool m_isOnLaw = true;
+    bool m_endsLine = false; ///< the last knot ends a line, not a piece of the law
     std::vector<Knot> m_knots;
 };
 

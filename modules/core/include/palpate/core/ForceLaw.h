@@ -30,7 +30,7 @@ struct ForceLaw
     static constexpr std::size_t kMostPoints = 64;
     static constexpr double kMostSlope = 1000.0;    ///< of a law, up or down [N/mm]
     static constexpr double kMostDepth_mm = 1000.0; ///< of a measured point
-    static constexpr double kLeastStep_mm = 1e-6;   ///< from one measured point to the next
+    static constexpr double kLeastStep_mm = 1e-3;   ///< from one measured point to the next
 
     /// Depth [mm] and force [N].
     using Point = std::array<double, 2>;
@@ -59,6 +59,8 @@ inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, Law
                                       LawKind::Layer,  LawKind::Click,       LawKind::Points};
 /// The numbers of a law, in the order of ForceLaw::numbers.
 [[nodiscard]] std::span<const LawTerm> lawTerms(LawKind kind) noexcept;
+/// A law as it is where nothing else is said.
+[[nodiscard]] ForceLaw usualLaw(LawKind kind);
 /// @return what is wrong with a law, by number or point and value: one that is not finite or out of its range, numbers
 /// that contradict one another, points that do not ascend from (0, 0), fall below 0 or are too steep. Fine for linear.
 [[nodiscard]] Status check(const ForceLaw& law);

@@ -46,7 +46,7 @@ class ForceTable
     static constexpr std::size_t kLawKnots = 257;
     static constexpr std::size_t kMostKnots = 1024; ///< of a table that was bounded, too
     /// Knots stand at least so far apart.
-    static constexpr double kLeastCell_mm = 1e-7;
+    static constexpr double kLeastCell_mm = 1e-9;
 
     /// @return the table of the tissue's law; null where it is linear, and where `core::check` refuses its numbers.
     [[nodiscard]] static std::shared_ptr<const ForceTable> build(const Tissue& tissue);
