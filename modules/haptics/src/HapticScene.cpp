@@ -56,6 +56,10 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
             layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()
                                                            : std::min(layer.facetSize_mm, surface.facetSize_mm());
         }
+        if (std::any_of(members.begin(), members.end(),
+                        [this](std::uint32_t i) { return m_structures[i].tissue.hasFriction(); })) {
+            layer.frictional = m_structures.data();
+        }
         layer.hierarchy = geometry::BoxHierarchy::build(items, bounds.center(), 1);
         for (const geometry::BoxedItem& item : items) {
             layer.structures.push_back(item.number);

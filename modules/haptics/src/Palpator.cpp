@@ -29,7 +29,8 @@ struct Numbers
 std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexcept
 {
     const auto stiffness = [&](std::size_t k) {
-        return scene.structures()[step.active[k].structure].tissue.stiffness_N_per_mm;
+        const HapticStructure& on = scene.structures()[step.active[k].structure];
+        return on.law == nullptr ? on.tissue.stiffness_N_per_mm : on.law->greatestSlope_N_per_mm();
     };
     std::size_t touched = 0;
     for (std::size_t k = 1; k < step.constraints; ++k) {
@@ -51,9 +52,16 @@ void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene,
     const Vec3 push = step.p_WG - p_WH;
     contact.depth_mm = push.norm();
     contact.n_W = contact.depth_mm > 0.0 ? Vec3(push / contact.depth_mm) : touched.n_W;
+    contact.friction = Friction::None;
+    if (structure.tissue.hasFriction()) {
+        contact.friction = step.slides ? Friction::Slides : Friction::Holds;
+        const double length = step.push_W.norm();
+        contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : touched.n_W; // the spring leans against friction
+    }
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
-    contact.f_W = law::Law::force({structure.tissue, *structure.surface, touched.triangle, contact.p_WG, p_WH, v_WH});
+    contact.f_W = law::Law::force({structure, touched.triangle, scene.fingertip_mm(), contact.p_WG, p_WH, v_WH,
+                                   std::span(step.active).first(step.constraints)});
 }
 
 } // namespace
@@ -147,7 +155,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
     for (std::size_t i = 0; i < layers; ++i) {
         const GodObjectStep step =
-            me.gods[i].step(p_WH, me.scene->layer(i), me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+            me.gods[i].step(p_WH, dt_s, me.scene->layer(i), me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {

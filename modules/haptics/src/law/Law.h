@@ -22,7 +22,7 @@ struct Sum
     template<class Term>
     static void add(const Touch& touch, Vec3& f_W) noexcept
     {
-        if (Term::isIn(touch.tissue)) {
+        if (Term::isIn(touch.structure)) {
             const Vec3 sum = f_W + Term::force(touch);
             if (sum.allFinite()) {
                 f_W = sum;
