@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/Foot.h"
 #include "law/Touch.h"
 
 namespace palpate::haptics::law {
 
-/// `f_W = -b v_WH` [N], b as a map has it at the god-object's foot, else the tissue.
+/// `f_W = -b v_WH` [N].
 /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, section 5.
+struct LinearDamper
+{
+    [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept
+    {
+        return structure.tissue.damping_Ns_per_mm != 0.0;
+    }
+    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
+    {
+        return -touch.structure.tissue.damping_Ns_per_mm * touch.v_WH;
+    }
+};
+
+/// The same, with b as a map has it at the god-object's foot.
 struct Damper
 {
     [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept
     {
-        return structure.tissue.damping_Ns_per_mm != 0.0 || !structure.maps.damping.isEmpty();
+        return LinearDamper::isIn(structure) || !structure.maps.damping.isEmpty();
     }
-    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
-    {
-        const TissueMap& map = touch.structure.maps.damping;
-        const double b = map.isEmpty() ? touch.structure.tissue.damping_Ns_per_mm : Foot(touch).valueOf(map).value;
-        return -b * touch.v_WH;
-    }
+    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept;
 };
 
 } // namespace palpate::haptics::law

@@ -33,5 +33,7 @@ struct Sum
 
 /// What a tissue answers with. A new term is a file here and a name in this list.
 using Law = Sum<Spring, Damper>;
+/// The same where nothing in a layer has friction, a law of its own or a map: most scenes.
+using LinearLaw = Sum<LinearSpring, LinearDamper>;
 
 } // namespace palpate::haptics::law

@@ -6,9 +6,12 @@
 
 namespace palpate::haptics::law {
 
-Vec3 Spring::general(const Touch& touch) noexcept
+Vec3 Spring::force(const Touch& touch) noexcept
 {
     const HapticStructure& on = touch.structure;
+    if (on.law == nullptr && on.maps.stiffness.isEmpty()) {
+        return LinearSpring::force(touch);
+    }
     const Vec3 push = touch.p_WG - touch.p_WH;
     const double depth = push.norm();
     if (!(depth > 0.0)) {

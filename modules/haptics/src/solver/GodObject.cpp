@@ -51,6 +51,7 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     m_state.slides = result.slides ? 1 : 0;
     std::array<HalfSpace, 3> planes;
     const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    result.push_W.setZero();
     for (int i = 0; i < point.count; ++i) {
         result.push_W +=
             point.lambda_mm[static_cast<std::size_t>(i)] * planes[point.active[static_cast<std::size_t>(i)]].n;

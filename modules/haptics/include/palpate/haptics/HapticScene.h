@@ -28,6 +28,8 @@ struct HapticStructure
     /// and no table is given, as from a recording.
     std::shared_ptr<const ForceTable> law{};
 
+    /// True without friction, a law of its own or a map.
+    [[nodiscard]] bool isLinear() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
     /// Force and energy by depth, without the maps.
     /// @par Real-time Wait-free.
     [[nodiscard]] ForceTable::Value lawAt(double depth_mm) const noexcept
@@ -48,6 +50,7 @@ struct HapticLayer
     double facetSize_mm = 0.0;        ///< of the finest structure
     double skin_mm = 0.0;             ///< the largest of the structures'
     double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
+    bool isLinear = true;             ///< all of its structures are
     /// The scene's structures; null where none of the layer has friction.
     const HapticStructure* frictional = nullptr;
 
