@@ -139,6 +139,15 @@ std::optional<std::vector<double>> JsonFields::numbers(const char* name, std::si
     return values;
 }
 
+std::vector<JsonFields> JsonFields::listOf(const char* name)
+{
+    std::vector<JsonFields> list;
+    for (const QJsonObject& entry : objects(name)) {
+        list.emplace_back(entry, m_file, pathOf(name) + "[" + std::to_string(list.size()) + "]", m_status);
+    }
+    return list;
+}
+
 std::optional<JsonFields> JsonFields::fieldsOf(const char* name)
 {
     const auto found = object(name);

@@ -175,8 +175,9 @@ std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const ha
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        haptics::Tissue& tissue =
-            structures.emplace_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr)).tissue;
+        haptics::HapticStructure& made =
+            structures.emplace_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr));
+        haptics::Tissue& tissue = made.tissue;
         for (const core::TissueTerm& term : core::kTissueTerms) {
             tissue.*term.member = std::min(tissue.*term.member, greatest.*term.member);
         }
