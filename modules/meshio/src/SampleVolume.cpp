@@ -10,6 +10,7 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
+#include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
@@ -17,6 +18,7 @@
 #include <vtkNrrdReader.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <Eigen/Geometry>
@@ -42,6 +44,7 @@ using core::StatusCode;
 using core::Vec3;
 
 constexpr std::uint64_t kMostVoxels = std::uint64_t{1} << 30;
+constexpr double kMostPacked = 1100.0; ///< bytes that zlib can make of one
 
 /// A volume of one number a voxel.
 struct Volume
@@ -86,10 +89,11 @@ struct Volume
 
 /// The directions of a volume's axes that VTK's readers leave out, as its text header says them: MetaImage's
 /// `TransformMatrix`, NRRD's `space directions` and `space`.
-struct Axes
+struct TextHeader
 {
     Eigen::Matrix3d directions = Eigen::Matrix3d::Identity(); ///< a column each, unit, in the file's space
     bool isRas = false;                                       ///< the file's space; else LPS
+    bool isPacked = false;                                    ///< its voxels are compressed
 };
 
 std::optional<Eigen::Matrix3d> threeByThree(std::string text)
@@ -109,10 +113,10 @@ std::optional<Eigen::Matrix3d> threeByThree(std::string text)
 }
 
 /// @return nothing where a direction is said that can't be read
-std::optional<Axes> axesOf(const std::filesystem::path& path)
+std::optional<TextHeader> textHeader(const std::filesystem::path& path)
 {
     constexpr std::size_t kMostHeader = 65536, kMostLines = 400;
-    Axes axes;
+    TextHeader axes;
     std::ifstream in(path, std::ios::binary);
     std::string line;
     std::size_t read = 0;
@@ -135,6 +139,10 @@ std::optional<Axes> axesOf(const std::filesystem::path& path)
             axes.isRas =
                 space->find("right-anterior-superior") != std::string::npos || space->find("RAS") != std::string::npos;
         }
+        const auto packed = valueAfter("CompressedData =");
+        const auto encoding = valueAfter("encoding:");
+        axes.isPacked = axes.isPacked || (packed && packed->find("True") != std::string::npos) ||
+                        (encoding && encoding->find("raw") == std::string::npos);
         if (line.rfind("ElementDataFile", 0) == 0) {
             break;
         }
@@ -177,9 +185,32 @@ Result<Volume> readVolume(const std::filesystem::path& path)
     const NumericLocale locale;
     const VtkMessages messages;
     Volume volume;
+    // What a header declares must be there before VTK asks for the memory.
+    Status wrong;
+    const std::optional<TextHeader> header = textHeader(path);
+    const auto isHeld = [&](const int* extent, int bytesOfOne, bool isPacked) {
+        double voxels = 1.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            voxels *= static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0;
+        }
+        const auto bytes = static_cast<double>(std::filesystem::file_size(path, error));
+        const bool isElsewhere = endsWith(file, ".mhd") || endsWith(file, ".nhdr");
+        if (voxels > static_cast<double>(kMostVoxels) ||
+            (!isElsewhere && voxels * bytesOfOne > bytes * (isPacked ? kMostPacked : 1.0))) {
+            wrong = fault(StatusCode::OutOfRange, file, "",
+                          counted(static_cast<std::uint64_t>(std::min(voxels, 1e18)), "voxel") + " declared",
+                          "as many as its " + counted(static_cast<std::uint64_t>(bytes), "byte") + " can hold");
+        }
+        return wrong.isOk();
+    };
     const auto readWith = [&](vtkImageReader2& reader) {
-        if (reader.CanReadFile(path.c_str()) != 0) {
-            reader.SetFileName(path.c_str());
+        if (reader.CanReadFile(path.c_str()) == 0) {
+            return;
+        }
+        reader.SetFileName(path.c_str());
+        reader.UpdateInformation();
+        const bool isPacked = endsWith(file, ".gz") || (header && header->isPacked);
+        if (isHeld(reader.GetDataExtent(), vtkDataArray::GetDataTypeSize(reader.GetDataScalarType()), isPacked)) {
             reader.Update();
             volume.image = reader.GetOutput();
         }
@@ -187,8 +218,12 @@ Result<Volume> readVolume(const std::filesystem::path& path)
     if (endsWith(file, ".vti")) {
         vtkNew<vtkXMLImageDataReader> reader;
         reader->SetFileName(path.c_str());
-        reader->Update();
-        volume.image = reader->GetOutput();
+        reader->UpdateInformation();
+        const int* extent = reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+        if (extent != nullptr && isHeld(extent, 1, true)) {
+            reader->Update();
+            volume.image = reader->GetOutput();
+        }
     } else if (endsWith(file, ".nii") || endsWith(file, ".nii.gz")) {
         vtkNew<vtkNIFTIImageReader> reader;
         readWith(*reader);
@@ -203,12 +238,15 @@ Result<Volume> readVolume(const std::filesystem::path& path)
         return fault(StatusCode::Unsupported, file, "", "a name of another kind",
                      "a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz");
     }
+    if (!wrong.isOk()) {
+        return wrong;
+    }
     if (!messages.firstError().empty() || volume.image == nullptr) {
         return fault(StatusCode::BadFormat, file, "", "VTK could not read it: " + messages.firstError(),
                      "a readable volume");
     }
     if (endsWith(file, ".nrrd") || endsWith(file, ".nhdr") || endsWith(file, ".mha") || endsWith(file, ".mhd")) {
-        const std::optional<Axes> axes = axesOf(path);
+        const std::optional<TextHeader>& axes = header;
         if (!axes) {
             return fault(StatusCode::BadFormat, file, "", "directions of its axes that can't be read",
                          "three vectors that are not in a plane");

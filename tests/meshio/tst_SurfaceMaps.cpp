@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Arrays and volumes that say how a tissue varies: from the file through repair to what is felt, and what is refused.
+#include "Samples.h"
+#include "TestRunner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+using namespace palpate;
+
+namespace {
+
+/// A tetrahedron as an ASCII VTP, with data of its points and polygons as given.
+std::string vtp(const std::string& pointData, const std::string& cellData = "")
+{
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\">\n<PolyData>\n"
+           "<Piece NumberOfPoints=\"4\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+           "NumberOfPolys=\"4\">\n<PointData>" +
+           pointData + "</PointData>\n<CellData>" + cellData +
+           "</CellData>\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+           "0 0 0 24 0 0 0 24 0 0 0 24</DataArray></Points>\n"
+           "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 2 1 0 1 3 0 3 2 1 2 3</DataArray>"
+           "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray></Polys>\n"
+           "</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+std::string array(const std::string& name, const std::string& values, int components = 1,
+                  const std::string& type = "Float64")
+{
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + std::to_string(components) +
+           "\" format=\"ascii\">" + values + "</DataArray>";
+}
+
+/// JSON with its quotes as apostrophes: moc does not see the ends of raw strings that hold them.
+std::string json(std::string text)
+{
+    std::replace(text.begin(), text.end(), '\'', '"');
+    return text;
+}
+
+std::string sceneWith(const std::string& maps, const std::string& more = "")
+{
+    return json("{'version': 1, 'structures': [{'mesh': 'm.vtp', 'stiffness_N_per_mm': 0.4") + more +
+           json(", 'maps': ") + maps + "}]}";
+}
+
+const meshio::SurfaceMap* mapOf(const meshio::LoadedScene& scene, core::MappedQuantity quantity)
+{
+    for (const meshio::SurfaceMap& map : scene.structures[0].maps) {
+        if (map.mapping.quantity == quantity) {
+            return &map;
+        }
+    }
+    return nullptr;
+}
+
+/// A MetaImage of 41^3 voxels of 2 mm about (12, 12, 12), with values by place.
+std::string metaImage(const std::function<double(const core::Vec3&)>& value)
+{
+    std::string out = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+                      "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = -28 -28 -28\n"
+                      "ElementSpacing = 2 2 2\nDimSize = 41 41 41\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
+    for (int k = 0; k < 41; ++k) {
+        for (int j = 0; j < 41; ++j) {
+            for (int i = 0; i < 41; ++i) {
+                test::appendRaw(out, static_cast<float>(value(core::Vec3(i, j, k) * 2.0 - core::Vec3::Constant(28.0))));
+            }
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+class SurfaceMaps : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void arraysComeWithTheMesh()
+    {
+        const test::Folder folder;
+        const auto file = meshio::readMesh(
+            folder.write("m.vtp", vtp(array("heat", "1 2 3 4") + array("v", "1 2 3 4 5 6 7 8 9 10 11 12", 3),
+                                      array("q", "5 6 7 8", 1, "Int16"))));
+        QVERIFY2(file.isOk(), file.status().message().c_str());
+        const auto& arrays = file.value().structures[0].mesh.arrays;
+        QCOMPARE(arrays.size(), std::size_t{2});
+        QVERIFY(arrays[0].name == "heat" && !arrays[0].isPerTriangle);
+        QVERIFY(arrays[1].name == "q" && arrays[1].isPerTriangle);
+        // Vertices stand in the order of their first use: 0 2 1 3.
+        QVERIFY((arrays[0].values == std::vector<float>{1, 3, 2, 4}));
+        QVERIFY((arrays[1].values == std::vector<float>{5, 6, 7, 8}));
+    }
+
+    void namesThatSayItAreFelt()
+    {
+        const test::Folder folder;
+        const auto scene = meshio::loadScene(
+            folder.write("m.vtp", vtp(array("StiffnessScale", "1 2 0.5 4"),
+                                      array("Friction", "1 1 2 2") + array("Damping_Ns_per_mm", "0 0 0.001 0.002"))));
+        QVERIFY(scene.isOk());
+        using core::MappedQuantity;
+        const auto* s = mapOf(scene.value(), MappedQuantity::Stiffness);
+        QVERIFY(s != nullptr && !s->isPerTriangle && (s->values == std::vector<float>{1, 0.5, 2, 4}));
+        const auto* f = mapOf(scene.value(), MappedQuantity::Friction);
+        QVERIFY(f != nullptr && f->isPerTriangle && f->values[2] == 2.0F);
+        const auto* b = mapOf(scene.value(), MappedQuantity::Damping);
+        QVERIFY(b != nullptr && b->values[3] == 0.002F);
+        QVERIFY(
+            !scene.value().scene.structures[0].maps.has_value()); // a scene that is saved says no more than this one
+    }
+
+    void moduliBecomeWhatAContactFeels()
+    {
+        const test::Folder folder;
+        (void)folder.write("m.vtp", vtp(array("mre", "2 4 100 2.3")));
+        const auto felt = [&](const std::string& unit, const std::string& more = "") {
+            const auto scene = meshio::loadScene(folder.write(
+                "s.palpate.json",
+                sceneWith(json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': '") + unit + "\"" + more + "}]")));
+            return scene.value().structures[0].maps[0].values;
+        };
+        // 8 a mu, and 2aE / (1 - nu^2): the same for E = 3 mu.
+        QVERIFY(std::abs(felt("shear_kPa")[3] - 8.0 * 5.0 * 2.3e-3) < 1e-7);
+        QVERIFY(std::abs(felt("young_kPa")[0] * 3.0 - felt("shear_kPa")[0]) < 1e-7);
+        QVERIFY(std::abs(felt("shear_kPa", json(", 'contact_radius_mm': 10"))[0] - 8.0 * 10.0 * 2e-3) < 1e-7);
+        QVERIFY(std::abs(felt("shear_kPa", json(", 'clamp': [0.5, 60]"))[1] - 8.0 * 5.0 * 60e-3) < 1e-6);
+        QVERIFY(felt("N_per_mm")[1] == 100.0F);
+    }
+
+    void unknownValuesAreTheStructuresOwnAndCounted()
+    {
+        const test::Folder folder;
+        const auto scene = meshio::loadScene(folder.write("m.vtp", vtp(array("Stiffness_N_per_mm", "1 nan -3 2"))));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        const auto& values = scene.value().structures[0].maps[0].values;
+        QVERIFY(values[0] == 1.0F && std::isnan(values[1]) && std::isnan(values[2]) && values[3] == 2.0F);
+        bool isSaid = false;
+        for (const std::string& warning : scene.value().warnings) {
+            isSaid = isSaid || warning ==
+                                   "m: the array \"Stiffness_N_per_mm\" says nothing at 2 places of 4, more than "
+                                   "a fifth: the structure's own value is felt there";
+        }
+        QVERIFY(isSaid);
+        const auto masked = meshio::loadScene(folder.write(
+            "k.vtp", vtp(array("StiffnessScale", "1 2 0.5 4") + array("vtkValidPointMask", "1 1 1 0", 1, "Int8"))));
+        QVERIFY(std::isnan(masked.value().structures[0].maps[0].values[3]));
+        QCOMPARE(masked.value().structures[0].surface->mesh.arrays.size(), std::size_t{1});
+    }
+
+    void weldingTakesTheMeanAndCounts()
+    {
+        geometry::TriangleMesh mesh;
+        mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}};
+        mesh.triangles = {{0, 1, 2}, {0, 0, 1}, {3, 4, 5}};
+        constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+        mesh.arrays = {{"a", false, {1, 2, 4, 3, 5, kNan, 8}}, {"t", true, {7, 8, 9}}};
+        const geometry::RepairedMesh repaired = geometry::repair(mesh);
+        QVERIFY((repaired.mesh.arrays[0].values == std::vector<float>{1, 2.5, 4, 5}));
+        QVERIFY((repaired.mesh.arrays[1].values == std::vector<float>{7, 9}));
+        QCOMPARE(repaired.report.mixedValues, std::size_t{1});
+        QVERIFY(!repaired.report.isClean());
+    }
+
+    void badArraysAreRefused_data()
+    {
+        QTest::addColumn<QString>("pointData");
+        QTest::addColumn<QString>("cellData");
+        QTest::addColumn<QString>("said");
+        const auto q = [](const std::string& text) { return QString::fromStdString(text); };
+        QTest::newRow("too short") << q(array("Friction", "1 2 3")) << ""
+                                   << "array \"Friction\": 3 values";
+        QTest::newRow("three components") << q(array("StiffnessScale", "1 2 3 4 5 6 7 8 9 1 2 3", 3)) << ""
+                                          << "array \"StiffnessScale\": 3 components for each point; expected 1";
+        QTest::newRow("cells too long") << "" << q(array("Friction", "1 2 3 4 5"))
+                                        << "array \"Friction\": 5 values; expected 4, one for each polygon";
+        QTest::newRow("no number") << q(array("ShearModulus_kPa", "1 2 soft 4")) << ""
+                                   << "array \"ShearModulus_kPa\": value 2 is \"soft\"";
+    }
+    void badArraysAreRefused()
+    {
+        QFETCH(QString, pointData);
+        QFETCH(QString, cellData);
+        QFETCH(QString, said);
+        const test::Folder folder;
+        const auto file = meshio::readMesh(folder.write("m.vtp", vtp(pointData.toStdString(), cellData.toStdString())));
+        QVERIFY(!file.isOk());
+        QVERIFY2(QString::fromStdString(file.status().message()).contains(said), file.status().message().c_str());
+    }
+
+    void aScenesMapsAreRead_data()
+    {
+        QTest::addColumn<QString>("maps");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("no unit") << QString::fromStdString(json("[{'quantity': 'stiffness', 'array': 'mre'}]"))
+                                 << "maps[0].unit: found nothing";
+        QTest::newRow("unit of another") << QString::fromStdString(
+                                                json("[{'quantity': 'friction', 'array': 'mre', 'unit': 'young_kPa'}]"))
+                                         << "maps[0].unit: found \"young_kPa\"";
+        QTest::newRow("no such unit") << QString::fromStdString(
+                                             json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': 'kPa'}]"))
+                                      << "expected one of scale, N_per_mm, Ns_per_mm, young_kPa, shear_kPa";
+        QTest::newRow("no such quantity") << QString::fromStdString(json("[{'quantity': 'heat', 'array': 'mre'}]"))
+                                          << "maps[0].quantity: found \"heat\"";
+        QTest::newRow("neither") << QString::fromStdString(json("[{'quantity': 'friction'}]"))
+                                 << "neither `array` nor `file`";
+        QTest::newRow("clamp") << QString::fromStdString(
+                                      json("[{'quantity': 'friction', 'array': 'a', 'clamp': [3, 1]}]"))
+                               << "maps[0].clamp";
+        QTest::newRow("radius")
+            << QString::fromStdString(
+                   json("[{'quantity': 'stiffness', 'array': 'a', 'unit': 'young_kPa', 'contact_radius_mm': 0}]"))
+            << "maps[0].contact_radius_mm: found 0";
+    }
+    void aScenesMapsAreRead()
+    {
+        QFETCH(QString, maps);
+        QFETCH(QString, said);
+        const test::Folder folder;
+        const auto scene = meshio::readScene(folder.write("s.palpate.json", sceneWith(maps.toStdString())));
+        QVERIFY(!scene.isOk());
+        QVERIFY2(QString::fromStdString(scene.status().message()).contains(said), scene.status().message().c_str());
+    }
+
+    void aScenesMapsAreWrittenAgain()
+    {
+        const test::Folder folder;
+        const auto scene = meshio::readScene(folder.write(
+            "s.palpate.json", sceneWith(json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': 'shear_kPa', 'clamp': "
+                                             "[0.5, 60]}, {'quantity': 'friction', 'file': 'v/f.nrrd'}]"))));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        QVERIFY(meshio::writeScene(folder.path("t.palpate.json"), scene.value()).isOk());
+        const auto back = meshio::readScene(folder.path("t.palpate.json"));
+        QVERIFY2(back.isOk(), back.status().message().c_str());
+        QVERIFY(back.value().structures[0].maps == scene.value().structures[0].maps);
+        QCOMPARE(back.value().structures[0].maps->at(1).file, folder.path("v/f.nrrd").string());
+    }
+
+    void anArrayThatIsNotThereIsALoss()
+    {
+        const test::Folder folder;
+        (void)folder.write("m.vtp", vtp(array("heat", "1 2 3 4")));
+        const auto scene = meshio::loadScene(folder.write(
+            "s.palpate.json", sceneWith(json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': 'scale'}]"))));
+        QVERIFY(scene.isOk());
+        QCOMPARE(scene.value().losses.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(scene.value().losses[0]),
+                 QString("m.vtp: m: no array \"mre\"; expected one of \"heat\""));
+        const auto none = meshio::loadScene(folder.write("n.palpate.json", sceneWith("[]")));
+        QVERIFY(none.value().structures[0].maps.empty() && none.value().losses.empty());
+    }
+
+    void aVolumeIsFeltThroughTheTissueBelow()
+    {
+        const test::Folder folder;
+        (void)folder.write("m.vtp", vtp(""));
+        const auto at = [&](const std::function<double(const core::Vec3&)>& value, double radius) {
+            (void)folder.write("v.mha", metaImage(value));
+            const auto scene = meshio::loadScene(folder.write(
+                "s.palpate.json",
+                sceneWith(json("[{'quantity': 'stiffness', 'file': 'v.mha', 'unit': 'scale', 'contact_radius_mm': ") +
+                          std::to_string(radius) + "}]")));
+            return scene.value().structures[0].maps.at(0).values;
+        };
+        // The same all over is felt as it is.
+        for (const float v : at([](const core::Vec3&) { return 3.0; }, 1.0)) {
+            QVERIFY(std::abs(v - 3.0F) < 1e-5F);
+        }
+        // Stiff tissue deeper than a few contact radii is felt less than shallow tissue: below the corner (24, 0, 0).
+        const auto half = [](double depth) {
+            return [depth](const core::Vec3& p) {
+                return p.sum() / std::sqrt(3.0) < 24.0 / std::sqrt(3.0) - depth ? 10.0 : 1.0;
+            };
+        };
+        const float near = at(half(1.0), 1.0)[2], far = at(half(5.0), 1.0)[2];
+        QVERIFY2(near > far && far > 1.0F && near < 10.0F, qPrintable(QString("%1 %2").arg(near).arg(far)));
+        // Air below most of it: not known.
+        QVERIFY(std::isnan(at([](const core::Vec3&) { return 0.0; }, 1.0)[0]));
+    }
+
+    void badVolumesAreLosses_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("missing") << "gone.mha" << QByteArray() << "no such file";
+        QTest::newRow("another kind") << "v.dcm" << QByteArray("x") << "expected a volume";
+        QTest::newRow("no image") << "v.nii" << QByteArray("not an image") << "VTK could not read it";
+        QTest::newRow("cut short") << "v.mha"
+                                   << QByteArray(
+                                          metaImage([](const core::Vec3&) { return 1.0; }).substr(0, 900).c_str())
+                                   << "";
+    }
+    void badVolumesAreLosses()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, said);
+        const test::Folder folder;
+        (void)folder.write("m.vtp", vtp(""));
+        if (!bytes.isEmpty()) {
+            (void)folder.write(name.toStdString(), bytes.toStdString());
+        }
+        const auto scene = meshio::loadScene(folder.write(
+            "s.palpate.json", sceneWith(json("[{'quantity': 'friction', 'file': '") + name.toStdString() + "\"}]")));
+        QVERIFY(scene.isOk());
+        QVERIFY(scene.value().structures[0].maps.empty());
+        QCOMPARE(scene.value().losses.size(), std::size_t{1});
+        QVERIFY2(QString::fromStdString(scene.value().losses[0]).contains(said), scene.value().losses[0].c_str());
+    }
+};
+
+PALPATE_TEST(SurfaceMaps)
+#include "tst_SurfaceMaps.moc"
