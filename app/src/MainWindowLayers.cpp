@@ -2,9 +2,6 @@
 // What lies in something is felt below it: set for mesh files, offered for a scene that says nothing of layers.
 #include "MainWindow.h"
 
-#include <palpate/meshio/SceneFile.h>
-#include <palpate/session/RecordingReader.h>
-
 #include <algorithm>
 
 using namespace palpate;
@@ -12,19 +9,15 @@ using namespace palpate::ui;
 
 namespace {
 
-/// One line of a few sentences, the others counted.
+/// One or two sentences as one line; of more, the first, and how many there are.
 QString oneLine(const std::vector<std::string>& sentences)
 {
-    constexpr std::size_t kShown = 2;
-    QStringList shown;
-    for (std::size_t i = 0; i < std::min(kShown, sentences.size()); ++i) {
-        shown << QString::fromStdString(sentences[i]);
+    const QString first = QString::fromStdString(sentences.front());
+    if (sentences.size() <= 2) {
+        return (sentences.size() == 1 ? first : first + QStringLiteral("; ") + QString::fromStdString(sentences[1])) +
+               QLatin1Char('.');
     }
-    QString line = shown.join(QStringLiteral("; "));
-    if (sentences.size() > kShown) {
-        line += MainWindow::tr("; and %1 more of that kind, see Felt in the panel").arg(sentences.size() - kShown);
-    }
-    return line + QLatin1Char('.');
+    return MainWindow::tr("%1; %2 more of that kind: Felt in the panel has each.").arg(first).arg(sentences.size() - 1);
 }
 
 } // namespace
@@ -45,26 +38,28 @@ void MainWindow::layOut(const OpenedScene& scene)
     for (const study::Layering::Structure& one : scene.layering.structures) {
         layers.push_back(one.layer);
     }
-    const bool areMeshes = std::none_of(scene.files.begin(), scene.files.end(), [](const auto& file) {
-        return meshio::isSceneFile(file) || session::isRecordingFile(file);
-    });
+    const bool areMeshes = scene.areMeshes();
     const bool isLayered = scene.layering.isLayered();
     if (!isLayered && areMeshes) {
         m_message->showError(oneLine(sentences)); // the same surface twice, or one with holes
     } else if (isLayered && areMeshes && !m_waitingRecording) {
         m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
         m_model.undoStack().setClean(); // nothing that a person did and would miss
-        m_message->offer(oneLine(sentences), tr("All in one layer"), [this, count = layers.size()] {
-            m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
-        });
+        m_message->offer(
+            oneLine(sentences), tr("All in one layer"),
+            [this, count = layers.size()] {
+                m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
+            },
+            Symbol::Hand);
     } else if (isLayered) {
         const auto inner = std::find_if(scene.layering.structures.begin(), scene.layering.structures.end(),
                                         [](const study::Layering::Structure& one) { return one.in.has_value(); });
         const auto row = static_cast<std::size_t>(inner - scene.layering.structures.begin());
-        m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
-                             .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
-                         tr("Feel it below"), [this, layers] {
-                             m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
-                         });
+        m_message->offer(
+            tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
+                .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
+            tr("Feel it below"),
+            [this, layers] { m_model.setLayers(layers, tr("Feel what is inside below what is around it")); },
+            Symbol::Hand);
     }
 }

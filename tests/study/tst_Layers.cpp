@@ -161,6 +161,23 @@ class Layers : public QObject
         QCOMPARE(found.lines.size(), std::size_t{5});
     }
 
+    void theListFollowsTheNesting()
+    {
+        Layering found;
+        found.structures.resize(6);
+        found.structures[0].in = 3; // lump in liver
+        found.structures[1].in = 4; // bone in skin
+        found.structures[3].in = 4; // liver in skin
+        found.structures[5].twin = 2;
+        const std::vector<std::size_t> order = found.order();
+        QCOMPARE(order, (std::vector<std::size_t>{2, 4, 1, 3, 0, 5}));
+        const Layering sorted = found.inOrder(order);
+        QCOMPARE(*sorted.structures[2].in, std::size_t{1});
+        QCOMPARE(*sorted.structures[4].in, std::size_t{3});
+        QCOMPARE(*sorted.structures[5].twin, std::size_t{0});
+        QVERIFY(!sorted.structures[1].in);
+    }
+
     void whatIsNotFeltHoldsNothing()
     {
         meshio::LoadedScene scene = sceneOf({ball("skin", 90.0), ball("liver", 40.0)});

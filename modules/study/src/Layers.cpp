@@ -145,6 +145,41 @@ bool Layering::isLayered() const
     return std::any_of(structures.begin(), structures.end(), [](const Structure& one) { return one.layer > 0; });
 }
 
+std::vector<std::size_t> Layering::order() const
+{
+    std::vector<std::size_t> out;
+    // Those that lie in `in`, and after each what lies in it: as deep as they are nested, which is less than their
+    // number.
+    const auto add = [this, &out](const auto& self, std::optional<std::size_t> in) -> void {
+        for (std::size_t i = 0; i < structures.size(); ++i) {
+            if (structures[i].in == in) {
+                out.push_back(i);
+                self(self, i);
+            }
+        }
+    };
+    add(add, std::nullopt);
+    return out;
+}
+
+Layering Layering::inOrder(const std::vector<std::size_t>& order) const
+{
+    std::vector<std::size_t> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        place[order[i]] = i;
+    }
+    Layering out;
+    for (const std::size_t i : order) {
+        Structure& one = out.structures.emplace_back(structures[i]);
+        for (std::optional<std::size_t>* other : {&one.in, &one.twin, &one.unsureIn}) {
+            if (*other) {
+                *other = place[**other];
+            }
+        }
+    }
+    return out;
+}
+
 std::vector<std::string> Layering::sentences(const std::vector<std::string>& names) const
 {
     std::vector<std::string> lines;

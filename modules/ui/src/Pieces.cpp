@@ -83,9 +83,10 @@ MessageBar::MessageBar(QWidget* parent)
     hide();
 }
 
-void MessageBar::offer(const QString& text, const QString& button, std::function<void()> act)
+void MessageBar::offer(const QString& text, const QString& button, std::function<void()> act, Symbol symbol)
 {
     showError(text);
+    m_symbol->setPixmap(icon(symbol).pixmap(22, 22));
     m_act = std::move(act);
     m_button->setText(button);
     m_button->show();

@@ -5,6 +5,7 @@
 
 #include <palpate/study/DeviceLimit.h>
 
+#include <QApplication>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -15,6 +16,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSlider>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeView>
@@ -52,6 +54,10 @@ class NameDelegate final : public QStyledItemDelegate
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         constexpr std::uint32_t kStep_px = 16, kMostSteps = haptics::kMaxLayers - 1;
+        QStyleOptionViewItem whole = option; // the ground, all across the column
+        initStyleOption(&whole, index);
+        const QStyle& style = whole.widget != nullptr ? *whole.widget->style() : *QApplication::style();
+        style.drawPrimitive(QStyle::PE_PanelItemViewItem, &whole, painter, whole.widget);
         QStyleOptionViewItem moved = option;
         const std::uint32_t steps = std::min(kMostSteps, index.data(StructureModel::kLayerRole).toUInt());
         moved.rect.adjust(static_cast<int>(steps * kStep_px), 0, 0, 0);
@@ -222,14 +228,14 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
     form.addRow(m_refusal);
 }
 
-void StructurePanel::addLayer(QFormLayout& form, QWidget* box)
+void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
 {
     m_layer = new QComboBox(box);
     m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_layer->setAccessibleName(tr("Felt, in order from outside"));
     m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
                            "(Ctrl+Down, Ctrl+Up in the list)"));
-    form.insertRow(form.rowCount() - 1, tr("Felt"), m_layer);
+    form.insertRow(place, tr("Felt"), m_layer);
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(static_cast<std::uint32_t>(chosen)); });
 }
 
@@ -244,6 +250,7 @@ QWidget* StructurePanel::makeTissueBox()
 
     addHead(*form, box);
     addOpacity(*form, box);
+    const int layerRow = form->rowCount();
 
     m_preset = new QComboBox(box);
     m_preset->addItem(tr("Own values"));
@@ -255,7 +262,7 @@ QWidget* StructurePanel::makeTissueBox()
     form->addRow(tr("Tissue"), m_preset);
 
     addTerms(*form, box);
-    addLayer(*form, box);
+    addLayer(*form, layerRow, box);
 
     connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
         if (chosen > 0) {

@@ -39,6 +39,10 @@ struct Layering
 
     /// True when something lies below something else.
     [[nodiscard]] bool isLayered() const;
+    /// @return the structures' numbers, each followed by what lies in it, else ascending.
+    [[nodiscard]] std::vector<std::size_t> order() const;
+    /// @return the same of structures that were put into that order.
+    [[nodiscard]] Layering inOrder(const std::vector<std::size_t>& order) const;
     /// What a person should know, one sentence an entry. @param names  of the structures
     [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names) const;
 };

@@ -26,7 +26,9 @@ struct OpenedScene
     QStringList problems;     ///< what could not be opened, or is another one now, while others could; one line each
     QStringList warnings;     ///< one line each
     study::Layering layering; ///< what lies in what, row by row; the rows have the layers of their files
-    double seconds = 0.0;     ///< from the wish to open to ready
+    /// True when mesh files alone were opened, which say nothing of layers: no scene file, no recording.
+    [[nodiscard]] bool areMeshes() const;
+    double seconds = 0.0; ///< from the wish to open to ready
 };
 
 /// Opens files on a thread of its own: reads, repairs, makes the pictures and the haptic copies. The window never

@@ -49,7 +49,7 @@ class StructurePanel : public QWidget
     QWidget* makeTissueBox();
     void addHead(QFormLayout& form, QWidget* box);
     void addOpacity(QFormLayout& form, QWidget* box);
-    void addLayer(QFormLayout& form, QWidget* box);
+    void addLayer(QFormLayout& form, int place, QWidget* box);
     void addTerms(QFormLayout& form, QWidget* box);
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
 
