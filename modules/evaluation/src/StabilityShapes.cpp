@@ -109,8 +109,7 @@ Shape shapeOf(std::string name, const haptics::HapticScene& scene)
     Shape shape;
     shape.name = std::move(name);
     shape.structures = scene.structures();
-    shape.share.assign(shape.structures.size(),
-                       1.0 / static_cast<double>(std::max<std::size_t>(1, scene.layerCount())));
+    shape.share.assign(shape.structures.size(), 1.0); // layers that are met together are then stiffer still
     for (const haptics::HapticStructure& one : shape.structures) {
         if (one.surface == nullptr || one.surface->triangleCount() == 0) {
             continue;

@@ -52,7 +52,7 @@ struct Shape
 /// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
 /// layers that share the stiffness.
 [[nodiscard]] std::vector<Shape> standardShapes();
-/// A scene as a shape: every palpable structure equally stiff, with an equal share for each layer, held at a few
+/// A scene as a shape: every palpable structure equally stiff, in whatever layer, held at a few
 /// triangles of each.
 [[nodiscard]] Shape shapeOf(std::string name, const haptics::HapticScene& scene);
 
