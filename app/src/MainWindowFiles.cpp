@@ -94,6 +94,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     m_model.setRows(std::move(scene->rows));
     m_document->take(*scene);
     m_stack->setCurrentWidget(m_viewport);
+    m_stack->setMinimumSize(1, 1); // not the welcome page's: a message above the view must not make the window grow
     if (scene->scene.camera) {
         const meshio::SceneCamera& from = *scene->scene.camera;
         view.camera().SetPosition(from.position_W.x(), from.position_W.y(), from.position_W.z());
@@ -129,6 +130,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     }
     m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
     showWhatPlays();
+    layOut(*scene);
     if (!scene->problems.isEmpty()) {
         showError(scene->problems.join(QLatin1Char('\n')));
     }

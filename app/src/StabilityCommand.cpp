@@ -144,8 +144,8 @@ void addStabilityCommand(CLI::App& app, Chosen& chosen)
     CLI::App* command =
         app.add_subcommand("stability", "Find the largest stiffness that a device holds without oscillating");
     command->add_option("SCENE", options->scene,
-                        "Mesh file, scene file or folder of meshes; without one, walls, corners, a groove, a lump and "
-                        "a fine sphere");
+                        "Mesh file, scene file or folder of meshes; without one, walls, corners, a groove, a lump, "
+                        "a fine sphere and two layers");
     command->add_option("--device", options->device, "Kind of device, as touch or omega; without it, all of them");
     command->add_option("--rate", options->rate, "Servo rate [Hz]")->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();

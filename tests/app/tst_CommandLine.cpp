@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -193,6 +194,71 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
+    }
+
+    /// A folder of two spheres, the inner one 8 mm below the surface of the outer: pressed 12 mm over it the force is
+    /// more than 1.3 times that beside it, with `--layers auto` alone.
+    void layersFollowFromWhatLiesInWhat()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath("two"));
+        writeStl("two/liver.stl", test::sphere(24, 20.0));
+        writeStl("two/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0)));
+        const auto pressed_N = [this](const Vec3& from, const QStringList& layers) {
+            QByteArray csv = "x,y,z\n";
+            for (int i = 0; i <= 280; ++i) { // from 2 mm in front to 12 mm deep
+                const Vec3 p = from.normalized() * (22.0 - 0.05 * i) + Vec3(0.01, 0.01, 0.01);
+                csv += QByteArray::number(p.x()) + ',' + QByteArray::number(p.y()) + ',' + QByteArray::number(p.z()) +
+                       '\n';
+            }
+            write("press.csv", csv);
+            const Outcome outcome =
+                run(QStringList{"replay", "two", "--motion", "press.csv", "--out", "t.csv"} + layers);
+            if (outcome.exitCode != 0 || outcome.out.contains("layers:") == layers.isEmpty()) {
+                qFatal("%s%s", outcome.out.constData(), outcome.error.constData());
+            }
+            return rows("t.csv").last().force.norm();
+        };
+        const QStringList layered{"--layers", "auto"};
+        const double beside_N = pressed_N(Vec3::UnitZ(), layered);
+        QVERIFY(std::abs(beside_N - 6.0) < 0.1);
+        QVERIFY(pressed_N(-Vec3::UnitY(), layered) > 1.3 * beside_N);
+        QVERIFY(std::abs(pressed_N(-Vec3::UnitY(), {}) - beside_N) < 0.05); // without it as ever
+
+        const Outcome info = run({"info", "two", "--layers", "auto"});
+        QCOMPARE(info.exitCode, 0);
+        QVERIFY2(info.out.contains("layers: tumour lies in liver and is felt below it\n"), info.out.constData());
+        const QJsonObject json =
+            QJsonDocument::fromJson(run({"info", "two", "--layers", "auto", "--json"}).out).array().at(0).toObject();
+        QCOMPARE(json["layers"].toArray().at(0).toString(), QString("tumour lies in liver and is felt below it"));
+        QCOMPARE(json["structures"].toArray().at(1).toObject()["layer"].toInt(), 1);
+        QVERIFY(!run({"info", "two"}).out.contains("layers:"));
+        QVERIFY(!run({"info", "two", "--json"}).out.contains("layer"));
+    }
+
+    void aSceneFileKeepsItsOwnLayers()
+    {
+        write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "box.stl"}]})");
+        const Outcome outcome = run({"replay", "s.palpate.json", "--motion", "m.csv", "--layers", "auto"});
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY2(outcome.out.contains("layers: s.palpate.json is a scene file and keeps its own layers\n"),
+                 outcome.out.constData());
+        QVERIFY(run({"info", "box.stl", "--layers", "auto"}).out.contains("all is in one layer"));
+    }
+
+    void layersAreAutoOrNothing_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("info") << QStringList{"info", "box.stl"};
+        QTest::newRow("replay") << QStringList{"replay", "box.stl", "--motion", "m.csv"};
+        QTest::newRow("evaluate") << QStringList{"evaluate", "box.stl"};
+    }
+    void layersAreAutoOrNothing()
+    {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments + QStringList{"--layers", "deep"});
+        QCOMPARE(outcome.exitCode, 2);
+        QCOMPARE(outcome.error, QByteArray("palpate: --layers: found \"deep\", expected auto\n"));
+        QCOMPARE(outcome.out, QByteArray());
     }
 
     void aWindowWithoutADisplayIsAnErrorOfOneLine()

@@ -85,7 +85,7 @@ class Stability : public QObject
         setup.rate_Hz = 1000.0;
         setup.delayTicks = 2;
         setup.isControlled = true;
-        isHeld({0, 1, 2, 3, 4, 5});
+        isHeld({0, 1, 2, 3, 4, 5, 6});
         // A sensor twice as coarse.
         setup.delayTicks = 1;
         setup.preset.mechanics.resolution_mm *= 2.0;
@@ -128,6 +128,20 @@ class Stability : public QObject
         const DevicePreset& delta = *findDevicePreset("delta");
         QVERIFY(restlessness_mm(lump, 1.0, setupOf(delta, false)) > 0.5);
         QVERIFY(restlessness_mm(lump, 1.0, setupOf(delta)) < kLimitCycle_mm);
+    }
+
+    /// Layers add up: what one holds alone oscillates where it is felt through another as stiff, unless the two share
+    /// it.
+    void theLimitHoldsForTheSumOfTheLayers()
+    {
+        const Setup setup = setupOf(*findDevicePreset("omega"), false);
+        const Shape& layers = touchedShapes()[6];
+        QCOMPARE(layers.name, std::string("two layers"));
+        const double held = largestStiffness(touchedShapes().front(), setup);
+        QVERIFY(restlessness_mm(layers, 0.8 * held, setup) < kLimitCycle_mm);
+        Shape each = layers;
+        each.share = {1.0, 1.0};
+        QVERIFY(restlessness_mm(each, 0.8 * held, setup) > kLimitCycle_mm);
     }
 
     void theControllerLeavesSoftTissueAlone()

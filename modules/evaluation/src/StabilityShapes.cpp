@@ -68,6 +68,22 @@ Shape lump()
     return shape;
 }
 
+/// A soft cover over a block that lies just below it in the next layer: a hand that presses feels both, and the
+/// stiffness is that of both together. The cover is thin, so that a light push reaches the block through a stiff one.
+Shape cover()
+{
+    constexpr double kCover_mm = 0.2;
+    Shape shape;
+    shape.name = "two layers";
+    shape.structures.push_back(structure("cover", shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0))));
+    shape.structures.push_back(structure("block", shapes::box(Vec3(-20, -20, -20), Vec3(20, 20, -kCover_mm))));
+    shape.structures[1].layer = 1;
+    shape.share = {0.5, 0.5};
+    shape.holds = {{Vec3(0.3, 0.2, 0), -Vec3::UnitZ(), Vec3::Zero()},
+                   {Vec3(20, 0.2, 0), -Vec3::UnitZ(), Vec3(5, 0, 0)}}; // from beside the block onto its border
+    return shape;
+}
+
 } // namespace
 
 std::vector<Shape> standardShapes()
@@ -83,6 +99,7 @@ std::vector<Shape> standardShapes()
     out.push_back(lump());
     const Vec3 n = Vec3(0.3, 0.4, 0.87).normalized();
     out.push_back(single("fine sphere", shapes::bumpySphere(128, 30.0, 0.0), {30.0 * n, -n, {0, 0, 0}}));
+    out.push_back(cover());
     return out;
 }
 
@@ -92,7 +109,7 @@ Shape shapeOf(std::string name, const haptics::HapticScene& scene)
     Shape shape;
     shape.name = std::move(name);
     shape.structures = scene.structures();
-    shape.share.assign(shape.structures.size(), 1.0);
+    shape.share.assign(shape.structures.size(), 1.0); // layers that are met together are then stiffer still
     for (const haptics::HapticStructure& one : shape.structures) {
         if (one.surface == nullptr || one.surface->triangleCount() == 0) {
             continue;

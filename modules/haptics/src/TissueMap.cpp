@@ -16,6 +16,19 @@ double TissueMap::greatest() const noexcept
     return factor * double{most};
 }
 
+TissueMap TissueMap::atMost(double most) const
+{
+    if (greatest() <= most) {
+        return *this;
+    }
+    std::vector<std::array<float, 3>> bounded = *corners;
+    const auto raw = static_cast<float>(most / factor);
+    for (std::array<float, 3>& at : bounded) {
+        at = {std::min(at[0], raw), std::min(at[1], raw), std::min(at[2], raw)};
+    }
+    return {std::make_shared<const std::vector<std::array<float, 3>>>(std::move(bounded)), factor};
+}
+
 TissueMap TissueMap::atVertices(const geometry::SurfaceIndex& surface, const geometry::RepairedMesh& repaired,
                                 std::span<const float> values)
 {

@@ -2,6 +2,7 @@
 #include "palpate/ui/SceneLoader.h"
 
 #include <palpate/session/GeometryHash.h>
+#include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/view/SurfaceMesh.h>
 
@@ -22,6 +23,13 @@ namespace {
 constexpr double kReading = 0.7; // of the progress; the rest is pictures and haptic copies
 
 } // namespace
+
+bool OpenedScene::areMeshes() const
+{
+    return std::none_of(files.begin(), files.end(), [](const std::filesystem::path& file) {
+        return meshio::isSceneFile(file) || session::isRecordingFile(file);
+    });
+}
 
 SceneLoader::SceneLoader(QObject* parent)
     : QObject(parent)
@@ -171,6 +179,40 @@ class SceneLoader::Opening
             done += static_cast<double>(row.loaded.surface->mesh.triangles.size());
             progress(tr("Preparing for touch"), kReading + (1.0 - kReading) * done / std::max(1.0, triangles));
         }
+        nest();
+    }
+
+    /// Finds out what lies in what.
+    void nest()
+    {
+        if (m_job->isCancelled) {
+            return;
+        }
+        std::vector<study::LayeredSurface> surfaces;
+        for (const StructureRow& row : m_opened->rows) {
+            surfaces.push_back({row.loaded.surface.get(), row.touch.get()});
+        }
+        m_opened->layering = study::layering(surfaces);
+        if (m_opened->areMeshes()) {
+            sortByNesting();
+        }
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            if (const std::optional<std::size_t> in = m_opened->layering.structures[i].in) {
+                m_opened->rows[i].in = static_cast<int>(*in);
+            }
+        }
+    }
+
+    /// What lies in something follows it in the list, else all stays in the order of the files.
+    void sortByNesting()
+    {
+        const std::vector<std::size_t> order = m_opened->layering.order();
+        std::vector<StructureRow> rows;
+        for (const std::size_t i : order) {
+            rows.push_back(std::move(m_opened->rows[i]));
+        }
+        m_opened->rows = std::move(rows);
+        m_opened->layering = m_opened->layering.inOrder(order);
     }
 
     SceneLoader& m_loader;

@@ -45,13 +45,15 @@ struct Shape
 {
     std::string name;
     std::vector<haptics::HapticStructure> structures; ///< tissue is replaced
-    std::vector<double> share;                        ///< of the stiffness, for each structure
+    std::vector<double> share; ///< of the stiffness that a hand meets in all, for each structure: layers add up
     std::vector<Hold> holds;
 };
 
-/// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles.
+/// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
+/// layers that share the stiffness.
 [[nodiscard]] std::vector<Shape> standardShapes();
-/// A scene as a shape: every palpable structure equally stiff, held at a few triangles of each.
+/// A scene as a shape: every palpable structure equally stiff, in whatever layer, held at a few
+/// triangles of each.
 [[nodiscard]] Shape shapeOf(std::string name, const haptics::HapticScene& scene);
 
 /// Device, loop and tissue of one trial.

@@ -22,6 +22,9 @@ struct TissueMap
     /// The largest number, with the factor; 0 without a map.
     [[nodiscard]] double greatest() const noexcept;
 
+    /// The same with no number above `most`; itself where none is.
+    [[nodiscard]] TissueMap atMost(double most) const;
+
     /// @param repaired  the mesh that `surface` was built from
     /// @param values  one for each of its vertices
     [[nodiscard]] static TissueMap atVertices(const geometry::SurfaceIndex& surface,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Theme.h"
+
 #include <QFrame>
 #include <QLabel>
 #include <QPointer>
@@ -42,7 +44,8 @@ class MessageBar : public QFrame
     explicit MessageBar(QWidget* parent = nullptr);
     void showError(const QString& text);
     /// Shows a line with a button that does something about it and closes the bar.
-    void offer(const QString& text, const QString& button, std::function<void()> act);
+    /// @param symbol  what kind of a line it is
+    void offer(const QString& text, const QString& button, std::function<void()> act, Symbol symbol = Symbol::Warning);
     [[nodiscard]] QString text() const { return m_text->text(); }
 
   private:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/study/Layers.h>
+
 #include <QObject>
 
 #include <atomic>
@@ -21,8 +23,11 @@ struct OpenedScene
     meshio::SceneFile scene;
     std::vector<StructureRow> rows;
     std::vector<meshio::SceneStructure> unopened; ///< what a scene file names but could not be opened
-    QStringList problems; ///< what could not be opened, or is another one now, while others could; one line each
-    QStringList warnings; ///< one line each
+    QStringList problems;     ///< what could not be opened, or is another one now, while others could; one line each
+    QStringList warnings;     ///< one line each
+    study::Layering layering; ///< what lies in what, row by row; the rows have the layers of their files
+    /// True when mesh files alone were opened, which say nothing of layers: no scene file, no recording.
+    [[nodiscard]] bool areMeshes() const;
     double seconds = 0.0; ///< from the wish to open to ready
 };
 

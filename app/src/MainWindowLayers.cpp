@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in something is felt below it: set for mesh files, offered for a scene that says nothing of layers.
+#include "MainWindow.h"
+
+#include <algorithm>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+namespace {
+
+/// One or two sentences as one line; of more, the first, and how many there are.
+QString oneLine(const std::vector<std::string>& sentences)
+{
+    const QString first = QString::fromStdString(sentences.front());
+    if (sentences.size() <= 2) {
+        return (sentences.size() == 1 ? first : first + QStringLiteral("; ") + QString::fromStdString(sentences[1])) +
+               QLatin1Char('.');
+    }
+    return MainWindow::tr("%1; %2 more of that kind: Felt in the panel has each.").arg(first).arg(sentences.size() - 1);
+}
+
+} // namespace
+
+void MainWindow::layOut(const OpenedScene& scene)
+{
+    std::vector<std::string> names;
+    bool isFlat = true;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        names.push_back(readableName(m_model.structure(row).name).toStdString());
+        isFlat = isFlat && m_model.structure(row).layer == 0;
+    }
+    const std::vector<std::string> sentences = scene.layering.sentences(names);
+    if (!isFlat || sentences.empty()) {
+        return;
+    }
+    std::vector<std::uint32_t> layers;
+    for (const study::Layering::Structure& one : scene.layering.structures) {
+        layers.push_back(one.layer);
+    }
+    const bool areMeshes = scene.areMeshes();
+    const bool isLayered = scene.layering.isLayered();
+    if (!isLayered && areMeshes) {
+        m_message->showError(oneLine(sentences)); // the same surface twice, or one with holes
+    } else if (isLayered && areMeshes && !m_waitingRecording) {
+        m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
+        m_model.undoStack().setClean(); // nothing that a person did and would miss
+        m_message->offer(
+            oneLine(sentences), tr("All in one layer"),
+            [this, count = layers.size()] {
+                m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
+            },
+            Symbol::Hand);
+    } else if (isLayered) {
+        const auto inner = std::find_if(scene.layering.structures.begin(), scene.layering.structures.end(),
+                                        [](const study::Layering::Structure& one) { return one.in.has_value(); });
+        const auto row = static_cast<std::size_t>(inner - scene.layering.structures.begin());
+        m_message->offer(
+            tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
+                .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
+            tr("Feel it below"),
+            [this, layers] { m_model.setLayers(layers, tr("Feel what is inside below what is around it")); },
+            Symbol::Hand);
+    }
+}

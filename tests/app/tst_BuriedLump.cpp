@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MainWindow.h"
+#include "TestRunner.h"
+
+#include "../support/Shapes.h"
+
+#include <palpate/geometry/TriangleMesh.h>
+
+#include <QFile>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+
+/// Two spheres as STL, 40 mm across and 10 mm across under 8 mm of the first, opened in the window and pressed: the
+/// lump is felt through the organ. On a real display.
+class BuriedLump : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    double m_force_N = 0.0;
+    double m_depth_mm = 0.0;
+
+    void writeStl(const char* name, const geometry::TriangleMesh& mesh) const
+    {
+        std::ofstream out(m_folder.filePath(name).toStdString(), std::ios::binary);
+        const auto put = [&out](auto value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); };
+        out << std::string(80, ' ');
+        put(static_cast<std::uint32_t>(mesh.triangles.size()));
+        for (const geometry::Triangle& t : mesh.triangles) {
+            for (int i = 0; i < 3; ++i) {
+                put(0.0F); // normals are computed, never read
+            }
+            for (const std::uint32_t corner : t) {
+                for (const double v : mesh.vertices[corner]) {
+                    put(static_cast<float>(v));
+                }
+            }
+            put(std::uint16_t{0});
+        }
+    }
+
+    void open(const std::vector<std::filesystem::path>& files)
+    {
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        connect(&m_window->palpation(), &ui::PalpationController::touched, this, [this](const ui::TouchReading& touch) {
+            m_force_N = touch.force_N;
+            m_depth_mm = touch.depth_mm;
+        });
+        QSignalSpy ready(m_window.get(), &MainWindow::ready);
+        m_window->open(files);
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+    }
+
+    std::filesystem::path folder() const { return m_folder.path().toStdString(); }
+
+    /// Presses 12 mm in the middle of the view. @return the force [N]
+    double pressed(view::ViewFrom from)
+    {
+        ui::VtkViewport& viewport = m_window->viewport();
+        ui::PalpationController& hand = m_window->palpation();
+        m_window->setPalpating(true);
+        QTest::qWait(200); // a layer that came while the hand is in it would let it out freely
+        viewport.view().look(from);
+        const double before_mm = hand.depth_mm();
+        Q_EMIT viewport.depthTurned(1.0);
+        const double notch_mm = hand.depth_mm() - before_mm;
+        Q_EMIT viewport.depthTurned((12.0 - hand.depth_mm()) / notch_mm);
+        m_depth_mm = m_force_N = 0.0;
+        hand.pressAt({0.5 * viewport.width(), 0.5 * viewport.height()});
+        const bool isIn = QTest::qWaitFor([this] { return std::abs(m_depth_mm - 12.0) < 0.02; }, 20000);
+        QTest::qWait(100);
+        const double force_N = isIn ? m_force_N : -1.0;
+        hand.letGo();
+        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, 20000);
+        return force_N;
+    }
+
+    QAction* action(const QString& text) const
+    {
+        for (QAction* one : m_window->actions()) {
+            if (one->text().startsWith(text)) {
+                return one;
+            }
+        }
+        qFatal("no such action");
+    }
+
+    ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
+    QPushButton& wayBack() const { return *message().findChild<QPushButton*>(); }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (QGuiApplication::platformName() != QStringLiteral("xcb")) {
+            QSKIP("no OpenGL without a display: run under xvfb-run with QT_QPA_PLATFORM=xcb");
+        }
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+        QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
+        QVERIFY(QDir(m_folder.path()).mkpath("two"));
+        writeStl("two/liver.stl", test::sphere(24, 20.0));
+        writeStl("two/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0))); // towards the front
+    }
+    void cleanup() { m_window.reset(); }
+
+    void whatLiesInTheLiverIsFeltThroughIt()
+    {
+        open({folder() / "two"});
+        QVERIFY2(message().isVisible(), "nothing was said");
+        QCOMPARE(message().text(), QStringLiteral("tumour lies in liver and is felt below it."));
+        QCOMPARE(wayBack().text(), QStringLiteral("All in one layer"));
+        QVERIFY(!m_window->isWindowModified());
+        const double beside_N = pressed(view::ViewFrom::Left);
+        const double over_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(beside_N > 5.9 && beside_N < 6.1, qPrintable(QString::number(beside_N)));
+        QVERIFY2(over_N > 1.3 * beside_N, qPrintable(QString::number(over_N)));
+
+        action("Undo")->trigger();
+        const double flat_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(flat_N - beside_N) < 0.05, qPrintable(QString::number(flat_N)));
+        action("Redo")->trigger();
+        wayBack().click();
+        QVERIFY(!message().isVisible());
+        const double back_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(back_N - beside_N) < 0.05, qPrintable(QString::number(back_N)));
+        action("Undo")->trigger();
+        QVERIFY(pressed(view::ViewFrom::Front) > 1.3 * beside_N);
+    }
+
+    /// A scene file says its layers itself: it gets the offer.
+    void aSceneIsOfferedLayersAndNotChanged()
+    {
+        std::ofstream(m_folder.filePath("flat.palpate.json").toStdString())
+            << R"({"version": 1, "structures": [{"mesh": "two/liver.stl", "name": "liver"},
+                   {"mesh": "two/tumour.stl", "name": "tumour"}]})";
+        open({folder() / "flat.palpate.json"});
+        QVERIFY(message().isVisible());
+        QVERIFY2(message().text().contains(QStringLiteral("tumour lies in liver, but this scene has all in one layer")),
+                 qPrintable(message().text()));
+        const double flat_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(flat_N > 5.9 && flat_N < 6.1, qPrintable(QString::number(flat_N)));
+        QVERIFY(!action("Undo")->isEnabled());
+        wayBack().click();
+        const double below_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(below_N > 1.3 * flat_N, qPrintable(QString::number(below_N)));
+        action("Undo")->trigger();
+        QVERIFY(std::abs(pressed(view::ViewFrom::Front) - flat_N) < 0.05);
+    }
+
+    void aSceneWithLayersIsLeftAlone()
+    {
+        std::ofstream(m_folder.filePath("own.palpate.json").toStdString())
+            << R"({"version": 1, "structures": [{"mesh": "two/liver.stl", "name": "liver", "layer": 1},
+                   {"mesh": "two/tumour.stl", "name": "tumour"}]})";
+        open({folder() / "own.palpate.json"});
+        QVERIFY(!message().isVisible());
+        QVERIFY(!action("Undo")->isEnabled());
+    }
+
+    void theSameFileTwiceIsSaid()
+    {
+        open({folder() / "two/liver.stl", folder() / "two/liver.stl"});
+        QVERIFY(message().isVisible());
+        QCOMPARE(message().text(), QStringLiteral("liver and liver are the same surface twice."));
+        QVERIFY(!wayBack().isVisible());
+        QVERIFY(!action("Undo")->isEnabled());
+    }
+};
+
+PALPATE_TEST(BuriedLump)
+#include "tst_BuriedLump.moc"
