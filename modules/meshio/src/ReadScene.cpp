@@ -4,6 +4,7 @@
 #include "Fault.h"
 #include "FileImage.h"
 #include "JsonFields.h"
+#include "SceneLaw.h"
 #include "TextScan.h"
 
 #include <QCryptographicHash>
@@ -97,6 +98,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("palpable", s.palpable);
     fields.read("flipped", s.flipped);
     readTissue(fields, s.tissue);
+    internal::readLaw(fields, folder, s.tissue.law);
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {
