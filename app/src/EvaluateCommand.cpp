@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "LayersOption.h"
 #include "PhantomFolder.h"
 #include "ProgressLine.h"
 
 #include <palpate/evaluation/Report.h>
 #include <palpate/session/MotionFile.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
 
 #include <CLI/CLI.hpp>
@@ -33,7 +35,7 @@ struct EvaluateOptions
 {
     std::vector<fs::path> scenes;
     fs::path motion, out = "out/evaluation";
-    std::string unit = "mm", stiffness;
+    std::string unit = "mm", stiffness, layers;
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
@@ -80,6 +82,12 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_
         }
         meshio::LoadedScene scene = std::move(loaded).value();
         losses.insert(losses.end(), scene.losses.begin(), scene.losses.end());
+        if (!options.layers.empty()) {
+            auto felt = study::hapticScene(scene);
+            for (const std::string& line : layOut(path, scene, felt)) {
+                print("%s: layers: %s\n", path.filename().string().c_str(), line.c_str());
+            }
+        }
         for (meshio::LoadedStructure& structure : scene.structures) {
             double& own = structure.description.tissue.stiffness_N_per_mm;
             own = stiffness.value_or(own);
@@ -203,6 +211,9 @@ int runEvaluate(EvaluateOptions options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    if (const Status status = checkLayers(options.layers); !status.isOk()) {
+        return report(status);
+    }
     const auto stiffness = stiffnessOption(options.stiffness);
     if (!stiffness.isOk()) {
         return report(stiffness.status());
@@ -271,6 +282,7 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--stiffness", options->stiffness,
                         "Stiffness of every tissue [N/mm]; without it, the scene's own");
+    command->add_option("--layers", options->layers, kLayersHelp);
     command->add_option("--seed", options->seed, "Seed of the motions")->capture_default_str();
     command->add_flag("--quick", options->isQuick, "End within half a minute");
     command->add_flag("--stability", options->isStability, "Run the hard cases alone; exit code 3 when one fails");

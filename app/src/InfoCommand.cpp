@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "InfoReport.h"
+#include "LayersOption.h"
 
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
@@ -25,7 +26,7 @@ namespace {
 struct InfoOptions
 {
     std::vector<std::filesystem::path> files;
-    std::string unit = "mm";
+    std::string unit = "mm", layers;
     bool isPartial = false;
     bool isJson = false;
 };
@@ -35,7 +36,7 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-core::Result<FileReport> examine(const std::filesystem::path& file, const meshio::ReadOptions& options)
+core::Result<FileReport> examine(const std::filesystem::path& file, const meshio::ReadOptions& options, bool setsLayers)
 {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -55,8 +56,11 @@ core::Result<FileReport> examine(const std::filesystem::path& file, const meshio
     report.scene = std::move(loaded).value();
     report.load_s = secondsSince(start);
     start = std::chrono::steady_clock::now();
-    const auto scene = study::hapticScene(report.scene);
+    auto scene = study::hapticScene(report.scene);
     report.index_s = secondsSince(start);
+    if (setsLayers) {
+        report.layers = layOut(file, report.scene, scene);
+    }
     start = std::chrono::steady_clock::now();
     for (const auto& structure : scene->structures()) {
         report.examined.push_back(structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface))
@@ -74,13 +78,16 @@ int runMeshInfo(const InfoOptions& options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    if (const Status status = checkLayers(options.layers); !status.isOk()) {
+        return report(status);
+    }
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
     read.isPartial = options.isPartial;
     QJsonArray all;
     std::vector<std::string> losses;
     for (const auto& file : options.files) {
-        const auto examined = examine(file, read);
+        const auto examined = examine(file, read, !options.layers.empty());
         if (!examined.isOk()) {
             return report(examined.status());
         }
@@ -109,6 +116,7 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
                      "Mesh files (" + meshio::meshFormatNames("or") + "), scene files or folders of meshes")
         ->required();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_option("--layers", options->layers, kLayersHelp);
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");
     command->add_flag("--json", options->isJson, "Print the report as JSON");

@@ -132,6 +132,9 @@ void printReport(const FileReport& report)
             print("    - %s\n", sentence.c_str());
         }
     }
+    for (const std::string& line : report.layers.value_or(std::vector<std::string>())) {
+        print("  layers: %s\n", line.c_str());
+    }
     for (const std::string& note : notes(report)) {
         print("  note: %s\n", note.c_str());
     }
@@ -230,23 +233,32 @@ QJsonObject toJson(const FileReport& report)
     const auto sources = study::sourcesOf(report.scene);
     QJsonArray structures;
     for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
-        structures.append(toJson(report.scene.structures[i], sources[i], report.examined[i]));
+        QJsonObject one = toJson(report.scene.structures[i], sources[i], report.examined[i]);
+        if (report.layers) {
+            one["layer"] = static_cast<qint64>(report.scene.structures[i].description.layer);
+        }
+        structures.append(one);
     }
     const std::optional<double>& likely = report.scene.likelyUnit_mm;
-    return {{"schema", 1},
-            {"file", text(report.path.string())},
-            {"structures", structures},
-            {"unit_guess", likely ? QJsonValue(QJsonObject{{"unit", unitName(*likely)},
-                                                           {"unit_mm", *likely},
-                                                           {"option", QString("--unit ") + unitName(*likely)}})
-                                  : QJsonValue()},
-            {"notes", texts(notes(report))},
-            {"losses", texts(report.scene.losses)},
-            {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
-                                  {"bytes", count(report.touchBytes)},
-                                  {"load_s", report.load_s},
-                                  {"index_s", report.index_s},
-                                  {"examine_s", report.examine_s}}}};
+    QJsonObject object{{"schema", 1},
+                       {"file", text(report.path.string())},
+                       {"structures", structures},
+                       {"unit_guess", likely
+                                          ? QJsonValue(QJsonObject{{"unit", unitName(*likely)},
+                                                                   {"unit_mm", *likely},
+                                                                   {"option", QString("--unit ") + unitName(*likely)}})
+                                          : QJsonValue()},
+                       {"notes", texts(notes(report))},
+                       {"losses", texts(report.scene.losses)},
+                       {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
+                                             {"bytes", count(report.touchBytes)},
+                                             {"load_s", report.load_s},
+                                             {"index_s", report.index_s},
+                                             {"examine_s", report.examine_s}}}};
+    if (report.layers) {
+        object["layers"] = texts(*report.layers);
+    }
+    return object;
 }
 
 } // namespace palpate::app

@@ -22,6 +22,7 @@ struct FileReport
     double index_s = 0.0;                                              ///< building the haptic copies
     std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< one a structure; nothing where not palpable
     double examine_s = 0.0;
+    std::optional<std::vector<std::string>> layers; ///< what lies in what, a sentence each, where that was asked for
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };

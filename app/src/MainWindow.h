@@ -104,6 +104,7 @@ class MainWindow : public QMainWindow
     void showError(const QString& line);
     void styleView();
     void offerMetres();
+    void layOut(const palpate::ui::OpenedScene& scene);
     void tellFault(const QString& line);
     [[nodiscard]] QString howToTouch() const;
 

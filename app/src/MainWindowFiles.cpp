@@ -129,6 +129,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     }
     m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
     showWhatPlays();
+    layOut(*scene);
     if (!scene->problems.isEmpty()) {
         showError(scene->problems.join(QLatin1Char('\n')));
     }

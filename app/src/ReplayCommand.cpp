@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
+#include "LayersOption.h"
 #include "ReplayRun.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
                             std::string(term.name) + " of every tissue [" + std::string(term.unit) + "]");
     }
     command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
+    command->add_option("--layers", options->layers, kLayersHelp);
     command->add_option("--json", options->json, "Write the summary as JSON");
     command->add_option("--record", options->record, "Write a recording (*.palpate)");
     command->add_flag("--embed", options->embeds, "Put the surfaces into the recording, so that one file is all")

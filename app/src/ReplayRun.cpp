@@ -3,6 +3,7 @@
 
 #include "Console.h"
 #include "Devices.h"
+#include "LayersOption.h"
 #include "SessionReport.h"
 
 #include <palpate/study/HapticCopy.h>
@@ -52,6 +53,9 @@ Status ReplayRun::checkOptions()
         return unit.status();
     }
     m_unit_mm = unit.value();
+    if (Status layers = checkLayers(m_options.layers); !layers.isOk()) {
+        return layers;
+    }
     if (Status cpu = servo::checkCpu(m_options.cpu); !cpu.isOk()) {
         return cpu;
     }
@@ -142,7 +146,7 @@ Status ReplayRun::loadScene()
     meshio::ReadOptions readOptions;
     readOptions.unit_mm = m_unit_mm;
     readOptions.isPartial = m_options.isPartial;
-    const auto loaded = study::openScene(m_options.scene, readOptions);
+    auto loaded = study::openScene(m_options.scene, readOptions);
     if (!loaded.isOk()) {
         return loaded.status();
     }
@@ -158,6 +162,13 @@ Status ReplayRun::loadScene()
         return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
     }
     m_losses = loaded.value().losses;
+    if (!m_options.layers.empty()) {
+        const auto before = m_scene;
+        for (const std::string& line : layOut(m_options.scene, loaded.value(), m_scene)) {
+            print("layers: %s\n", line.c_str());
+        }
+        m_isRelayered = m_scene != before;
+    }
     if (m_radius) {
         m_scene = std::make_shared<haptics::HapticScene>(m_scene->structures(), *m_radius);
     }
@@ -218,7 +229,8 @@ Status ReplayRun::feel()
         if (Status status = checkSameGeometry(); !status.isOk()) {
             return status;
         }
-        if (m_tissue == session::TissueOverride() && !m_radius && !m_options.isLive && m_options.record.empty()) {
+        if (m_tissue == session::TissueOverride() && !m_radius && !m_isRelayered && !m_options.isLive &&
+            m_options.record.empty()) {
             return feelRecording();
         }
     }

@@ -27,7 +27,7 @@ namespace palpate::app {
 struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
-    std::string unit = "mm", radius;
+    std::string unit = "mm", radius, layers;
     std::array<std::string, core::kTissueTerms.size()> tissue; ///< in the order of the terms; empty: as it is
     std::string device;                                        ///< the hand's, when live; empty: the motion itself
     std::vector<std::filesystem::path> pluginFolders;
@@ -91,6 +91,7 @@ class ReplayRun
     double m_unit_mm = 1.0;
     session::TissueOverride m_tissue;
     std::optional<double> m_radius;
+    bool m_isRelayered = false; ///< by `--layers auto`
     session::Motion m_motion;
     std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
     std::shared_ptr<const haptics::HapticScene> m_scene;

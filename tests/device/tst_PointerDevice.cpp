@@ -6,7 +6,10 @@
 
 #include <atomic>
 #include <barrier>
+#include <cmath>
+#include <random>
 #include <thread>
+#include <vector>
 
 using palpate::device::DeviceState;
 using palpate::device::Vec3;
@@ -94,6 +97,56 @@ class PointerDevice : public QObject
         }
         window.join();
         QCOMPARE(torn, 0);
+    }
+
+    /// Whatever the targets and whenever they change: no jump, no faster than the steepest cubic, never beyond.
+    void easesWithoutJumpOrOvershoot()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> anywhere(-20.0, 20.0);
+        palpate::device::Ease ease;
+        ease.rest(0.0);
+        double at = 0.0;
+        for (std::int64_t tick = 0; tick < 20'000; ++tick) {
+            const std::int64_t now_ns = tick * 1'000'000;
+            if (tick % 97 == 0 || tick % 61 == 0) {
+                ease.aim(anywhere(random), 0.15, now_ns);
+                QCOMPARE(ease.at(now_ns), at);
+            }
+            const double next = ease.at(now_ns + 1'000'000);
+            QVERIFY((next - at) * (ease.target() - next) >= -1e-12);   // towards it, and not beyond
+            QVERIFY(std::abs(next - at) <= 3.0 * 40.0 * 0.001 / 0.15); // mm a tick
+            at = next;
+        }
+        ease.aim(7.0, 0.15, 20'000'000'000);
+        QVERIFY(!ease.isThere(20'149'000'000));
+        QVERIFY(ease.isThere(20'150'000'000));
+        QVERIFY(ease.at(20'150'000'000) == 7.0);
+    }
+
+    void thePressOfTheSameTicksHasTheSameBits()
+    {
+        const auto press = [] {
+            palpate::device::PointerDevice device;
+            palpate::device::PointerState state;
+            state.isPresent = true;
+            state.buttons = 1;
+            state.p_D = Vec3(1.0, 2.0, 3.0);
+            state.d_D = Vec3(0.6, 0.0, -0.8);
+            state.depth_mm = 4.0;
+            state.hover_mm = 2.0;
+            state.pressTime_s = 0.15;
+            device.setState(state);
+            std::vector<Vec3> path;
+            for (std::int64_t tick = 0; tick < 200; ++tick) {
+                path.push_back(device.read(tick * 1'000'037).p_D);
+            }
+            return path;
+        };
+        const std::vector<Vec3> path = press();
+        QVERIFY(path == press());
+        QVERIFY((path.front() - Vec3(1.0, 2.0, 3.0) + 2.0 * Vec3(0.6, 0.0, -0.8)).norm() < 1e-12);
+        QVERIFY((path.back() - Vec3(1.0, 2.0, 3.0) - 4.0 * Vec3(0.6, 0.0, -0.8)).norm() < 1e-12);
     }
 
     void findsEveryPresetByItsId()

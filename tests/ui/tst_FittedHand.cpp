@@ -4,13 +4,13 @@
 #include "TestRunner.h"
 
 #include <palpate/device/DevicePresets.h>
+#include <palpate/geometry/Inside.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/servo/PassivityController.h>
 #include <palpate/servo/ServoCore.h>
 #include <palpate/ui/HandSettings.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/view/SurfaceMesh.h>
-#include <palpate/view/SurfacePicker.h>
 
 #include <numbers>
 #include <random>
@@ -158,7 +158,7 @@ class FittedHand : public QObject
             g_W = tick.felt.p_WG;
             isTouching = tick.felt.structure >= 0;
             touched += isTouching ? 1 : 0;
-            const bool isIn = tick.felt.structure != 0 && view::isInside(liver, p_W); // the liver does not hold it
+            const bool isIn = tick.felt.structure != 0 && geometry::isInside(liver, p_W); // the liver does not hold it
             if ((tick.flags & servo::kReset) != 0) {
                 wasOut = false; // begun anew, inside perhaps: let out
                 freed += isIn ? 1 : 0;

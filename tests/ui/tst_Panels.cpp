@@ -154,11 +154,83 @@ class Panels : public QObject
         panel.setGreatest({0.3, 0.004}, {});
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.7);
-        panel.findChildren<QDoubleSpinBox*>().last()->setValue(0.001);
+        panel.findChildren<QDoubleSpinBox*>()[1]->setValue(0.001); // damping
         QCOMPARE(model.structure(0).tissue.damping_Ns_per_mm, 0.001);
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.7);
         stiffness->setValue(0.6);
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.6);
+    }
+    void aLayerTakesOfWhatTheDeviceHolds()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(test::twoRows());
+        panel.setGreatest({1.2, 0.004}, QStringLiteral("The arm holds 1.2 N/mm."));
+        const auto label = [&panel](const char* name) {
+            for (QLabel* one : panel.findChildren<QLabel*>()) {
+                if (one->accessibleName().contains(QLatin1String(name))) {
+                    return one;
+                }
+            }
+            return static_cast<QLabel*>(nullptr);
+        };
+        QLabel* const bound = label("felt of it");
+        QLabel* const refusal = label("refused");
+        for (const int row : {0, 1}) {
+            meshio::SceneStructure one = model.structure(row);
+            one.tissue.stiffness_N_per_mm = 0.8;
+            model.edit(row, one);
+        }
+        panel.select(1);
+        QVERIFY(bound->isHidden()); // one beside the other
+        model.setLayers({0, 1}, {});
+        QVERIFY(!bound->isHidden());
+        QCOMPARE(bound->text(),
+                 QStringLiteral("felt as 0.4 N/mm: the device holds 1.2 N/mm in all, liver capsule takes 0.8"));
+        panel.select(0);
+        QVERIFY(bound->isHidden()); // the outer one is felt as it is
+        panel.select(1);
+        auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
+        stiffness->setValue(0.9);
+        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 0.8);
+        for (const char* part : {"0.9 N/mm is refused", "liver capsule takes 0.8", "0.40 N/mm or less"}) {
+            QVERIFY2(refusal->text().contains(QLatin1String(part)), qPrintable(refusal->text()));
+        }
+        stiffness->setValue(0.4);
+        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 0.4);
+        QVERIFY(bound->isHidden() && refusal->isHidden());
+    }
+    void keysInTheListMoveALayerInAndOut()
+    {
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        std::vector<ui::StructureRow> rows = test::twoRows();
+        rows[1].in = 0;
+        model.setRows(std::move(rows));
+        panel.select(1);
+        auto* list = panel.findChild<QTreeView*>();
+        auto* layer = panel.findChildren<QComboBox*>().last();
+        QCOMPARE(layer->currentText(), QStringLiteral("outermost"));
+        QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // there is nothing farther out
+        QVERIFY(!model.undoStack().canUndo());
+        const QStringList texts{"below liver capsule", "2 below", "3 below", "3 below"};
+        for (int i = 0; i < 4; ++i) {
+            QTest::keyClick(list, Qt::Key_Down, Qt::ControlModifier);
+            QCOMPARE(model.structure(1).layer, static_cast<std::uint32_t>(std::min(i + 1, 3)));
+            QCOMPARE(layer->currentText(), texts[i]);
+        }
+        QCOMPARE(panel.currentRow(), 1);
+        QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier);
+        QCOMPARE(layer->currentText(), texts[1]);
+        const QModelIndex name = model.index(1, ui::StructureModel::Name);
+        QCOMPARE(name.data(ui::StructureModel::kLayerRole).toUInt(), 2u);
+        QVERIFY(name.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("felt 2 below")));
+        model.undoStack().undo(); // each key is a step of its own
+        QCOMPARE(model.structure(1).layer, 3u);
+        layer->setCurrentIndex(1);
+        Q_EMIT layer->activated(1);
+        QCOMPARE(model.structure(1).layer, 1u);
+        QCOMPARE(model.structure(0).layer, 0u);
     }
     void presetSetsItsTissue()
     {

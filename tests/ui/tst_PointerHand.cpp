@@ -3,6 +3,8 @@
 
 #include <palpate/ui/PointerHand.h>
 
+#include <cmath>
+
 using namespace palpate;
 using core::Vec3;
 using Phase = ui::PointerHand::Phase;
@@ -19,6 +21,26 @@ ui::PointerHand over(const Vec3& surface_W)
     return hand;
 }
 
+/// A hand and the device that it moves.
+struct Touch
+{
+    ui::PointerHand hand = over(Vec3::Zero());
+    device::PointerDevice device;
+
+    /// A tick of the device.
+    device::DeviceState tick(double now_s)
+    {
+        device.setState(hand.state(now_s));
+        return device.read(std::llround(now_s * 1e9));
+    }
+    Vec3 hip(double now_s) { return tick(now_s).p_D; }
+    void press(double now_s)
+    {
+        hand.press();
+        (void)tick(now_s);
+    }
+};
+
 } // namespace
 
 class PointerHand : public QObject
@@ -29,107 +51,152 @@ class PointerHand : public QObject
     {
         ui::PointerHand hand;
         QCOMPARE(hand.phase(0.0), Phase::Away);
-        hand.press(0.0);
+        hand.press();
         QCOMPARE(hand.phase(0.0), Phase::Away);
         hand.pointAt(kEye, kDown, std::nullopt);
-        QVERIFY(!hand.hip(0.0).has_value());
-        QVERIFY(!hand.state(0.0, 0).isPresent);
+        QVERIFY(!hand.hoverPoint().has_value());
+        QVERIFY(!hand.state(0.0).isPresent);
     }
     void hoversJustOutsideTheSurface()
     {
         const ui::PointerHand hand = over(Vec3(3, 4, 0));
         QCOMPARE(hand.phase(1.0), Phase::Hovering);
-        QCOMPARE(*hand.hip(1.0), Vec3(3, 4, hand.settings().hover_mm));
-        QVERIFY(!hand.state(1.0, 0).isPresent); // a pointer jumps; the device must not be dragged through tissue
+        QCOMPARE(*hand.hoverPoint(), Vec3(3, 4, hand.settings().hover_mm));
+        QVERIFY(!hand.state(1.0).isPresent); // a pointer jumps; the device must not be dragged through tissue
     }
     void waitsOutsideUntilTheDeviceFeltIt()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(1.0);
-        QVERIFY(hand.state(1.0, 0).isPresent);
-        QVERIFY(hand.hip(5.0)->z() > 0.0);
-        hand.land(5.0);
-        QVERIFY(hand.hip(5.0 + hand.settings().pressTime_s)->z() < 0.0);
+        Touch touch;
+        touch.hand.press(); // at 1 s; the device's first tick with it comes late
+        QVERIFY(touch.hand.state(1.0).isPresent);
+        QVERIFY(touch.hip(5.0).z() > 0.0);
+        QVERIFY(touch.hip(5.0 + touch.hand.settings().pressTime_s).z() < 0.0);
     }
     void pressGoesInSmoothlyToTheSetDepth()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(1.0);
-        hand.land(1.0);
-        const double time_s = hand.settings().pressTime_s;
-        double before = hand.settings().hover_mm + 1e-12;
+        Touch touch;
+        touch.press(1.0);
+        const ui::PointerHandSettings& settings = touch.hand.settings();
+        const double time_s = settings.pressTime_s;
+        double before = settings.hover_mm + 1e-12;
         double steepest = 0.0;
         for (int i = 0; i <= 100; ++i) {
-            const double z = hand.hip(1.0 + time_s * i / 100.0)->z();
+            const double z = touch.hip(1.0 + time_s * i / 100.0).z();
             QVERIFY(z <= before);
             steepest = std::max(steepest, before - z);
             before = z;
         }
-        QVERIFY(std::abs(before + hand.settings().depth_mm) < 1e-9);
-        QVERIFY(steepest < 0.02 * (hand.settings().depth_mm + hand.settings().hover_mm)); // no knock
-        QVERIFY(!hand.isMoving(1.0 + 2.0 * time_s));
-        QCOMPARE(hand.state(2.0, 77).buttons, 1u);
-        QCOMPARE(hand.state(2.0, 77).time_ns, std::int64_t{77});
+        QVERIFY(std::abs(before + settings.depth_mm) < 1e-9);
+        QVERIFY(steepest < 0.02 * (settings.depth_mm + settings.hover_mm)); // no knock
+        QVERIFY(touch.hip(1.0 + 2.0 * time_s).z() == before);
+        QCOMPARE(touch.tick(2.0).buttons, 1u);
+        QCOMPARE(touch.tick(2.0).time_ns, std::int64_t{2'000'000'000});
+    }
+    /// The window says it once and then is busy with a picture: the press goes in all the same, tick by tick.
+    void aBusyWindowMakesNoKnock()
+    {
+        Touch touch;
+        touch.hand.press();
+        touch.device.setState(touch.hand.state(0.0));
+        double before = touch.hand.settings().hover_mm;
+        for (int tick = 0; tick <= 150; ++tick) {
+            const double z = touch.device.read(tick * 1'000'000LL).p_D.z();
+            QVERIFY2(z <= before && before - z < 0.08, qPrintable(QString::number(before - z))); // of 6 mm
+            before = z;
+        }
+        QVERIFY(before == -touch.hand.settings().depth_mm);
+        touch.hand.release(0.2);
+        touch.device.setState(touch.hand.state(0.2));
+        bool isPresent = true;
+        for (int tick = 200; tick <= 310; ++tick) {
+            const auto state = touch.device.read(tick * 1'000'000LL);
+            QVERIFY(!state.isPresent || state.p_D.z() - before < 0.12);
+            QVERIFY(isPresent || !state.isPresent); // gone once it is off
+            isPresent = state.isPresent;
+            before = state.p_D.z();
+        }
+        QVERIFY(!isPresent);
     }
     void wheelSetsTheDepthWithinItsBounds()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(0.0);
-        hand.land(0.0);
-        hand.turnDepth(4);
-        QVERIFY(std::abs(hand.hip(1.0)->z() + 4.0 + 4 * 0.5) < 1e-9);
-        hand.turnDepth(1000);
-        QCOMPARE(hand.settings().depth_mm, hand.settings().deepest_mm);
-        hand.turnDepth(-1000);
-        QCOMPARE(hand.settings().depth_mm, 0.0);
+        Touch touch;
+        touch.press(0.0);
+        QVERIFY(std::abs(touch.hip(1.0).z() + 4.0) < 1e-9);
+        touch.hand.turnDepth(4);
+        QVERIFY(std::abs(touch.hip(1.0).z() + 4.0) < 1e-9); // it goes there, it is not there at once
+        const double halfway = touch.hip(1.0 + 0.5 * touch.hand.settings().pressTime_s).z();
+        QVERIFY(halfway < -4.5 && halfway > -5.5);
+        QVERIFY(std::abs(touch.hip(2.0).z() + 4.0 + 4 * 0.5) < 1e-9);
+        touch.hand.turnDepth(1000);
+        QCOMPARE(touch.hand.settings().depth_mm, touch.hand.settings().deepest_mm);
+        touch.hand.turnDepth(-1000);
+        QCOMPARE(touch.hand.settings().depth_mm, 0.0);
     }
     void dragSlidesAtTheSameDepth()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(0.0);
-        hand.land(0.0);
+        Touch touch;
+        touch.press(0.0);
         for (int x = 1; x <= 20; ++x) {
-            hand.pointAt(kEye, kDown, Vec3(x, 0, 0.3 * x)); // a slope
-            QVERIFY((*hand.hip(1.0) - Vec3(x, 0, 0.3 * x - 4.0)).norm() < 1e-9);
+            touch.hand.pointAt(kEye, kDown, Vec3(x, 0, 0.3 * x)); // a slope
+            QVERIFY((touch.hip(1.0) - Vec3(x, 0, 0.3 * x - 4.0)).norm() < 1e-9);
         }
     }
     void runsOnInItsPlaneOffTheRim()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(0.0);
-        hand.land(0.0);
+        Touch touch;
+        touch.press(0.0);
         const Vec3 aside = Vec3(0.1, 0, -1).normalized();
-        hand.pointAt(kEye, aside, Vec3(kEye + 300.0 * aside)); // 200 mm behind: another organ
-        QVERIFY(std::abs((*hand.hip(1.0) - 4.0 * aside).z()) < 1e-6);
-        hand.pointAt(kEye, aside, std::nullopt);
-        QVERIFY(std::abs((*hand.hip(1.0) - 4.0 * aside).z()) < 1e-6);
+        touch.hand.pointAt(kEye, aside, Vec3(kEye + 300.0 * aside)); // 200 mm behind: another organ
+        QVERIFY(std::abs((touch.hip(1.0) - 4.0 * aside).z()) < 1e-6);
+        touch.hand.pointAt(kEye, aside, std::nullopt);
+        QVERIFY(std::abs((touch.hip(1.0) - 4.0 * aside).z()) < 1e-6);
     }
     void releaseLiftsOffAndLetsGo()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(0.0);
-        hand.land(0.0);
-        hand.release(1.0);
-        QCOMPARE(hand.phase(1.0 + 0.5 * hand.settings().liftTime_s), Phase::Lifting);
-        QVERIFY(hand.state(1.0 + 0.5 * hand.settings().liftTime_s, 0).isPresent);
-        QCOMPARE(hand.phase(1.0 + 1.01 * hand.settings().liftTime_s), Phase::Hovering);
-        hand.goAway();
-        QCOMPARE(hand.phase(3.0), Phase::Away);
+        Touch touch;
+        touch.press(0.0);
+        (void)touch.tick(0.9);
+        touch.hand.release(1.0);
+        const double lift_s = touch.hand.settings().liftTime_s;
+        (void)touch.tick(1.0);
+        QCOMPARE(touch.hand.phase(1.0 + 0.5 * lift_s), Phase::Lifting);
+        QVERIFY(touch.tick(1.0 + 0.5 * lift_s).isPresent);
+        QVERIFY(touch.hip(1.0 + 0.5 * lift_s).z() > -2.0);
+        QCOMPARE(touch.hand.phase(1.0 + 1.01 * lift_s), Phase::Hovering);
+        QVERIFY(!touch.tick(1.0 + 1.01 * lift_s).isPresent);
+        touch.hand.goAway();
+        QCOMPARE(touch.hand.phase(3.0), Phase::Away);
     }
     void nextPressWaitsForTheDeviceAgain()
     {
-        ui::PointerHand hand = over(Vec3::Zero());
-        hand.press(0.0);
-        hand.land(0.0);
-        hand.release(1.0);
-        hand.press(2.0); // the hand was gone in between
-        QVERIFY(hand.hip(9.0)->z() > 0.0);
+        Touch touch;
+        touch.press(0.0);
+        (void)touch.tick(0.9);
+        touch.hand.release(1.0);
+        (void)touch.tick(1.0);
+        (void)touch.tick(1.5); // the hand was gone in between
+        touch.hand.press();
+        QVERIFY(touch.hip(9.0).z() > 0.0);
+    }
+    void pressedAgainWhileItLiftsGoesOnFromThere()
+    {
+        Touch touch;
+        touch.press(0.0);
+        (void)touch.tick(0.9);
+        touch.hand.release(1.0);
+        (void)touch.tick(1.0);
+        const double lifted = touch.hip(1.05).z();
+        touch.hand.press();
+        QVERIFY(std::abs(touch.hip(1.05).z() - lifted) < 1e-12);
+        QVERIFY(std::abs(touch.hip(1.3).z() + 4.0) < 1e-12);
     }
     void depthsSuitTheSceneSize()
     {
         QCOMPARE(ui::settingsForSize(1700.0).depth_mm, 4.0);
         QCOMPARE(ui::settingsForSize(20.0).depth_mm, 0.4);
         QVERIFY(ui::settingsForSize(0.0).depth_mm > 0.0);
+        QCOMPARE(ui::settingsForSize(1700.0).deepest_mm, 30.0);
+        QVERIFY(ui::settingsForSize(40.0 * std::sqrt(3.0)).deepest_mm > 12.0); // a ball 40 mm across
     }
 };
 

@@ -65,6 +65,20 @@ class StructureTable : public QObject
         model.undoStack().redo();
         QVERIFY(!model.structure(1).palpable);
     }
+    void layersOfAllAreOneStep()
+    {
+        StructureModel model;
+        model.setRows(test::twoRows());
+        QSignalSpy edited(&model, &StructureModel::edited);
+        model.setLayers({0, 1}, QStringLiteral("Feel below"));
+        QCOMPARE(edited.count(), 1); // of the one that moved
+        QCOMPARE(model.hapticScene(kGreatest)->layerCount(), std::size_t{2});
+        QCOMPARE(model.undoStack().undoText(), QStringLiteral("Feel below"));
+        model.undoStack().undo();
+        QCOMPARE(model.hapticScene(kGreatest)->layerCount(), std::size_t{1});
+        model.undoStack().redo();
+        QCOMPARE(model.structure(1).layer, 1u);
+    }
     void stepsOfOneDragUndoTogether()
     {
         StructureModel model;

@@ -60,28 +60,6 @@ class SurfacePicker : public QObject
         QVERIFY(hit.has_value());
         QVERIFY(hit->n_W.x() < -0.9); // turned to the viewer
     }
-    void tellsInsideFromOutside()
-    {
-        // A shell: a ball of 30 mm with a hollow of 10 mm.
-        geometry::TriangleMesh shell = test::ball(30.0, 4);
-        geometry::TriangleMesh hollow = test::ball(10.0, 3);
-        geometry::flip(hollow);
-        const auto first = static_cast<std::uint32_t>(shell.vertices.size());
-        shell.vertices.insert(shell.vertices.end(), hollow.vertices.begin(), hollow.vertices.end());
-        for (const geometry::Triangle& t : hollow.triangles) {
-            shell.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        }
-        const auto surface = geometry::SurfaceIndex::build(geometry::repair(shell));
-        std::mt19937 random(3);
-        std::uniform_real_distribution<double> anywhere(-35.0, 35.0);
-        for (int i = 0; i < 2000; ++i) {
-            const Vec3 p(anywhere(random), anywhere(random), anywhere(random));
-            const double r = p.norm();
-            if (std::abs(r - 30.0) > 0.5 && std::abs(r - 10.0) > 0.5) { // the balls have corners
-                QCOMPARE(view::isInside(surface, p), r < 30.0 && r > 10.0);
-            }
-        }
-    }
     void missesWhatIsBesideOrBehind()
     {
         const auto ball = geometry::SurfaceIndex::build(geometry::repair(test::ball(20.0, 4)));

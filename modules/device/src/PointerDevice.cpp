@@ -31,8 +31,25 @@ void PointerDevice::stop() noexcept {}
 DeviceState PointerDevice::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
 {
     m_state.fetch();
-    DeviceState state = m_state.value().get();
+    const PointerState pointer = m_state.value().get();
+    DeviceState state = pointer;
     state.time_ns = now_ns;
+    const bool isDown = (pointer.buttons & 1U) != 0;
+    if (!pointer.isPresent || (!isDown && !m_isHandHere && pointer.hover_mm > 0.0)) {
+        m_isHandHere = state.isPresent = false;
+        return state;
+    }
+    if (!m_isHandHere) {
+        m_depth.rest(-pointer.hover_mm);
+        m_isHandHere = true;
+    }
+    if (const double to = isDown ? pointer.depth_mm : -pointer.hover_mm; to != m_depth.target()) {
+        m_depth.aim(to, isDown ? pointer.pressTime_s : pointer.liftTime_s, now_ns);
+    }
+    state.p_D += m_depth.at(now_ns) * pointer.d_D;
+    if (!isDown && pointer.hover_mm > 0.0 && m_depth.isThere(now_ns)) {
+        m_isHandHere = false; // from the next tick on
+    }
     return state;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandControl.h"
 
+#include <palpate/geometry/Inside.h>
+
 #include <QLocale>
 #include <QSettings>
 
@@ -227,7 +229,7 @@ QString HandControl::inside() const
     }
     for (const StructureRow& one : m_model.rows()) {
         if (one.touch != nullptr && StructureModel::isFelt(one.loaded.description) &&
-            one.loaded.surface->report.isClosed() && view::isInside(*one.touch, tick.p_WH)) {
+            one.loaded.surface->report.isClosed() && geometry::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);
         }
     }

@@ -203,15 +203,18 @@ void LiveTouch::handOverScene()
 void LiveTouch::tellRefused()
 {
     const haptics::Tissue greatest = greatestTissue();
+    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(greatest);
+    const auto number = [](double stiffness_N_per_mm) { return QLocale().toString(stiffness_N_per_mm, 'g', 3); };
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
-        if (one.palpable && one.tissue.stiffness_N_per_mm > greatest.stiffness_N_per_mm) {
+        const double is = felt[static_cast<std::size_t>(row)].tissue.stiffness_N_per_mm;
+        if (one.palpable && one.tissue.stiffness_N_per_mm > is) {
             // Short enough for a line below the picture; the field of the stiffness says why.
-            line =
-                tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here.")
-                    .arg(QString::fromStdString(one.name), QLocale().toString(one.tissue.stiffness_N_per_mm, 'g', 3),
-                         QLocale().toString(greatest.stiffness_N_per_mm, 'g', 3), QString::fromStdString(m_info.name));
+            line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.")
+                       .arg(QString::fromStdString(one.name), number(one.tissue.stiffness_N_per_mm), number(is),
+                            QString::fromStdString(m_info.name),
+                            is < greatest.stiffness_N_per_mm ? tr(" beside the layers around it") : QString());
         }
     }
     if (line != m_refused) {

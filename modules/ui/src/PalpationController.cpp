@@ -65,6 +65,7 @@ bool PalpationController::letGo()
     const double now_s = seconds(core::monotonicNow_ns());
     const bool wasPressing = m_hand.phase(now_s) == PointerHand::Phase::Pressing;
     m_hand.release(now_s);
+    m_live.pointer().setState(m_hand.state(now_s)); // at once: the next step may wait for a picture
     run();
     return wasPressing;
 }
@@ -85,10 +86,8 @@ void PalpationController::pressAt(const QPointF& place)
 
 void PalpationController::press()
 {
-    const std::int64_t now_ns = core::monotonicNow_ns();
-    m_hand.press(seconds(now_ns));
-    m_live.pointer().setState(m_hand.state(seconds(now_ns), now_ns));
-    m_pressed_ns = now_ns;
+    m_hand.press();
+    m_live.pointer().setState(m_hand.state(seconds(core::monotonicNow_ns())));
     run();
 }
 
@@ -120,14 +119,10 @@ void PalpationController::step()
         return;
     }
     const double now_s = seconds(now_ns);
-    m_live.pointer().setState(m_hand.state(now_s, now_ns));
+    m_live.pointer().setState(m_hand.state(now_s));
     const PointerHand::Phase phase = m_hand.phase(now_s);
     const bool isNew = m_live.fetch(m_tick);
     const bool isFelt = isNew && (m_tick.flags & servo::kNoHand) == 0;
-    // Only a tick younger than the press answers it; an older one may be the last of the press before.
-    if (isFelt && m_tick.time_ns > m_pressed_ns) {
-        m_hand.land(now_s);
-    }
     if (phase == PointerHand::Phase::Away) {
         m_timer.stop();
         m_shown = {};
@@ -139,7 +134,7 @@ void PalpationController::step()
     if (phase == PointerHand::Phase::Hovering) {
         // The device is told nothing of a hovering hand, so its ticks say nothing of it: show where it hovers.
         servo::TickRecord hover;
-        hover.p_WH = *m_hand.hip(now_s);
+        hover.p_WH = *m_hand.hoverPoint();
         hover.felt.p_WG = hover.p_WH;
         show(hover, now_ns);
         return;

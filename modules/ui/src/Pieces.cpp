@@ -129,6 +129,7 @@ KeysCard::KeysCard(QWidget* parent)
         {tr("S"), tr("save a picture of the view")},
         {tr("Tab"), tr("in the view: hide or show the panels")},
         {tr("V  H"), tr("in the list: show or hide, feel or not")},
+        {tr("Ctrl+↓  ↑"), tr("in the list: felt a layer deeper, farther out")},
         {tr("Ctrl+O"), tr("open files; or drop them on the window")},
         {tr("Ctrl+S"), tr("save the scene; with Shift: to another file")},
         {tr("Ctrl+Z"), tr("undo; with Shift: redo")},

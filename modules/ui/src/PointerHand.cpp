@@ -6,16 +6,6 @@
 
 namespace palpate::ui {
 
-namespace {
-
-/// Starts and ends at rest.
-double smooth(double x)
-{
-    return x * x * (3.0 - 2.0 * x);
-}
-
-} // namespace
-
 PointerHandSettings settingsForSize(double diagonal_mm)
 {
     PointerHandSettings settings;
@@ -26,7 +16,7 @@ PointerHandSettings settingsForSize(double diagonal_mm)
     settings.hover_mm *= share;
     settings.depth_mm *= share;
     settings.step_mm *= share;
-    settings.deepest_mm *= share;
+    settings.deepest_mm = std::min(settings.deepest_mm, 0.25 * diagonal_mm); // what is smaller is pressed flat by then
     return settings;
 }
 
@@ -65,51 +55,25 @@ void PointerHand::goAway()
 {
     m_surface_W.reset();
     m_isDown = false;
-    m_isLanded = false;
-    m_atChange = 0.0;
-    m_change_s = 0.0;
+    m_release_s = -1.0;
 }
 
-void PointerHand::press(double now_s)
+void PointerHand::press()
 {
-    if (!m_isDown && m_surface_W) {
-        m_isLanded = m_isLanded && phase(now_s) == Phase::Lifting;
-        m_atChange = pressed(now_s);
-        m_change_s = now_s;
-        m_isDown = true;
-    }
+    m_isDown = m_surface_W.has_value();
 }
 
 void PointerHand::release(double now_s)
 {
     if (m_isDown) {
-        m_atChange = pressed(now_s);
-        m_change_s = now_s;
         m_isDown = false;
-    }
-}
-
-void PointerHand::land(double now_s)
-{
-    if (m_isDown && !m_isLanded) {
-        m_isLanded = true;
-        m_change_s = now_s;
+        m_release_s = now_s;
     }
 }
 
 void PointerHand::turnDepth(double steps)
 {
     m_settings.depth_mm = std::clamp(m_settings.depth_mm + steps * m_settings.step_mm, 0.0, m_settings.deepest_mm);
-}
-
-double PointerHand::pressed(double now_s) const
-{
-    if (m_isDown && !m_isLanded) {
-        return m_atChange;
-    }
-    const double since = std::max(0.0, now_s - m_change_s);
-    return m_isDown ? std::min(1.0, m_atChange + since / m_settings.pressTime_s)
-                    : std::max(0.0, m_atChange - since / m_settings.liftTime_s);
 }
 
 PointerHand::Phase PointerHand::phase(double now_s) const
@@ -120,34 +84,27 @@ PointerHand::Phase PointerHand::phase(double now_s) const
     if (m_isDown) {
         return Phase::Pressing;
     }
-    return pressed(now_s) > 0.0 ? Phase::Lifting : Phase::Hovering;
+    const bool isLifting = m_release_s >= 0.0 && now_s < m_release_s + m_settings.liftTime_s;
+    return isLifting ? Phase::Lifting : Phase::Hovering;
 }
 
-bool PointerHand::isMoving(double now_s) const
+std::optional<Vec3> PointerHand::hoverPoint() const
 {
+    return m_surface_W ? std::optional<Vec3>(*m_surface_W - m_settings.hover_mm * m_d_W) : std::nullopt;
+}
+
+device::PointerState PointerHand::state(double now_s) const
+{
+    device::PointerState state;
     const Phase now = phase(now_s);
-    return now == Phase::Lifting || (now == Phase::Pressing && pressed(now_s) < 1.0);
-}
-
-std::optional<Vec3> PointerHand::hip(double now_s) const
-{
-    if (!m_surface_W) {
-        return std::nullopt;
-    }
-    const double in = smooth(pressed(now_s));
-    return *m_surface_W + m_d_W * ((1.0 - in) * -m_settings.hover_mm + in * m_settings.depth_mm);
-}
-
-device::DeviceState PointerHand::state(double now_s, std::int64_t time_ns) const
-{
-    device::DeviceState state;
-    const Phase now = phase(now_s);
-    state.time_ns = time_ns;
     state.isPresent = now == Phase::Pressing || now == Phase::Lifting;
     state.buttons = now == Phase::Pressing ? 1 : 0;
-    if (const auto p_W = hip(now_s)) {
-        state.p_D = *p_W;
-    }
+    state.p_D = m_surface_W.value_or(Vec3::Zero());
+    state.d_D = m_d_W;
+    state.depth_mm = m_settings.depth_mm;
+    state.hover_mm = m_settings.hover_mm;
+    state.pressTime_s = m_settings.pressTime_s;
+    state.liftTime_s = m_settings.liftTime_s;
     return state;
 }
 

@@ -171,6 +171,25 @@ class SceneLoader::Opening
             done += static_cast<double>(row.loaded.surface->mesh.triangles.size());
             progress(tr("Preparing for touch"), kReading + (1.0 - kReading) * done / std::max(1.0, triangles));
         }
+        nest();
+    }
+
+    /// Finds out what lies in what.
+    void nest()
+    {
+        if (m_job->isCancelled) {
+            return;
+        }
+        std::vector<study::LayeredSurface> surfaces;
+        for (const StructureRow& row : m_opened->rows) {
+            surfaces.push_back({row.loaded.surface.get(), row.touch.get()});
+        }
+        m_opened->layering = study::layering(surfaces);
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            if (const std::optional<std::size_t> in = m_opened->layering.structures[i].in) {
+                m_opened->rows[i].in = static_cast<int>(*in);
+            }
+        }
     }
 
     SceneLoader& m_loader;

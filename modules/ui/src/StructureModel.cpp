@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/StructureSources.h>
 
@@ -60,7 +61,7 @@ class StructureModel::Edit final : public QUndoCommand
     {
         const auto* next = static_cast<const Edit*>(other);
         if (next->m_row != m_row || m_time.elapsed() > 700 || m_before.visible != next->m_after.visible ||
-            m_before.palpable != next->m_after.palpable) {
+            m_before.palpable != next->m_after.palpable || m_after.layer != next->m_after.layer) {
             return false;
         }
         m_after = next->m_after;
@@ -74,6 +75,39 @@ class StructureModel::Edit final : public QUndoCommand
     meshio::SceneStructure m_before;
     meshio::SceneStructure m_after;
     QElapsedTimer m_time;
+};
+
+/// The layers of all structures.
+class StructureModel::Relayer final : public QUndoCommand
+{
+  public:
+    Relayer(StructureModel& model, std::vector<std::uint32_t> after, const QString& text)
+        : QUndoCommand(text)
+        , m_model(model)
+        , m_after(std::move(after))
+    {
+        for (const StructureRow& row : model.rows()) {
+            m_before.push_back(row.loaded.description.layer);
+        }
+    }
+    void undo() override { apply(m_before); }
+    void redo() override { apply(m_after); }
+
+  private:
+    void apply(const std::vector<std::uint32_t>& layers)
+    {
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            const int row = static_cast<int>(i);
+            meshio::SceneStructure changed = m_model.structure(row);
+            if (changed.layer != layers[i]) {
+                changed.layer = layers[i];
+                m_model.apply(row, changed);
+            }
+        }
+    }
+
+    StructureModel& m_model;
+    std::vector<std::uint32_t> m_before, m_after;
 };
 
 QString readableName(const std::string& name)
@@ -109,6 +143,23 @@ const meshio::SceneStructure& StructureModel::structure(int row) const
 void StructureModel::edit(int row, const meshio::SceneStructure& description)
 {
     m_undo.push(new Edit(*this, row, description));
+}
+
+void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const QString& text)
+{
+    m_undo.push(new Relayer(*this, layers, text));
+}
+
+QString StructureModel::feltText(int row, std::uint32_t layer) const
+{
+    if (layer == 0) {
+        return tr("outermost");
+    }
+    const std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
+    if (in && structure(*in).layer + 1 == layer) {
+        return tr("below %1").arg(readableName(structure(*in).name));
+    }
+    return tr("%1 below").arg(layer);
 }
 
 void StructureModel::apply(int row, const meshio::SceneStructure& description)
@@ -168,20 +219,22 @@ view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& stru
     return {structure.colour, structure.opacity, structure.visible};
 }
 
-std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
-                                                                        double fingertip_mm) const
+std::vector<haptics::HapticStructure> StructureModel::feltStructures(const haptics::Tissue& greatest) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        haptics::Tissue& tissue =
-            structures.emplace_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr)).tissue;
-        for (const core::TissueTerm& term : core::kTissueTerms) {
-            tissue.*term.member = std::min(tissue.*term.member, greatest.*term.member);
-        }
+        structures.push_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr));
     }
-    return std::make_shared<const haptics::HapticScene>(std::move(structures), fingertip_mm);
+    study::boundBy(greatest, structures);
+    return structures;
+}
+
+std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
+                                                                        double fingertip_mm) const
+{
+    return std::make_shared<const haptics::HapticScene>(feltStructures(greatest), fingertip_mm);
 }
 
 std::vector<session::StructureSource> StructureModel::sources() const
@@ -227,8 +280,14 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
         }
         break;
     case Name:
-        if (role == Qt::DisplayRole || role == Qt::AccessibleTextRole) {
+        if (role == Qt::DisplayRole) {
             return name;
+        }
+        if (role == Qt::AccessibleTextRole) {
+            return one.layer == 0 ? name : tr("%1, felt %2").arg(name, feltText(index.row(), one.layer));
+        }
+        if (role == kLayerRole) {
+            return one.layer;
         }
         if (role == Qt::DecorationRole) {
             return swatch(colourOf(one));
@@ -238,9 +297,9 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
         }
         if (role == Qt::ToolTipRole) {
             const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
-            return tr("%1\n%2 triangles")
-                .arg(name, QLocale().toString(
-                               surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size())));
+            const QString triangles =
+                QLocale().toString(surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size()));
+            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, feltText(index.row(), one.layer));
         }
         break;
     case Health:

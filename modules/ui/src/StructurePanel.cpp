@@ -3,6 +3,8 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/study/DeviceLimit.h>
+
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,6 +15,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSlider>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -37,6 +40,46 @@ const std::vector<TissuePreset>& tissuePresets()
     return presets;
 }
 
+namespace {
+
+/// Names of inner layers stand farther in.
+class NameDelegate final : public QStyledItemDelegate
+{
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        constexpr std::uint32_t kStep_px = 16, kMostSteps = haptics::kMaxLayers - 1;
+        QStyleOptionViewItem moved = option;
+        const std::uint32_t steps = std::min(kMostSteps, index.data(StructureModel::kLayerRole).toUInt());
+        moved.rect.adjust(static_cast<int>(steps * kStep_px), 0, 0, 0);
+        QStyledItemDelegate::paint(painter, moved, index);
+    }
+};
+
+/// Half of the last digit that a field shows: what is shown as a limit may be asked for.
+double halfDigit(const core::TissueTerm& term)
+{
+    return 0.5 * std::pow(10.0, -term.decimals);
+}
+
+QLabel* makeWarning(const QString& accessibleName, QWidget* box)
+{
+    auto* label = new QLabel(box);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setAccessibleName(accessibleName);
+    QPalette warning = label->palette();
+    warning.setColor(QPalette::WindowText, warningColour());
+    label->setPalette(warning);
+    label->hide();
+    return label;
+}
+
+} // namespace
+
 StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     : QWidget(parent)
     , m_model(model)
@@ -53,6 +96,7 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     m_list->setIndentation(0);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->installEventFilter(this);
+    m_list->setItemDelegateForColumn(StructureModel::Name, new NameDelegate(m_list));
     // A tint, so that swatches, symbols and badges read on the selected row as on the others.
     QPalette tint = palette();
     const QColor accent = tint.color(QPalette::Highlight);
@@ -164,6 +208,31 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     return field;
 }
 
+void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
+{
+    m_bound = makeWarning(tr("What is felt of it"), box);
+    m_refusal = makeWarning(tr("Why the value was refused"), box);
+    for (std::size_t i = 0; i < m_terms.size(); ++i) {
+        m_terms[i] = makeField(core::kTissueTerms[i], box);
+        form.addRow(tr(core::kTissueTerms[i].name.data()), m_terms[i]);
+        if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
+            form.addRow(m_bound);
+        }
+    }
+    form.addRow(m_refusal);
+}
+
+void StructurePanel::addLayer(QFormLayout& form, QWidget* box)
+{
+    m_layer = new QComboBox(box);
+    m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_layer->setAccessibleName(tr("Felt, in order from outside"));
+    m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
+                           "(Ctrl+Down, Ctrl+Up in the list)"));
+    form.insertRow(form.rowCount() - 1, tr("Felt"), m_layer);
+    connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(static_cast<std::uint32_t>(chosen)); });
+}
+
 QWidget* StructurePanel::makeTissueBox()
 {
     auto* box = new QWidget(this);
@@ -185,19 +254,8 @@ QWidget* StructurePanel::makeTissueBox()
     m_preset->setToolTip(tr("How the structure feels, by name"));
     form->addRow(tr("Tissue"), m_preset);
 
-    for (std::size_t i = 0; i < m_terms.size(); ++i) {
-        m_terms[i] = makeField(core::kTissueTerms[i], box);
-        form->addRow(tr(core::kTissueTerms[i].name.data()), m_terms[i]);
-    }
-    m_refusal = new QLabel(box);
-    m_refusal->setWordWrap(true);
-    m_refusal->setTextFormat(Qt::PlainText);
-    m_refusal->setAccessibleName(tr("Why the value was refused"));
-    QPalette warning = m_refusal->palette();
-    warning.setColor(QPalette::WindowText, warningColour());
-    m_refusal->setPalette(warning);
-    m_refusal->hide();
-    form->addRow(m_refusal);
+    addTerms(*form, box);
+    addLayer(*form, box);
 
     connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
         if (chosen > 0) {
@@ -212,6 +270,7 @@ void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString&
     m_greatest = greatest;
     m_why = why;
     m_refusal->hide(); // it spoke of another limit
+    showSelection();
 }
 
 int StructurePanel::currentRow() const
@@ -242,6 +301,14 @@ bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_V || key == Qt::Key_H) {
             click(m_model.index(currentRow(), key == Qt::Key_V ? StructureModel::Shown : StructureModel::Felt));
+            return true;
+        }
+        const bool isCtrl = static_cast<QKeyEvent*>(event)->modifiers().testFlag(Qt::ControlModifier);
+        const std::uint32_t layer = m_model.structure(currentRow()).layer;
+        if (isCtrl && (key == Qt::Key_Down || key == Qt::Key_Up)) {
+            if (key == Qt::Key_Down ? layer + 1 < haptics::kMaxLayers : layer > 0) {
+                setLayer(key == Qt::Key_Down ? layer + 1 : layer - 1);
+            }
             return true;
         }
     }
@@ -275,11 +342,59 @@ void StructurePanel::showSelection()
             }
         }
         m_preset->setCurrentIndex(chosen);
+        showLayer(row);
+        showBound(row);
     } else {
+        m_bound->hide();
         m_title->setText(tr("No structure selected"));
         m_findings->hide();
     }
     m_isShowing = false;
+}
+
+void StructurePanel::showLayer(int row)
+{
+    const std::uint32_t layer = m_model.structure(row).layer;
+    m_layer->clear();
+    for (std::uint32_t i = 0; i < std::max<std::uint32_t>(haptics::kMaxLayers, layer + 1); ++i) {
+        m_layer->addItem(m_model.feltText(row, i));
+    }
+    m_layer->setCurrentIndex(static_cast<int>(layer));
+}
+
+void StructurePanel::setLayer(std::uint32_t layer)
+{
+    if (m_isShowing || currentRow() < 0) {
+        return;
+    }
+    meshio::SceneStructure changed = m_model.structure(currentRow());
+    changed.layer = layer;
+    m_model.edit(currentRow(), changed);
+}
+
+/// "liver takes 0.8" for each other layer; empty when there is none.
+QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const
+{
+    QStringList takers;
+    for (const std::size_t by : study::takenElsewhere(felt, static_cast<std::size_t>(row)).by) {
+        takers << tr("%1 takes %2")
+                      .arg(readableName(felt[by].name), QLocale().toString(study::greatestStiffness(felt[by]), 'g', 3));
+    }
+    return takers.join(QStringLiteral(", "));
+}
+
+/// Says what is felt of the stiffness where the device holds less.
+void StructurePanel::showBound(int row)
+{
+    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
+    const double own = m_model.structure(row).tissue.stiffness_N_per_mm;
+    const double is = felt[static_cast<std::size_t>(row)].tissue.stiffness_N_per_mm;
+    m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
+    const QLocale locale;
+    const QString takers = whoTakes(felt, row);
+    m_bound->setText(tr("felt as %1 N/mm: the device holds %2 N/mm in all%3")
+                         .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
+                              takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
 
 void StructurePanel::setTissue(const haptics::Tissue& tissue)
@@ -288,18 +403,22 @@ void StructurePanel::setTissue(const haptics::Tissue& tissue)
         return;
     }
     meshio::SceneStructure changed = m_model.structure(currentRow());
+    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
+    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(currentRow())).tissue;
     for (const core::TissueTerm& term : core::kTissueTerms) {
-        const double asked = tissue.*term.member, most = m_greatest.*term.member;
-        // Half of a field's last digit: what is shown as the limit may be asked for.
-        if (!(asked > most + 0.5 * std::pow(10.0, -term.decimals)) || !(asked > changed.tissue.*term.member)) {
+        const double asked = tissue.*term.member;
+        const double most = std::max(0.0, m_greatest.*term.member - taken.*term.member);
+        if (!(asked > most + halfDigit(term)) || !(asked > changed.tissue.*term.member)) {
             continue;
         }
         const QLocale locale;
+        const QString takers = whoTakes(felt, currentRow());
+        const QString why = takers.isEmpty() ? m_why : tr("%1 Of that %2.").arg(m_why, takers);
         const QString line =
             term.member == &haptics::Tissue::stiffness_N_per_mm
                 ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.")
-                      .arg(locale.toString(asked, 'g', 4), m_why,
-                           locale.toString(std::floor(100.0 * most) / 100.0, 'f', 2))
+                      .arg(locale.toString(asked, 'g', 4), why,
+                           locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2))
                 : tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
                       .arg(locale.toString(asked, 'g', 4), locale.toString(most, 'f', 4));
         showSelection();

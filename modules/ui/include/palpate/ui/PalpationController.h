@@ -57,7 +57,6 @@ class PalpationController : public QObject
     servo::TickRecord m_tick;
     view::TouchState m_shown;
     std::int64_t m_shown_ns = 0;
-    std::int64_t m_pressed_ns = 0;
     bool m_isPalpating = false;
 };
 

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <palpate/core/Types.h>
-#include <palpate/device/HapticDevice.h>
+#include <palpate/device/PointerDevice.h>
 
-#include <cstdint>
 #include <optional>
 
 namespace palpate::ui {
@@ -26,8 +25,8 @@ struct PointerHandSettings
 ///         of themselves: the usual 4 mm from 200 mm on.
 [[nodiscard]] PointerHandSettings settingsForSize(double diagonal_mm);
 
-/// Turns a pointer over a surface into the HIP of a hand: it hovers over the point shown, a press pushes in along the
-/// line of sight to the set depth, a drag slides, a release lifts off.
+/// Turns a pointer over a surface into what a hand wants: it hovers over the point shown, a press pushes in along the
+/// line of sight to the set depth, a drag slides, a release lifts off. The device does the pushing, tick by tick.
 ///
 /// Time comes from the caller, so that the same moves give the same states. While it hovers the device is told that
 /// no hand is there (`isPresent` false): a pointer jumps from place to place, and a hand that jumped through tissue
@@ -50,35 +49,26 @@ class PointerHand
     /// the pointer runs off the surface or over the rim of something in front of it.
     /// @param d_W  unit, away from the viewer
     void pointAt(const Vec3& eye_W, const Vec3& d_W, const std::optional<Vec3>& surface_W);
-    /// The device's first tick with this hand was felt: a press may go in. Until then it waits where it hovers, because
-    /// a hand that appears inside tissue would start there, feeling nothing.
-    void land(double now_s);
     /// The pointer is elsewhere, or palpation was switched off: lets go at once.
     void goAway();
-    void press(double now_s);
+    void press();
     void release(double now_s);
     /// Changes the depth by notches, within 0 … `deepest_mm`.
     void turnDepth(double steps);
 
     [[nodiscard]] Phase phase(double now_s) const;
-    /// How far in the hand is now, of the set depth: 0 … 1.
-    [[nodiscard]] double pressed(double now_s) const;
-    /// True while the HIP changes without the pointer moving.
-    [[nodiscard]] bool isMoving(double now_s) const;
-    /// HIP; nothing while away. [mm]
-    [[nodiscard]] std::optional<Vec3> hip(double now_s) const;
-    /// What the device reads; `buttons` bit 0 is the press.
-    /// @param time_ns  monotonic, stamped into the state
-    [[nodiscard]] device::DeviceState state(double now_s, std::int64_t time_ns) const;
+    /// Where the hand hovers; nothing while away. [mm]
+    [[nodiscard]] std::optional<Vec3> hoverPoint() const;
+    /// What the device is told: it goes in and lifts off by itself, see device/PointerDevice.h. Bit 0 of `buttons` is
+    /// the press.
+    [[nodiscard]] device::PointerState state(double now_s) const;
 
   private:
     PointerHandSettings m_settings;
     std::optional<Vec3> m_surface_W; ///< what the depth is counted from
     Vec3 m_d_W = Vec3::UnitZ();
     bool m_isDown = false;
-    bool m_isLanded = false; ///< the device has felt the hand since it came
-    double m_change_s = 0.0; ///< when it was pressed or released last
-    double m_atChange = 0.0; ///< share of the way in at that time
+    double m_release_s = -1.0; ///< when it was released; < 0: it hovers
 };
 
 } // namespace palpate::ui

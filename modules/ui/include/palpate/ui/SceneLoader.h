@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/study/Layers.h>
+
 #include <QObject>
 
 #include <atomic>
@@ -21,9 +23,10 @@ struct OpenedScene
     meshio::SceneFile scene;
     std::vector<StructureRow> rows;
     std::vector<meshio::SceneStructure> unopened; ///< what a scene file names but could not be opened
-    QStringList problems; ///< what could not be opened, or is another one now, while others could; one line each
-    QStringList warnings; ///< one line each
-    double seconds = 0.0; ///< from the wish to open to ready
+    QStringList problems;     ///< what could not be opened, or is another one now, while others could; one line each
+    QStringList warnings;     ///< one line each
+    study::Layering layering; ///< what lies in what, row by row; the rows have the layers of their files
+    double seconds = 0.0;     ///< from the wish to open to ready
 };
 
 /// Opens files on a thread of its own: reads, repairs, makes the pictures and the haptic copies. The window never

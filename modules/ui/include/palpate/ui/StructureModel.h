@@ -11,6 +11,7 @@
 #include <QUndoStack>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate::ui {
@@ -22,6 +23,7 @@ struct StructureRow
     vtkSmartPointer<vtkPolyData> picture;
     std::shared_ptr<const geometry::SurfaceIndex> touch; ///< null until it is palpable and built
     std::string sha256;                                  ///< geometryHash, where `touch` is
+    std::optional<int> in{};                             ///< row of the smallest structure that it lies in
 };
 
 /// The open scene's structures as a table: shown, name and colour, health, felt. One place holds what view, hand, panel
@@ -39,6 +41,9 @@ class StructureModel : public QAbstractTableModel
         ColumnCount
     };
 
+    /// How far in a name stands in the list, as a number: its layer.
+    static constexpr int kLayerRole = Qt::UserRole;
+
     /// What a change is about; view and hand take what concerns them.
     enum class Change
     {
@@ -54,6 +59,11 @@ class StructureModel : public QAbstractTableModel
 
     /// Replaces a structure's description, undoably; tells what changed. The mesh stays.
     void edit(int row, const meshio::SceneStructure& description);
+    /// Gives each structure its layer, as one step to undo. @param text  what is undone, "Feel below"
+    void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
+    /// In which order a structure would be felt in a layer: "outermost", "below liver" when it lies in the liver and
+    /// that is felt just outside of it, else "2 below".
+    [[nodiscard]] QString feltText(int row, std::uint32_t layer) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
     /// Gives a structure its haptic copy, or takes it back with null.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
@@ -68,9 +78,11 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
     /// What the servo thread can feel now; numbers are the rows.
     /// @param fingertip_mm  radius of the ball that touches, 0 = a point
-    /// @param greatest  stiffness and damping above what the device holds stably are bounded by it
+    /// @param greatest  what the device holds stably bounds the sum of the layers: see study/DeviceLimit.h
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
                                                                           double fingertip_mm = 0.0) const;
+    /// The structures as they are felt, numbers are the rows: bounded by what the device holds in all.
+    [[nodiscard]] std::vector<haptics::HapticStructure> feltStructures(const haptics::Tissue& greatest) const;
     /// Where the surfaces came from, with those themselves that can be felt.
     [[nodiscard]] std::vector<session::StructureSource> sources() const;
 
@@ -87,6 +99,7 @@ class StructureModel : public QAbstractTableModel
 
   private:
     class Edit;
+    class Relayer;
     void apply(int row, const meshio::SceneStructure& description);
 
     std::vector<StructureRow> m_rows;

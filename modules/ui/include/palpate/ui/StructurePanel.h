@@ -31,19 +31,26 @@ class StructurePanel : public QWidget
     void select(int row);
 
   protected:
-    /// In the list: V shows or hides the selected structure, H makes it felt or not.
+    /// In the list: V shows or hides the selected structure, H makes it felt or not, Ctrl+Down and Ctrl+Up have it felt
+    /// a layer deeper or farther out.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void click(const QModelIndex& index);
     void showSelection();
     void setTissue(const haptics::Tissue& tissue);
+    void setLayer(std::uint32_t layer);
+    void showLayer(int row);
+    void showBound(int row);
+    [[nodiscard]] QString whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const;
     void editOpacity(int percent);
     void chooseColour();
     void openMenu(const QPoint& place);
     QWidget* makeTissueBox();
     void addHead(QFormLayout& form, QWidget* box);
     void addOpacity(QFormLayout& form, QWidget* box);
+    void addLayer(QFormLayout& form, QWidget* box);
+    void addTerms(QFormLayout& form, QWidget* box);
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
 
     StructureModel& m_model;
@@ -55,6 +62,8 @@ class StructurePanel : public QWidget
     QLabel* m_opacityText = nullptr;
     QComboBox* m_preset = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
+    QComboBox* m_layer = nullptr; ///< what is chosen is the layer
+    QLabel* m_bound = nullptr;    ///< what is felt of the values, where the device holds less
     QLabel* m_refusal = nullptr;
     haptics::Tissue m_greatest = core::unbounded(); ///< until a device says its own
     QString m_why;

@@ -32,8 +32,4 @@ struct RayHit
 /// @return nothing when the ray misses
 [[nodiscard]] std::optional<RayHit> firstHit(const geometry::SurfaceIndex& surface, const Ray& ray);
 
-/// Tells whether a point is inside a closed surface: a ray from it leaves an odd number of times. For a person's eyes:
-/// a ray that grazes an edge may count wrong, and of a surface without an inside it says nothing.
-[[nodiscard]] bool isInside(const geometry::SurfaceIndex& surface, const Vec3& p_W);
-
 } // namespace palpate::view

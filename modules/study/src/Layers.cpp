@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/Layers.h"
+
+#include <palpate/core/Parallel.h>
+#include <palpate/geometry/Inside.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace palpate::study {
+
+namespace {
+
+/// Volume inside, whichever way the normals point. [mm3]
+double enclosed_mm3(const LayeredSurface& one)
+{
+    return std::abs(one.surface->report.volume_mm3);
+}
+
+/// The same surface twice, as when a file is opened twice: whatever the order of its triangles.
+bool isTwin(const geometry::MeshReport& a, const geometry::MeshReport& b)
+{
+    const auto isSame = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
+    return a.triangles == b.triangles && a.vertices == b.vertices && a.bounds.min() == b.bounds.min() &&
+           a.bounds.max() == b.bounds.max() && isSame(a.area_mm2, b.area_mm2) && isSame(a.volume_mm3, b.volume_mm3);
+}
+
+/// True when enough of the vertices of `inner` are inside `outer`.
+bool isMostlyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer)
+{
+    const std::vector<core::Vec3>& vertices = inner.mesh.vertices;
+    const std::size_t samples = std::min(kSamples, vertices.size());
+    const auto needed = static_cast<std::size_t>(std::ceil(kInsideShare * static_cast<double>(samples)));
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < samples && inside < needed; ++i) {
+        if (inside + (samples - i) < needed) {
+            return false; // even if all that are left are
+        }
+        inside += geometry::isInside(outer, vertices[i * vertices.size() / samples]) ? 1 : 0;
+    }
+    return inside >= needed && samples > 0;
+}
+
+class Nesting
+{
+  public:
+    explicit Nesting(std::span<const LayeredSurface> surfaces)
+        : m_surfaces(surfaces)
+        , m_holders(surfaces.size())
+    {
+    }
+
+    Layering find()
+    {
+        m_out.structures.resize(m_surfaces.size());
+        core::parallelFor(m_surfaces.size(), [this](std::size_t i, unsigned /*thread*/) { findHolders(i); });
+        // What lies in something encloses less than that does: from the largest down, those around are known.
+        std::vector<std::size_t> order(m_surfaces.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(),
+                         [this](std::size_t a, std::size_t b) { return volume(a) > volume(b); });
+        for (const std::size_t i : order) {
+            place(i);
+        }
+        for (Layering::Structure& one : m_out.structures) {
+            if (one.in && m_out.structures[*one.in].twin) {
+                one.in = m_out.structures[*one.in].twin; // of two that are one, the first is named
+            }
+            if (one.twin) {
+                const Layering::Structure& first = m_out.structures[*one.twin];
+                one.layer = first.layer;
+                one.depth = first.depth;
+                one.in = first.in;
+                one.unsureIn.reset(); // said of the first
+            }
+        }
+        return std::move(m_out);
+    }
+
+  private:
+    double volume(std::size_t i) const { return m_surfaces[i].surface != nullptr ? enclosed_mm3(m_surfaces[i]) : 0.0; }
+
+    /// Writes what is known of one structure alone: which others are around it, and its twin.
+    void findHolders(std::size_t i)
+    {
+        if (m_surfaces[i].surface == nullptr) {
+            return;
+        }
+        const geometry::RepairedMesh& inner = *m_surfaces[i].surface;
+        Layering::Structure& out = m_out.structures[i];
+        for (std::size_t a = 0; a < m_surfaces.size(); ++a) {
+            const LayeredSurface& outer = m_surfaces[a];
+            if (a == i || outer.surface == nullptr || !outer.surface->report.bounds.intersects(inner.report.bounds)) {
+                continue;
+            }
+            if (isTwin(outer.surface->report, inner.report)) {
+                if (a < i && !out.twin) {
+                    out.twin = a;
+                }
+            } else if (const bool isSure = hasSureInside(outer.surface->report);
+                       outer.index != nullptr && (!isSure || enclosed_mm3(outer) > enclosed_mm3(m_surfaces[i])) &&
+                       (isSure || isLarger(*outer.surface, inner)) && isMostlyInside(inner, *outer.index)) {
+                if (isSure) {
+                    m_holders[i].push_back(a);
+                } else if (!out.unsureIn) {
+                    out.unsureIn = a;
+                }
+            }
+        }
+    }
+
+    /// Of surfaces without a volume to go by: the one whose box holds the other's.
+    static bool isLarger(const geometry::RepairedMesh& outer, const geometry::RepairedMesh& inner)
+    {
+        return outer.report.bounds.contains(inner.report.bounds);
+    }
+
+    void place(std::size_t i)
+    {
+        Layering::Structure& one = m_out.structures[i];
+        for (const std::size_t a : m_holders[i]) {
+            one.depth = std::max(one.depth, m_out.structures[a].depth + 1);
+            if (!one.in || volume(a) < volume(*one.in)) {
+                one.in = a;
+            }
+        }
+        one.layer = std::min<std::uint32_t>(one.depth, haptics::kMaxLayers - 1);
+    }
+
+    std::span<const LayeredSurface> m_surfaces;
+    std::vector<std::vector<std::size_t>> m_holders; ///< of each structure, ascending
+    Layering m_out;
+};
+
+} // namespace
+
+bool hasSureInside(const geometry::MeshReport& report) noexcept
+{
+    return report.isClosed() && report.insideOutComponents == 0;
+}
+
+bool Layering::isLayered() const
+{
+    return std::any_of(structures.begin(), structures.end(), [](const Structure& one) { return one.layer > 0; });
+}
+
+std::vector<std::string> Layering::sentences(const std::vector<std::string>& names) const
+{
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < structures.size(); ++i) {
+        const Structure& one = structures[i];
+        if (one.twin) {
+            lines.push_back(names[i] + " and " + names[*one.twin] + " are the same surface twice");
+        } else if (one.depth > one.layer) {
+            lines.push_back(names[i] + " lies in " + names[*one.in] + ", which is felt in the last of " +
+                            std::to_string(haptics::kMaxLayers) + " layers: both are felt in that one");
+        } else if (one.in) {
+            lines.push_back(names[i] + " lies in " + names[*one.in] + " and is felt below it");
+        }
+        if (one.unsureIn) {
+            lines.push_back(names[i] + " seems to lie in " + names[*one.unsureIn] +
+                            ", whose surface is open or inside out: it is not felt below it");
+        }
+    }
+    return lines;
+}
+
+Layering layering(std::span<const LayeredSurface> surfaces)
+{
+    return Nesting(surfaces).find();
+}
+
+std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt)
+{
+    std::vector<LayeredSurface> surfaces;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        surfaces.push_back({scene.structures[i].surface.get(), felt->structures()[i].surface.get()});
+        names.push_back(scene.structures[i].description.name);
+    }
+    const Layering found = layering(surfaces);
+    if (found.isLayered()) {
+        std::vector<haptics::HapticStructure> structures = felt->structures();
+        for (std::size_t i = 0; i < structures.size(); ++i) {
+            structures[i].layer = scene.structures[i].description.layer = found.structures[i].layer;
+            scene.scene.structures[i].layer = found.structures[i].layer;
+        }
+        felt = std::make_shared<const haptics::HapticScene>(std::move(structures), felt->fingertip_mm());
+    }
+    return found.sentences(names);
+}
+
+} // namespace palpate::study
