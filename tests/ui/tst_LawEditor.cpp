@@ -213,9 +213,11 @@ class LawEditor : public QObject
         QVERIFY(p.tissue().law.points == before); // more than the device holds: back to where it was
         QVERIFY(p.refusal().contains(QStringLiteral("is refused")));
         p.panel.setGreatest(core::unbounded(), {});
+        QTest::qWait(20); // the line is gone, and all moved
+        const QPoint start = plot->placeOf(before[3][0], before[3][1]).toPoint();
         const QPoint to = plot->placeOf(before[5][0], before[3][1]).toPoint();
-        QTest::mousePress(plot, Qt::LeftButton, {}, from);
-        QTest::mouseMove(plot, (from + to) / 2);
+        QTest::mousePress(plot, Qt::LeftButton, {}, start);
+        QTest::mouseMove(plot, (start + to) / 2);
         QTest::mouseMove(plot, to);
         QTest::mouseRelease(plot, Qt::LeftButton, {}, to);
         QVERIFY(core::check(p.tissue().law).isOk());
