@@ -138,7 +138,7 @@ class SurfaceWalkTest : public QObject
         const Vec3 hip = (facet.a + facet.b + facet.c) / 3.0 - facet.n;
         NearPoint near;
         Facet beyond;
-        Walk walk(hip, scene.layer(0), near, {god, facet, beyond, 1});
+        Walk walk(hip, scene.layer(0), near, nullptr, {god, facet, beyond, 1});
         (void)walk.run(Walk::Start::OnFacet, 64);
         QCOMPARE(walk.isClear(), isClear);
     }
@@ -174,7 +174,7 @@ class SurfaceWalkTest : public QObject
         Vec3 god = middle + aside * (facet.c - middle) + facet.skin_mm / outwards.dot(facet.n) * outwards;
         const Vec3 hip = middle - outwards;
         NearPoint near;
-        Walk walk(hip, scene.layer(0), near, {god, facet, second, 1});
+        Walk walk(hip, scene.layer(0), near, nullptr, {god, facet, second, 1});
         QCOMPARE(Walk::hasArrived(walk.run(Walk::Start::InCrease, 64)), isHeld);
         QCOMPARE(walk.isClear(), isClear);
     }
@@ -197,7 +197,7 @@ class SurfaceWalkTest : public QObject
             const Vec3 hip = (to.a + to.b + to.c) / 3.0 - 0.01 * to.n;
             NearPoint near;
             Facet second = pair[1];
-            Walk walk(hip, scene.layer(0), near, {god, facet, second, 1});
+            Walk walk(hip, scene.layer(0), near, nullptr, {god, facet, second, 1});
             QCOMPARE(walk.run(Walk::Start::InCrease, 64), Walk::Ended::OnFacet);
             QVERIFY(walk.isClear());
             QCOMPARE(facet.triangle, to.triangle);

@@ -5,6 +5,7 @@
 #include "solver/GodObject.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace palpate::haptics {
@@ -29,7 +30,8 @@ struct Numbers
 std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexcept
 {
     const auto stiffness = [&](std::size_t k) {
-        return scene.structures()[step.active[k].structure].tissue.stiffness_N_per_mm;
+        const HapticStructure& on = scene.structures()[step.active[k].structure];
+        return on.law == nullptr ? on.tissue.stiffness_N_per_mm : on.law->greatestSlope_N_per_mm();
     };
     std::size_t touched = 0;
     for (std::size_t k = 1; k < step.constraints; ++k) {
@@ -40,10 +42,12 @@ std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexce
     return touched;
 }
 
+/// Tells of a layer that is touched.
 /// @param v_WH  of the HIP [mm/s]
 /// @pre the step ended in contact
-void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
-          const Vec3& v_WH) noexcept
+template<class Law>
+PALPATE_ALWAYS_INLINE void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
+                                const Vec3& v_WH) noexcept
 {
     const ActiveConstraint& touched = step.active[stiffest(scene, step)];
     const HapticStructure& structure = scene.structures()[touched.structure];
@@ -51,9 +55,25 @@ void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene,
     const Vec3 push = step.p_WG - p_WH;
     contact.depth_mm = push.norm();
     contact.n_W = contact.depth_mm > 0.0 ? Vec3(push / contact.depth_mm) : touched.n_W;
+    contact.friction = Friction::None;
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
-    contact.f_W = law::Law::force({structure.tissue, *structure.surface, touched.triangle, contact.p_WG, p_WH, v_WH});
+    contact.f_W = Law::force({structure, touched.triangle, scene.fingertip_mm(), contact.p_WG, p_WH, v_WH,
+                              std::span(step.active).first(step.constraints)});
+    if constexpr (std::is_same_v<Law, law::Law>) {
+        if (structure.tissue.hasFriction()) {
+            contact.friction = step.slides ? Friction::Slides : Friction::Holds;
+            const double length = step.push_W.norm();
+            contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : touched.n_W; // the spring leans against it
+        }
+    }
+}
+
+// What a linear layer costs does not depend on what others can have.
+[[gnu::noinline]] void fillAny(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
+                               const Vec3& v_WH) noexcept
+{
+    fill<law::Law>(contact, step, scene, p_WH, v_WH);
 }
 
 } // namespace
@@ -146,8 +166,9 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
     for (std::size_t i = 0; i < layers; ++i) {
+        const HapticLayer& layer = me.scene->layer(i);
         const GodObjectStep step =
-            me.gods[i].step(p_WH, me.scene->layer(i), me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+            me.gods[i].step(p_WH, dt_s, layer, me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {
@@ -158,7 +179,11 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             continue;
         }
         Contact& contact = result.contacts[result.contactCount++];
-        fill(contact, step, *me.scene, p_WH, v_WH);
+        if (layer.isLinear) {
+            fill<law::LinearLaw>(contact, step, *me.scene, p_WH, v_WH);
+        } else {
+            fillAny(contact, step, *me.scene, p_WH, v_WH);
+        }
         contact.layer = static_cast<std::uint32_t>(i);
         result.f_W += contact.f_W;
         if (result.contactCount == 1) {

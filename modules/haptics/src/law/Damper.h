@@ -7,13 +7,26 @@ namespace palpate::haptics::law {
 
 /// `f_W = -b v_WH` [N].
 /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, section 5.
-struct Damper
+struct LinearDamper
 {
-    [[nodiscard]] static bool isIn(const Tissue& tissue) noexcept { return tissue.damping_Ns_per_mm != 0.0; }
+    [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept
+    {
+        return structure.tissue.damping_Ns_per_mm != 0.0;
+    }
     [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
     {
-        return -touch.tissue.damping_Ns_per_mm * touch.v_WH;
+        return -touch.structure.tissue.damping_Ns_per_mm * touch.v_WH;
     }
+};
+
+/// The same, with b as a map has it at the god-object's foot.
+struct Damper
+{
+    [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept
+    {
+        return LinearDamper::isIn(structure) || !structure.maps.damping.isEmpty();
+    }
+    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept;
 };
 
 } // namespace palpate::haptics::law

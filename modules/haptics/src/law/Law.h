@@ -22,7 +22,7 @@ struct Sum
     template<class Term>
     static void add(const Touch& touch, Vec3& f_W) noexcept
     {
-        if (Term::isIn(touch.tissue)) {
+        if (Term::isIn(touch.structure)) {
             const Vec3 sum = f_W + Term::force(touch);
             if (sum.allFinite()) {
                 f_W = sum;
@@ -33,5 +33,7 @@ struct Sum
 
 /// What a tissue answers with. A new term is a file here and a name in this list.
 using Law = Sum<Spring, Damper>;
+/// The same where nothing in a layer has friction, a law of its own or a map: most scenes.
+using LinearLaw = Sum<LinearSpring, LinearDamper>;
 
 } // namespace palpate::haptics::law

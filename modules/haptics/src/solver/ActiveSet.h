@@ -67,12 +67,28 @@ class ActiveSet
             if (kept != i) {
                 m_contacts[i] = m_contacts[kept];
             }
+            m_lambda_mm[i] = point.lambda_mm[i];
         }
         return point.u;
     }
 
+    /// The part of `v` along which the contacts let the god-object go. @pre at most three, as `constrain` leaves
+    [[nodiscard]] Vec3 freePart(const Vec3& v) const noexcept
+    {
+        std::array<Vec3, 3> normals;
+        const std::size_t count = std::min(m_count, normals.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            normals[i] = m_contacts[i].normal();
+        }
+        return internal::freePart(v, std::span<const Vec3>(normals).first(count));
+    }
+
+    /// The multiplier of a contact that the last `constrain` has kept [mm].
+    [[nodiscard]] double lambda_mm(std::size_t i) const noexcept { return m_lambda_mm[i]; }
+
   private:
     std::array<Contact, kMost> m_contacts;
+    std::array<double, 3> m_lambda_mm;
     std::size_t m_count = 0;
 };
 

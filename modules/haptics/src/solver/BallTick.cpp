@@ -98,11 +98,10 @@ void BallTick::touch(const Facet& facet, int side) noexcept
 /// @return true when they are the same as before
 bool BallTick::lookAgain() noexcept
 {
-    const double radius = m_layer.fingertip_mm;
     bool isSame = true;
     m_active.release([&](BallContact& c) {
         c.lookFrom(m_god);
-        if (c.distance_mm <= radius + kParted * c.facet.skin_mm) {
+        if (isTouched(c)) {
             return false;
         }
         isSame = false;
@@ -146,7 +145,28 @@ Vec3 BallTick::nextMove() noexcept
         const double missing = radius + c.facet.skin_mm - c.distance_mm;
         return HalfSpace{c.n, missing <= kPressed * c.facet.skin_mm ? missing : 0.0};
     });
-    return m_active.isEmpty() ? u : lengthened(u);
+    if (m_active.isEmpty()) {
+        return u;
+    }
+    return lengthened(m_friction == nullptr ? u : slowed(u));
+}
+
+/// What friction leaves of a step. Round edges and corners the step vanishes where the pull is at the rim of the cone.
+Vec3 BallTick::slowed(const Vec3& u) noexcept
+{
+    m_friction->lift();
+    for (std::size_t i = 0; i < m_active.count(); ++i) {
+        m_friction->press(m_active[i].facet, m_active[i].nearest.q, m_active.lambda_mm(i));
+    }
+    const Vec3 slide = m_active.freePart(u);
+    const double share = m_friction->share(slide.norm(), kRoundingOfMoves * m_skin_mm);
+    const Vec3 down = u - slide;
+    if (isDeep()) {
+        return u; // it was put there, and nothing holds it
+    }
+    // A facet that it has rolled on to, but not reached, holds nothing yet: straight down to it.
+    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm;
+    return m_isHeld ? Vec3::Zero() : Vec3(down + share * slide);
 }
 
 /// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to the secant's
@@ -258,6 +278,9 @@ void BallTick::standAgain(const Before& stood) noexcept
 /// @return true when there is a side to try; where none led closer it stands where it stood
 bool BallTick::topples() noexcept
 {
+    if (m_friction != nullptr && m_friction->holdsAgainst(kRoundingOfMoves * m_skin_mm)) {
+        return false; // what friction holds does not roll
+    }
     const double spring = (m_hip - m_god).norm();
     if (m_nudges == 0 && isNearest(spring)) {
         return false;
@@ -326,11 +349,10 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 /// Drops the contacts that the ball has rolled towards but not reached, unless nothing else holds it.
 void BallTick::dropUntouched() noexcept
 {
-    const double radius = m_layer.fingertip_mm;
     for (BallContact& contact : m_active) {
         contact.lookFrom(m_god);
     }
-    const auto isParted = [radius](const BallContact& c) { return c.distance_mm > radius + kParted * c.facet.skin_mm; };
+    const auto isParted = [this](const BallContact& c) { return !isTouched(c); };
     if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
         m_active.release(isParted);
     }
@@ -379,6 +401,9 @@ bool BallTick::goesOn() noexcept
         return topples();
     }
     const Vec3 u = nextMove();
+    if (m_isHeld) {
+        return !isKept(true);
+    }
     const double step = u.cwiseAbs().maxCoeff();
     if (!m_active.isEmpty() && step <= kRoundingOfMoves * m_skin_mm) {
         return !isKept(true) || topples();
@@ -437,9 +462,18 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
         return hasMoved || isLong || !isKept(true);
     }
     touch(crossing.facet, crossing.side);
+    if (m_friction != nullptr && !hasMoved) {
+        // A facet rolled on to can't be reached from here, and holds nothing.
+        m_active.release([this](const BallContact& c) { return !isTouched(c); });
+    }
     m_known = m_active[m_active.count() - 1];
     m_isKnown = true;
     return true;
+}
+
+bool BallTick::isTouched(const BallContact& contact) const noexcept
+{
+    return contact.distance_mm <= m_layer.fingertip_mm + kParted * contact.facet.skin_mm;
 }
 
 /// True when the ball is nearer to a contact than its radius: it was put there, and each move lets it out farther.

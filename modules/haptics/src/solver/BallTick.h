@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/Friction.h"
 #include "nearby/NearBall.h"
 #include "nearby/TickWork.h"
 #include "solver/ActiveSet.h"
@@ -39,10 +40,13 @@ struct BallContact
 class BallTick
 {
   public:
-    BallTick(const Vec3& hip, const HapticLayer& layer, NearBall& near, TickWork& work, const Vec3& god) noexcept
+    /// @param friction  of the layer in this tick; null: none
+    BallTick(const Vec3& hip, const HapticLayer& layer, NearBall& near, CoulombFriction* friction, TickWork& work,
+             const Vec3& god) noexcept
         : m_hip(hip)
         , m_layer(layer)
         , m_near(near)
+        , m_friction(friction)
         , m_work(work)
         , m_god(god)
     {
@@ -62,6 +66,7 @@ class BallTick
     [[nodiscard]] bool lookAgain() noexcept;
     [[nodiscard]] bool rollOn(BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
+    [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
     [[nodiscard]] Vec3 brink(const BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
     [[nodiscard]] bool topples() noexcept;
@@ -71,6 +76,7 @@ class BallTick
     [[nodiscard]] bool touchesHip(double spring_mm) const noexcept;
     [[nodiscard]] bool isNearest(double spring_mm) const noexcept;
     [[nodiscard]] double slight(double spring_mm) const noexcept;
+    [[nodiscard]] bool isTouched(const BallContact& contact) const noexcept;
     [[nodiscard]] bool isDeep() const noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
     [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
@@ -78,11 +84,13 @@ class BallTick
     const Vec3& m_hip;
     const HapticLayer& m_layer;
     NearBall& m_near;
+    CoulombFriction* m_friction;
     TickWork& m_work;
     Vec3 m_god;
     ActiveSet<BallContact> m_active;
     double m_skin_mm = 0.0;
     BallContact m_known;                                          ///< the contact met last, or held from before
+    bool m_isHeld = false;                                        ///< by friction, where it is
     bool m_isKnown = false;                                       ///< there is one
     double m_spring_mm = std::numeric_limits<double>::infinity(); ///< when the last progress was made
     std::uint32_t m_since = 0;                                    ///< moves made since then

@@ -13,7 +13,8 @@ namespace {
 constexpr double kIndependent = 1.5e-8;
 
 /// Solves with equality on `set`. @return false when the normals are dependent or a multiplier is not positive.
-bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set, Vec3& u) noexcept
+bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set, Vec3& u,
+             std::array<double, 3>& lambda) noexcept
 {
     std::array<Vec3, 3> e; // orthonormal directions: planes[set[i]].n = sum over j <= i of l[i][j] e[j]
     std::array<std::array<double, 3>, 3> l{};
@@ -41,7 +42,6 @@ bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<co
         u += mu[i] * e[i];
     }
     // Multipliers: sum of lambda[i] n[i] = sum of mu[j] e[j], so L^T lambda = mu.
-    std::array<double, 3> lambda{};
     for (std::size_t i = k; i-- > 0;) {
         lambda[i] = mu[i];
         for (std::size_t j = i + 1; j < k; ++j) {
@@ -77,6 +77,7 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
         const double missing = halfSpaces[0].offset_mm - halfSpaces[0].n.dot(wanted);
         if (missing > allowance_mm) {
             best.u += missing * halfSpaces[0].n;
+            best.lambda_mm[0] = missing;
             best.count = 1;
         }
         return best;
@@ -88,7 +89,8 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
     const auto n = static_cast<std::uint8_t>(halfSpaces.size());
     const auto attempt = [&](std::span<const std::uint8_t> set) {
         Vec3 u;
-        if (!solveOn(wanted, halfSpaces, set, u)) {
+        std::array<double, 3> lambda;
+        if (!solveOn(wanted, halfSpaces, set, u, lambda)) {
             return false;
         }
         const double violation = worstViolation(u, halfSpaces, set);
@@ -97,6 +99,7 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
             best.u = u;
             best.count = static_cast<int>(set.size());
             std::copy(set.begin(), set.end(), best.active.begin());
+            best.lambda_mm = lambda;
         }
         return violation <= allowance_mm;
     };
@@ -122,6 +125,26 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
         }
     }
     return best;
+}
+
+Vec3 freePart(Vec3 v, std::span<const Vec3> normals) noexcept
+{
+    std::array<Vec3, 3> held; // orthonormal
+    std::size_t count = 0;
+    for (const Vec3& normal : normals) {
+        Vec3 n = normal;
+        for (std::size_t i = 0; i < count; ++i) {
+            n -= held[i].dot(n) * held[i];
+        }
+        const double length = n.norm();
+        if (length < kIndependent || count == held.size()) {
+            continue;
+        }
+        held[count] = n / length;
+        v -= held[count].dot(v) * held[count];
+        ++count;
+    }
+    return v;
 }
 
 } // namespace palpate::haptics::internal

@@ -24,6 +24,7 @@ struct ConstrainedPoint
 {
     Vec3 u = Vec3::Zero();                ///< [mm]
     std::array<std::uint8_t, 3> active{}; ///< numbers of the planes with a positive multiplier
+    std::array<double, 3> lambda_mm;      ///< their multipliers: u - wanted = sum of lambda n
     int count = 0;                        ///< how many of `active` are valid
 };
 
@@ -44,5 +45,11 @@ struct ConstrainedPoint
 /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, equations 3 to 5.
 [[nodiscard]] ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace> halfSpaces,
                                                 double allowance_mm) noexcept PALPATE_NONBLOCKING;
+
+/// @return the part of `v` along which planes with these normals let a point go: in the plane, along the line of two,
+/// nothing in a corner.
+/// @param normals  unit, at most three that are not the same to rounding
+/// @par Real-time Wait-free.
+[[nodiscard]] Vec3 freePart(Vec3 v, std::span<const Vec3> normals) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal

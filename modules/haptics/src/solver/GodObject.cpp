@@ -6,10 +6,11 @@
 #include "solver/Walk.h"
 
 #include <algorithm>
+#include <span>
 
 namespace palpate::haptics::internal {
 
-GodObjectStep GodObject::step(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
                               NearBall* ball) noexcept
 {
     GodObjectStep result;
@@ -19,16 +20,84 @@ GodObjectStep GodObject::step(const Vec3& p_WH, const HapticLayer& layer, const 
         m_state.placed = 1;
     }
     recallFacets(layer);
-    if (layer.fingertip_mm > 0.0) {
-        stepBall(p_WH, layer, limits, *ball, result);
-    } else if (m_state.constraints == 0 && m_near.isFree(m_state.p_WG, p_WH)) {
+    if (m_state.constraints == 0 && layer.fingertip_mm == 0.0 && m_near.isFree(m_state.p_WG, p_WH)) {
         m_state.p_WG = result.p_WG = p_WH;
+        m_state.slides = 0;
         result.iterations = 1;
         m_near.endFreeTick(layer, p_WH);
+    } else if (layer.frictional != nullptr) {
+        stepWithFriction(p_WH, dt_s, layer, limits, ball, result);
+    } else if (layer.fingertip_mm > 0.0) {
+        stepBall(p_WH, layer, limits, *ball, nullptr, result);
     } else {
-        stepPoint(p_WH, layer, limits, result);
+        stepPoint(p_WH, layer, limits, nullptr, result);
     }
     return result;
+}
+
+/// The general step, for a layer with friction: what that holds is not moved by a bit.
+void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
+                                 NearBall* ball, GodObjectStep& result) noexcept
+{
+    CoulombFriction friction(layer, dt_s, m_state.slides != 0);
+    if (isHeld(p_WH, layer, friction)) {
+        report(result);
+    } else if (layer.fingertip_mm > 0.0) {
+        stepBall(p_WH, layer, limits, *ball, &friction, result);
+    } else {
+        stepPoint(p_WH, layer, limits, &friction, result);
+    }
+    result.slides = result.constraints > 0 && friction.slides();
+    m_state.slides = result.slides ? 1 : 0;
+    std::array<HalfSpace, 3> planes;
+    const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    result.push_W.setZero();
+    for (int i = 0; i < point.count; ++i) {
+        result.push_W +=
+            point.lambda_mm[static_cast<std::size_t>(i)] * planes[point.active[static_cast<std::size_t>(i)]].n;
+    }
+}
+
+/// Where the contacts of the state let the god-object go without friction, from where it is.
+ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
+                                            std::array<HalfSpace, 3>& planes) const noexcept
+{
+    double skin_mm = 0.0;
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        const Facet& facet = m_facets[i];
+        skin_mm = std::max(skin_mm, facet.skin_mm);
+        if (layer.fingertip_mm > 0.0) {
+            BallContact contact;
+            contact.facet = facet;
+            contact.side = m_state.side[i];
+            contact.lookFrom(m_state.p_WG);
+            planes[i] = {contact.n, layer.fingertip_mm + facet.skin_mm - contact.distance_mm};
+        } else {
+            planes[i] = PointContact{facet, m_state.side[i]}.planeFrom(m_state.p_WG);
+        }
+    }
+    const Vec3 wanted = p_WH - m_state.p_WG;
+    return constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_state.constraints),
+                            allowance(skin_mm, wanted));
+}
+
+/// @return true when friction holds the god-object on its contacts. In a corner it has nothing to hold.
+bool GodObject::isHeld(const Vec3& p_WH, const HapticLayer& layer, CoulombFriction& friction) const noexcept
+{
+    std::array<HalfSpace, 3> planes;
+    const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    friction.lift();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
+        friction.press(m_facets[point.active[i]], m_state.p_WG, point.lambda_mm[i]);
+    }
+    std::array<Vec3, 3> normals;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
+        normals[i] = planes[point.active[i]].n;
+    }
+    const Vec3 slide = freePart(point.u, std::span<const Vec3>(normals).first(static_cast<std::size_t>(point.count)));
+    const double r = slide.norm(), rounding = kRoundingOfMoves * m_facets[0].skin_mm;
+    const bool isOn = (point.u - slide).cwiseAbs().maxCoeff() <= kSupporting * m_facets[0].skin_mm;
+    return point.count > 0 && isOn && friction.share(r, rounding) == 0.0 && (point.count == 1 || r > rounding);
 }
 
 PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noexcept
@@ -39,10 +108,10 @@ PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noe
 }
 
 void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
-                         GodObjectStep& result) noexcept
+                         CoulombFriction* friction, GodObjectStep& result) noexcept
 {
     TickWork work(limits.work);
-    BallTick tick(p_WH, layer, ball, work, m_state.p_WG);
+    BallTick tick(p_WH, layer, ball, friction, work, m_state.p_WG);
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
         tick.touch(m_facets[i], m_state.side[i]);
     }
@@ -59,7 +128,8 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
 }
 
 PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer,
-                                                const GodObjectLimits& limits, GodObjectStep& result) noexcept
+                                                const GodObjectLimits& limits, CoulombFriction* friction,
+                                                GodObjectStep& result) noexcept
 {
     m_near.beginTick(TickWork(limits.work));
     Walk::Ended ended = Walk::Ended::Unfinished;
@@ -68,7 +138,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] && m_state.side[0] == m_state.side[1];
     if (m_state.constraints == 1 || isInCrease) {
         // Most ticks: all there is to do is to walk on over the surface.
-        Walk walk(p_WH, layer, m_near, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
+        Walk walk(p_WH, layer, m_near, friction, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
         ended = walk.run(isInCrease    ? Walk::Start::InCrease
                          : m_hasWalked ? Walk::Start::WellInside
                                        : Walk::Start::OnFacet,
@@ -82,7 +152,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         }
     }
     if (!Walk::hasArrived(ended)) {
-        PointTick tick(p_WH, layer, m_near, m_state.p_WG, result.iterations);
+        PointTick tick(p_WH, layer, m_near, friction, m_state.p_WG, result.iterations);
         for (std::size_t i = 0; i < m_state.constraints; ++i) {
             tick.touch(m_facets[i], m_state.side[i]);
         }
@@ -94,7 +164,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         keep(tick.contacts());
     }
     report(result);
-    m_hasWalked = ended == Walk::Ended::OnFacet;
+    m_hasWalked = ended == Walk::Ended::OnFacet && friction == nullptr; // then it stands a skin above the facet
     lookAhead(layer, isClear && Walk::hasArrived(ended));
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/Friction.h"
 #include "nearby/NearBall.h"
 #include "nearby/NearPoint.h"
 #include "palpate/haptics/Palpator.h"
+#include "solver/ConstrainedPoint.h"
 
 #include <array>
 #include <cstdint>
@@ -18,6 +20,8 @@ struct GodObjectStep
     std::uint8_t constraints = 0; ///< how many of `active` are valid
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
+    bool slides = false;        ///< friction lets it slide
+    Vec3 push_W; ///< sum of the multipliers times the normals [mm]; only with friction
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
@@ -29,13 +33,16 @@ class GodObject
     ///
     /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, found by
     /// sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
+    ///
+    /// With friction each move ends where that lets it go: law/Friction.h.
     /// @param p_WH  HIP [mm], within the scene's reach
+    /// @param dt_s  time since the last tick [s], > 0; for friction's drag
     /// @param layer  what to touch; only read
     /// @param ball  caches for a layer that is touched by a ball; not used by a point, and then may be null
     /// @par Real-time Wait-free, no allocation. Servo thread, or any one thread at a time.
     /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876. Differs: converges within the tick.
-    [[nodiscard]] GodObjectStep step(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
-                                     NearBall* ball) noexcept PALPATE_NONBLOCKING;
+    [[nodiscard]] GodObjectStep step(const Vec3& p_WH, double dt_s, const HapticLayer& layer,
+                                     const GodObjectLimits& limits, NearBall* ball) noexcept PALPATE_NONBLOCKING;
 
     /// Forgets the contacts but not the position: triangle numbers of another scene mean nothing.
     void forgetContacts() noexcept PALPATE_NONBLOCKING;
@@ -46,9 +53,14 @@ class GodObject
   private:
     void recallFacets(const HapticLayer& layer) noexcept;
     void stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
-                  GodObjectStep& result) noexcept;
-    void stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits,
+                  CoulombFriction* friction, GodObjectStep& result) noexcept;
+    void stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, CoulombFriction* friction,
                    GodObjectStep& result) noexcept;
+    void stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
+                          NearBall* ball, GodObjectStep& result) noexcept;
+    [[nodiscard]] ConstrainedPoint withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
+                                                   std::array<HalfSpace, 3>& planes) const noexcept;
+    [[nodiscard]] bool isHeld(const Vec3& p_WH, const HapticLayer& layer, CoulombFriction& friction) const noexcept;
     void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
     template<class Contacts>
     void keep(const Contacts& contacts) noexcept;

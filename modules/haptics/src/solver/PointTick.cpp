@@ -53,6 +53,9 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             break;
         }
         const Vec3 target = nextTarget();
+        if (m_isHeld) {
+            return i + 1 + m_walked;
+        }
         Crossing crossing;
         const Sweep swept = m_near.sweep(m_layer, m_god, target, crossing);
         if (swept != Sweep::Free) {
@@ -83,7 +86,7 @@ bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
 {
     PointContact& contact = m_active[0];
     Facet beyond;
-    Walk walk(m_hip, m_layer, m_near, {m_god, contact.facet, beyond, contact.side});
+    Walk walk(m_hip, m_layer, m_near, m_friction, {m_god, contact.facet, beyond, contact.side});
     const Walk::Ended ended = walk.run(Walk::Start::OnFacet, most);
     m_walked += walk.moves();
     if (Walk::isHeldByTwo(ended)) {
@@ -112,8 +115,27 @@ Vec3 PointTick::nextTarget() noexcept
         return m_hip;
     }
     const Vec3 wanted = m_hip - m_god;
-    return m_god + m_active.constrain(wanted, allowance(m_skin_mm, wanted),
+    const Vec3 u = m_active.constrain(wanted, allowance(m_skin_mm, wanted),
                                       [this](const PointContact& c) { return c.planeFrom(m_god); });
+    return m_god + (m_friction == nullptr || m_active.isEmpty() ? u : slowed(u));
+}
+
+/// What friction leaves of a move to the constrained point.
+Vec3 PointTick::slowed(const Vec3& u) noexcept
+{
+    m_friction->lift();
+    for (std::size_t i = 0; i < m_active.count(); ++i) {
+        m_friction->press(m_active[i].facet, m_god, m_active.lambda_mm(i));
+    }
+    const Vec3 slide = m_active.freePart(u);
+    const double r = slide.norm(), rounding = kRoundingOfMoves * m_skin_mm;
+    const double share = m_friction->share(r, rounding);
+    if (share > 0.0) {
+        return u - (1.0 - share) * slide;
+    }
+    // In a corner there is nothing for friction to hold: whether a way leads out is to be seen.
+    m_isHeld = m_active.count() == 1 || r > rounding;
+    return u;
 }
 
 /// Moves up to the facet in the way and takes its plane as a constraint.
@@ -205,6 +227,9 @@ bool PointTick::escapes() noexcept
 {
     Escape::End end;
     if (!Escape(m_hip, m_layer, m_near, m_god, m_skin_mm).find(m_active, end)) {
+        return false;
+    }
+    if (m_friction != nullptr && m_friction->holdsAgainst((m_hip - m_god).dot((end.p - m_god).normalized()))) {
         return false;
     }
     moveTo(end.p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/Friction.h"
 #include "nearby/NearPoint.h"
 #include "solver/PointContact.h"
 
@@ -17,12 +18,14 @@ namespace palpate::haptics::internal {
 class PointTick
 {
   public:
+    /// @param friction  of the layer in this tick; null: none
     /// @param walked  moves made before in this tick
-    PointTick(const Vec3& hip, const HapticLayer& layer, NearPoint& near, const Vec3& god,
+    PointTick(const Vec3& hip, const HapticLayer& layer, NearPoint& near, CoulombFriction* friction, const Vec3& god,
               std::uint32_t walked) noexcept
         : m_hip(hip)
         , m_layer(layer)
         , m_near(near)
+        , m_friction(friction)
         , m_god(god)
         , m_walked(walked)
     {
@@ -43,6 +46,7 @@ class PointTick
     [[nodiscard]] bool hasWalkedHome(std::uint32_t most) noexcept;
     [[nodiscard]] bool turnsRound() noexcept;
     [[nodiscard]] Vec3 nextTarget() noexcept;
+    [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& target, const Crossing& crossing) noexcept;
     bool moveTo(const Vec3& p) noexcept;
     void keepSupporting() noexcept;
@@ -53,8 +57,10 @@ class PointTick
     const Vec3& m_hip;
     const HapticLayer& m_layer;
     NearPoint& m_near;
+    CoulombFriction* m_friction;
     Vec3 m_god;
     PointContacts m_active;
+    bool m_isHeld = false;                                       ///< by friction, where it is
     bool m_mayWalk = false;                                      ///< from the one contact
     std::uint32_t m_walked;                                      ///< moves made by walking
     double m_skin_mm = 0.0;                                      ///< the largest of those touched

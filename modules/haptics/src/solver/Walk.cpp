@@ -122,7 +122,10 @@ PALPATE_ALWAYS_INLINE Walk::Next Walk::step() noexcept
     if (rise <= 0.0) {
         return Next::Stop; // the facet lets go
     }
-    const Vec3 target = m_hip + rise * outwards;
+    Vec3 target = m_hip + rise * outwards;
+    if (m_friction != nullptr) {
+        target = slowed(target, rise);
+    }
     if (isFar(target)) {
         return Next::Stop; // straight through the air is shorter
     }
@@ -131,6 +134,17 @@ PALPATE_ALWAYS_INLINE Walk::Next Walk::step() noexcept
         return exit.isWellInside ? arrive(target) : Next::Stop; // too near an edge to tell
     }
     return exit.edge == m_entered ? enterCrease(last()) : cross(exit, target);
+}
+
+/// Where friction lets the god-object go on the way to `target` on the facet here: the same place where it holds.
+Vec3 Walk::slowed(const Vec3& target, double rise) noexcept
+{
+    const Vec3 back = last() - target;
+    const Vec3 behind = back - m_here->n.dot(back) * m_here->n;
+    m_friction->lift();
+    m_friction->press(*m_here, last(), rise);
+    const double share = m_friction->share(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
+    return share > 0.0 ? Vec3(target + (1.0 - share) * behind) : last();
 }
 
 PALPATE_ALWAYS_INLINE bool Walk::isFar(const Vec3& target) const noexcept
@@ -209,7 +223,7 @@ Walk::Next Walk::enterCrease(const Vec3& from) noexcept
 }
 
 /// @param facet  one of the two, the other being that beyond; @param edge  the common one's number in it
-Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) const noexcept
+Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcept
 {
     const Vec3 n = m_side * facet.n, m = m_side * m_beyond.n;
     const std::array planes{HalfSpace{n, facet.skin_mm - n.dot(g - facet.a)},
@@ -224,6 +238,14 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) const n
     crease.held = m.dot(opposite - m_beyond.a) > 0.0 ? point.count : 0; // only where they rise towards each other
     crease.first = point.active[0];
     const Vec3 along = (end - begin).normalized();
+    if (m_friction != nullptr && crease.held == 2) {
+        const double ahead = along.dot(point.u);
+        m_friction->lift();
+        m_friction->press(facet, g, point.lambda_mm[0]);
+        m_friction->press(m_beyond, g, point.lambda_mm[1]);
+        const double share = m_friction->share(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
+        crease.target = share > 0.0 ? Vec3(crease.target - (1.0 - share) * ahead * along) : g;
+    }
     crease.isWithin = along.dot(crease.target - begin) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
     return crease;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/Friction.h"
 #include "nearby/NearPoint.h"
 
 #include <array>
@@ -36,18 +37,21 @@ class Walk
 
     enum class Ended : std::uint8_t
     {
-        OnFacet,     ///< nearest to the HIP, well inside the facet
-        InCrease,    ///< nearest to the HIP, held by two facets between the ends of their edge
+        OnFacet,     ///< nearest to the HIP, or as near as friction lets it, well inside the facet
+        InCrease,    ///< the same, held by two facets between the ends of their edge
         AtCreaseEnd, ///< held by two facets: more is to be done
         Unfinished,  ///< on the facet: more is to be done
     };
     [[nodiscard]] static bool hasArrived(Ended e) noexcept { return e == Ended::OnFacet || e == Ended::InCrease; }
     [[nodiscard]] static bool isHeldByTwo(Ended e) noexcept { return e == Ended::InCrease || e == Ended::AtCreaseEnd; }
 
-    Walk(const Vec3& hip, const HapticLayer& layer, NearPoint& near, const Place& place) noexcept
+    /// @param friction  of the layer in this tick; null: none
+    Walk(const Vec3& hip, const HapticLayer& layer, NearPoint& near, CoulombFriction* friction,
+         const Place& place) noexcept
         : m_hip(hip)
         , m_layer(layer)
         , m_near(near)
+        , m_friction(friction)
         , m_surface(layer.surface(place.facet.structure))
         , m_god(place.god)
         , m_facet(place.facet)
@@ -84,8 +88,9 @@ class Walk
     [[nodiscard]] Next enterCrease(const Vec3& from) noexcept;
     [[nodiscard]] Next cross(const Exit& exit, const Vec3& target) noexcept;
     [[nodiscard]] Exit exitFrom(const Vec3& from, const Vec3& to) const noexcept;
-    [[nodiscard]] Crease creaseAt(const Facet& facet, int edge, const Vec3& g) const noexcept;
+    [[nodiscard]] Crease creaseAt(const Facet& facet, int edge, const Vec3& g) noexcept;
     [[nodiscard]] bool liftOver(const Facet& next, const Vec3& target, double share, Vec3& to) const noexcept;
+    [[nodiscard]] Vec3 slowed(const Vec3& target, double rise) noexcept;
     [[nodiscard]] bool isFar(const Vec3& target) const noexcept;
     [[nodiscard]] bool isPathFree() noexcept;
     [[nodiscard]] bool hasArrivedAt(const Vec3& target) noexcept;
@@ -95,6 +100,7 @@ class Walk
     const Vec3& m_hip;
     const HapticLayer& m_layer;
     NearPoint& m_near;
+    CoulombFriction* m_friction;
     const geometry::SurfaceIndex& m_surface;
     Vec3& m_god;
     Facet& m_facet;

@@ -20,7 +20,7 @@ enum class Friction : std::uint8_t
 /// Where the god-object of one layer touches, and what is felt there.
 struct Contact
 {
-    Vec3 p_WG;               ///< god-object [mm]
+    Vec3 p_WG; ///< god-object [mm]
     /// Unit normal of the contact, from surface to free space: without friction the direction of the spring. With
     /// several planes that of their push together.
     Vec3 n_W;

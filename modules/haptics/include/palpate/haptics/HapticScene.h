@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/haptics/ForceTable.h"
 #include "palpate/haptics/TickResult.h"
 #include "palpate/haptics/Tissue.h"
+#include "palpate/haptics/TissueMap.h"
 
 #include <palpate/geometry/SurfaceIndex.h>
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -14,26 +15,6 @@
 #include <vector>
 
 namespace palpate::haptics {
-
-class ForceTable;
-
-/// A number that varies over a surface: at each corner of each triangle, linear between.
-struct TissueMap
-{
-    /// By the triangle's position in the SurfaceIndex; null: no map.
-    std::shared_ptr<const std::vector<std::array<float, 3>>> corners;
-    double factor = 1.0; ///< that each number is multiplied by
-
-    [[nodiscard]] bool isEmpty() const noexcept { return corners == nullptr; }
-};
-
-/// What varies over a structure.
-struct TissueMaps
-{
-    TissueMap stiffness; ///< s [1]: scales the law's force and energy; > 0
-    TissueMap damping;   ///< b [N·s/mm]: stands for the tissue's own; >= 0
-    TissueMap friction;  ///< scales both coefficients [1]; >= 0
-};
 
 /// One palpable structure. Its surface is shared, so that a change of tissue needs no new index.
 struct HapticStructure
@@ -46,6 +27,16 @@ struct HapticStructure
     /// The law by which the force rises; null: linear. A scene makes it of the tissue's law where that is another one
     /// and no table is given, as from a recording.
     std::shared_ptr<const ForceTable> law{};
+
+    /// True without friction, a law of its own or a map.
+    [[nodiscard]] bool isLinear() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
+    /// Force and energy by depth, without the maps.
+    /// @par Real-time Wait-free.
+    [[nodiscard]] ForceTable::Value lawAt(double depth_mm) const noexcept
+    {
+        const double force_N = tissue.stiffness_N_per_mm * depth_mm;
+        return law == nullptr ? ForceTable::Value{force_N, 0.5 * force_N * depth_mm} : law->at(depth_mm);
+    }
 };
 
 /// The structures that share one god-object: all that a god-object knows of a scene.
@@ -59,6 +50,9 @@ struct HapticLayer
     double facetSize_mm = 0.0;        ///< of the finest structure
     double skin_mm = 0.0;             ///< the largest of the structures'
     double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
+    bool isLinear = true;             ///< all of its structures are
+    /// The scene's structures; null where none of the layer has friction.
+    const HapticStructure* frictional = nullptr;
 
     [[nodiscard]] const geometry::SurfaceIndex& surface(std::uint32_t structure) const noexcept
     {
@@ -78,6 +72,9 @@ class HapticScene
     /// @param fingertip_mm  radius of the ball that touches, its centre being the god-object; 0 = a point
     /// @pre 0 <= fingertip_mm <= kMostFingertip_mm
     explicit HapticScene(std::vector<HapticStructure> structures, double fingertip_mm = 0.0);
+    HapticScene(HapticScene&&) noexcept = default; // its layers point to its structures
+    HapticScene& operator=(HapticScene&&) noexcept = default;
+    ~HapticScene() = default;
 
     static constexpr double kMostFingertip_mm = 50.0;
     [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
@@ -86,8 +83,8 @@ class HapticScene
     [[nodiscard]] std::size_t layerCount() const noexcept { return m_layers.size(); }
     [[nodiscard]] const HapticLayer& layer(std::size_t layer) const noexcept { return m_layers[layer]; }
     /// @return true when the scene's numbers can hold what a HIP at `p_W` needs: it is finite and at most kFarthest
-    /// times the scene's extent away from its middle. Beyond, a HIP's own last digit is larger than the skin: one in
-    /// front of a surface can't be told from one behind it.
+    /// times the scene's extent away from its middle. Beyond, a HIP's own last digit is larger than the skin: one
+    /// in front of a surface can't be told from one behind it.
     [[nodiscard]] bool reaches(const Vec3& p_W) const noexcept PALPATE_NONBLOCKING
     {
         return ((p_W - m_middle).array().abs() <= m_farthest_mm).all(); // not for NaN either

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/haptics/TissueMap.h"
+
+#include <algorithm>
+
+namespace palpate::haptics {
+
+double TissueMap::greatest() const noexcept
+{
+    float most = 0.0F;
+    if (corners != nullptr) {
+        for (const std::array<float, 3>& at : *corners) {
+            most = std::max({most, at[0], at[1], at[2]});
+        }
+    }
+    return factor * double{most};
+}
+
+TissueMap TissueMap::atVertices(const geometry::SurfaceIndex& surface, const geometry::RepairedMesh& repaired,
+                                std::span<const float> values)
+{
+    std::vector<std::array<float, 3>> corners(surface.triangleCount());
+    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+        const geometry::Triangle& from = repaired.mesh.triangles[surface.sourceTriangle(i)];
+        corners[i] = {values[from[0]], values[from[1]], values[from[2]]};
+    }
+    return {std::make_shared<const std::vector<std::array<float, 3>>>(std::move(corners))};
+}
+
+TissueMap TissueMap::atTriangles(const geometry::SurfaceIndex& surface, std::span<const float> values)
+{
+    std::vector<std::array<float, 3>> corners(surface.triangleCount());
+    for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
+        const float value = values[surface.sourceTriangle(i)];
+        corners[i] = {value, value, value};
+    }
+    return {std::make_shared<const std::vector<std::array<float, 3>>>(std::move(corners))};
+}
+
+} // namespace palpate::haptics

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/haptics/HapticScene.h"
+#include "probe/PointProbe.h"
+
+#include <span>
+
+namespace palpate::haptics::internal {
+
+/// Coulomb friction of one god-object in one tick, on the way to where it would stand without friction, g*: it holds
+/// the god-object g while r = |g - g*| is at most R, and drags behind it at that distance else. R is the sum over the
+/// contacts of mu lambda, with lambda the multipliers [mm] that hold g*: those without friction, so that no groove can
+/// hold what squeezes itself in, and R vanishes with the depth. resources/docs/friction.md has the argument.
+///
+/// Which of the two coefficients counts is a state between ticks: friction at rest until that is overcome, friction of
+/// sliding until r falls below kCaught R.
+/// @par Real-time Wait-free.
+/// @par Source Moreau's catching-up algorithm, x' = projection of x on a moving set (arXiv:2501.04781), for the set
+/// |g - g*| <= R; drag by the implicit Euler step.
+class CoulombFriction
+{
+  public:
+    /// Share of R below which what slides is caught: a slow hand with a coarse encoder would stick at each count if it
+    /// were caught at the rim.
+    static constexpr double kCaught = 0.6;
+
+    /// @param layer  where something has friction
+    /// @param dt_s  time since the last tick [s]; <= 0: no drag
+    /// @param slides  as the last tick left it
+    CoulombFriction(const HapticLayer& layer, double dt_s, bool slides) noexcept
+        : m_layer(layer)
+        , m_dt_s(dt_s)
+        , m_slides(slides)
+    {
+    }
+
+    [[nodiscard]] bool slides() const noexcept { return m_slides; }
+
+    /// Begins with another set of contacts, or another place on them.
+    void lift() noexcept { m_still_mm = m_sliding_mm = m_stiffest = m_drag = 0.0; }
+    /// Adds a contact. @param foot  of the god-object on the facet [mm]; @param lambda_mm  its multiplier
+    void press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept;
+    /// @param r_mm  from the god-object to g*; @param rounding_mm  no difference
+    /// @return the share of the way to g* that is made: 0 where friction holds
+    [[nodiscard]] double share(double r_mm, double rounding_mm) noexcept;
+    /// @return true when friction alone holds it against a pull, measured as the spring's length along the way.
+    [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
+    {
+        return pull_mm <= (m_slides ? m_sliding_mm : m_still_mm);
+    }
+
+  private:
+    const HapticLayer& m_layer;
+    double m_dt_s;
+    bool m_slides;
+    bool m_isBehind = false;   ///< `m_behind_mm` is known
+    double m_still_mm = 0.0;   ///< R with the coefficients at rest
+    double m_sliding_mm = 0.0; ///< R with those of sliding
+    double m_drag = 0.0;       ///< of what is pressed, the greatest [N s/mm]
+    double m_stiffest = 0.0;   ///< of what is pressed [N/mm]
+    double m_behind_mm = 0.0;  ///< how far drag lets it fall behind R in this tick
+};
+
+} // namespace palpate::haptics::internal

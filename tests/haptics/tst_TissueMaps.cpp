@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A stiffness that varies over a surface: what is felt at each place, and that no closed path makes energy.
+#include "Known.h"
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace palpate;
+using namespace palpate::test;
+using haptics::HapticScene;
+using haptics::HapticStructure;
+using haptics::Palpator;
+using haptics::TickResult;
+using haptics::Tissue;
+using haptics::TissueMap;
+
+namespace {
+
+struct Mapped
+{
+    geometry::RepairedMesh mesh;
+    HapticStructure structure;
+    std::unique_ptr<HapticScene> scene;
+    Palpator palpator;
+
+    Mapped(const geometry::TriangleMesh& from, const Tissue& tissue, const std::function<double(const Vec3&)>& s,
+           double radius_mm = 0.0)
+        : mesh(geometry::repair(from))
+    {
+        structure.name = "it";
+        auto index = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
+        std::vector<float> values;
+        for (const Vec3& p : mesh.mesh.vertices) {
+            values.push_back(static_cast<float>(s(p)));
+        }
+        structure.maps.stiffness = TissueMap::atVertices(*index, mesh, values);
+        structure.surface = std::move(index);
+        structure.tissue = tissue;
+        build(radius_mm);
+    }
+    void build(double radius_mm = 0.0)
+    {
+        scene = std::make_unique<HapticScene>(std::vector{structure}, radius_mm);
+        palpator.setScene(scene.get());
+        palpator.reset();
+    }
+    TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
+};
+
+Tissue spring(double k)
+{
+    Tissue tissue;
+    tissue.stiffness_N_per_mm = k;
+    return tissue;
+}
+
+Tissue fung()
+{
+    Tissue tissue = spring(0.3);
+    tissue.law.kind = core::LawKind::Exponential;
+    tissue.law.numbers = {0.1, 0.35, 2.0};
+    return tissue;
+}
+
+geometry::TriangleMesh slab(int n)
+{
+    return box(Vec3(-20, -20, -30), Vec3(20, 20, 0), n);
+}
+
+/// The shares of a straight way, from 0 to 1, at which it may pass an edge of `slab(2)`.
+std::vector<double> pieces(const Vec3& from, const Vec3& to)
+{
+    std::vector<double> shares{0.0, 1.0};
+    const auto cut = [&](double begin, double end) { // where a coordinate passes -20, 0, 20
+        for (const double line : {-20.0, 0.0, 20.0}) {
+            const double share = (line - begin) / (end - begin);
+            if (share > 0.0 && share < 1.0) {
+                shares.push_back(share);
+            }
+        }
+    };
+    cut(from.x(), to.x());
+    cut(from.y(), to.y());
+    cut(from.x() - from.y(), to.x() - to.y());
+    cut(from.x() + from.y(), to.x() + to.y());
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+/// Work on the hand along a straight way. On a facet the force is a polynomial of the third degree in the way, which
+/// three points of Gauss integrate exactly.
+double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
+{
+    const std::vector<double> shares = pieces(from, to);
+    double work = 0.0;
+    for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+        const Vec3 a = from + shares[i] * (to - from), step = (shares[i + 1] - shares[i]) * (to - from);
+        const double off = 0.5 * std::sqrt(0.6);
+        for (const auto& [at, weight] :
+             {std::pair(0.5 - off, 5.0 / 18.0), {0.5, 8.0 / 18.0}, {0.5 + off, 5.0 / 18.0}}) {
+            work += weight * on.at(a + at * step).f_W.dot(step);
+        }
+    }
+    return work;
+}
+
+/// The largest work of random closed paths below the top of `slab(2)`, and the greatest on a part of one.
+std::pair<double, double> workOfClosedPaths(Mapped& on, int paths)
+{
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> across(-16.0, 16.0), deep(0.5, 3.0);
+    (void)on.at(Vec3(0.3, 0.1, 1.0));
+    double worst = 0.0, part = 0.0;
+    for (int i = 0; i < paths; ++i) {
+        std::vector<Vec3> corners;
+        for (int j = 0; j < 4; ++j) {
+            corners.emplace_back(across(random), across(random), -deep(random));
+        }
+        double work = 0.0;
+        for (std::size_t j = 0; j < corners.size(); ++j) {
+            work += workAlong(on, corners[j], corners[(j + 1) % corners.size()]);
+            part = std::max(part, std::abs(work));
+        }
+        worst = std::max(worst, std::abs(work));
+    }
+    return {worst, part};
+}
+
+} // namespace
+
+class TissueMaps : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aRampIsFeltAsWritten()
+    {
+        // Values that floats hold: s = 1 + x / 32 at the corners.
+        Mapped on(box(Vec3(-16, -16, -16), Vec3(16, 16, 0), 4), spring(0.5),
+                  [](const Vec3& p) { return 1.0 + p.x() / 32.0; });
+        for (double x = -15.3; x < 15.5; x += 0.37) {
+            (void)on.at(Vec3(x, 0.7, 1.0));
+            const Vec3 hip(x, 0.7, -3.0);
+            const TickResult t = on.at(hip);
+            const double depth = (t.p_WG - hip).norm(), s = 1.0 + x / 32.0;
+            QVERIFY(std::abs(t.f_W.z() / depth / (0.5 * s) - 1.0) < 1e-13);
+            QVERIFY(std::abs(t.f_W.x() + 0.25 * depth * depth / 32.0) < 1e-13); // -W ds/dx
+            QVERIFY(std::abs(t.f_W.y()) < 1e-13);
+        }
+    }
+
+    void forceIsTheGradientOfTheEnergy_data()
+    {
+        QTest::addColumn<double>("radius_mm");
+        QTest::addColumn<bool>("isLinear");
+        QTest::newRow("point, linear") << 0.0 << true;
+        QTest::newRow("point, exponential") << 0.0 << false;
+        QTest::newRow("ball, linear") << 3.0 << true;
+        QTest::newRow("ball, exponential") << 3.0 << false;
+    }
+    void forceIsTheGradientOfTheEnergy()
+    {
+        QFETCH(double, radius_mm);
+        QFETCH(bool, isLinear);
+        const Tissue tissue = isLinear ? spring(0.5) : fung();
+        const auto s = [](const Vec3& p) { return 1.0 + 0.3 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y()); };
+        Mapped on(slab(6), tissue, s, radius_mm);
+        std::mt19937_64 random(2);
+        std::uniform_real_distribution<double> across(-15.0, 15.0), deep(0.5, 6.0);
+        const auto law = haptics::ForceTable::build(tissue);
+        for (int i = 0; i < 400; ++i) {
+            const Vec3 hip(across(random), across(random), radius_mm - deep(random));
+            on.palpator.reset();
+            (void)on.at(Vec3(hip.x(), hip.y(), radius_mm + 1.0));
+            const TickResult t = on.at(hip);
+            // The energy from the stiffness felt: the normal force is s F.
+            const auto energy = [&](const Vec3& p) {
+                const TickResult at = on.at(p);
+                const double d = (at.p_WG - p).norm();
+                const double F = law == nullptr ? 0.5 * d : law->force(d),
+                             W = law == nullptr ? 0.25 * d * d : law->energy(d);
+                return at.f_W.z() / F * W;
+            };
+            QVERIFY(t.constraints == 1 && t.f_W.z() > 0.0);
+            constexpr double kStep = 1e-4;
+            Vec3 gradient;
+            for (int axis = 0; axis < 3; ++axis) {
+                const Vec3 by = kStep * Vec3::Unit(axis);
+                gradient[axis] = (energy(hip + by) - energy(hip - by)) / (2.0 * kStep);
+            }
+            // Where the step crosses from facet to facet the gradient has a kink: those places are left out.
+            const std::uint32_t triangle = t.triangle;
+            const bool isInside = std::all_of(std::begin({0, 1, 2}), std::end({0, 1, 2}), [&](int axis) {
+                return on.at(hip + 2.0 * kStep * Vec3::Unit(axis)).triangle == triangle &&
+                       on.at(hip - 2.0 * kStep * Vec3::Unit(axis)).triangle == triangle;
+            });
+            if (isInside) {
+                const double off = (t.f_W + gradient).norm();
+                QVERIFY2(off < 1e-6, qPrintable(QString("%1 N").arg(off)));
+            }
+        }
+    }
+
+    void noClosedPathMakesEnergy()
+    {
+        std::mt19937_64 random(9);
+        std::uniform_real_distribution<double> value(0.5, 2.0);
+        Mapped on(slab(2), spring(0.5), [&](const Vec3&) { return value(random); });
+        const auto [worst, part] = workOfClosedPaths(on, 10000);
+        QVERIFY2(worst < 1e-12 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
+        QVERIFY(part > 1.0);
+    }
+
+    void withoutTheGradientsTermPathsWouldMakeEnergy()
+    {
+        // In over the soft place and out over the stiff one: what a plain k(x) d gives back too much, the term takes.
+        Mapped on(slab(2), spring(0.5), [](const Vec3& p) { return 1.0 + 0.04 * p.x(); });
+        const std::vector<Vec3> path{{-5, 1, -0.5}, {-5, 1, -4}, {5, 1, -4}, {5, 1, -0.5}, {-5, 1, -0.5}};
+        (void)on.at(Vec3(-5, 1, 1));
+        double whole = 0.0, plain = 0.0;
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            const double work = workAlong(on, path[i], path[i + 1]);
+            whole += work;
+            plain += path[i].x() == path[i + 1].x() ? work : 0.0; // a plain k(x) d does none along the surface
+        }
+        QVERIFY2(std::abs(whole) < 1e-12, qPrintable(QString::number(whole)));
+        QVERIFY2(plain > 0.5, qPrintable(QString::number(plain)));
+    }
+
+    void inACreaseTheForceFollowsItsLine()
+    {
+        Mapped on(groove(1.2, 20.0, 30.0), spring(0.5), [](const Vec3& p) { return 1.0 + p.y() / 64.0; });
+        (void)on.at(Vec3(0, 3, 5));
+        const TickResult t = on.at(Vec3(0, 3, -2));
+        QCOMPARE(int(t.constraints), 2);
+        const double d = (t.p_WG - Vec3(0, 3, -2)).norm();
+        QVERIFY(std::abs(t.f_W.z() - 0.5 * (1.0 + 3.0 / 64.0) * d) < 1e-6);
+        QVERIFY(std::abs(t.f_W.y() + 0.25 * d * d / 64.0) < 1e-6);
+        QVERIFY(std::abs(t.f_W.x()) < 1e-6);
+    }
+
+    void frictionTakesWhatTheMapCouldMake()
+    {
+        Tissue sticky = spring(0.5);
+        sticky.friction_static = sticky.friction_dynamic = 0.02;
+        Mapped on(slab(5), sticky, [](const Vec3& p) { return 1.0 + 0.4 * std::sin(0.5 * p.x()); });
+        std::mt19937_64 random(6);
+        std::uniform_real_distribution<double> across(-12.0, 12.0), deep(0.3, 5.0);
+        Vec3 hip(0, 0, -1), goal = hip, before = hip;
+        const Vec3 home = hip;
+        double input = 0.0;
+        (void)on.at(Vec3(0, 0, 1));
+        for (int i = 0; i < 100000; ++i) {
+            if ((hip - goal).norm() < 0.1) {
+                goal = i < 99000 ? Vec3(across(random), across(random), -deep(random)) : home;
+            }
+            hip += 0.05 * (goal - hip).normalized();
+            input -= on.at(hip).f_W.dot(hip - before);
+            before = hip;
+        }
+        QVERIFY(input > 0.0);
+    }
+
+    void dampingAndFrictionFollowTheirMaps()
+    {
+        Tissue tissue = spring(0.5);
+        tissue.damping_Ns_per_mm = 7.0; // the map stands for it
+        tissue.friction_static = tissue.friction_dynamic = 0.4;
+        Mapped on(slab(1), tissue, [](const Vec3&) { return 1.0; });
+        on.structure.maps.damping =
+            TissueMap::atTriangles(*on.structure.surface, std::vector<float>(on.mesh.mesh.triangles.size(), 0.25F));
+        on.structure.maps.friction =
+            TissueMap::atTriangles(*on.structure.surface, std::vector<float>(on.mesh.mesh.triangles.size(), 0.5F));
+        on.structure.maps.friction.factor = 2.0;
+        on.structure.maps.stiffness = {};
+        on.build();
+        (void)on.at(Vec3(1, 2, 1));
+        (void)on.at(Vec3(1, 2, -2));
+        const Vec3 hip(3, 2, -2);
+        const TickResult t = on.at(hip);
+        const Vec3 felt = t.f_W + 0.25 * Vec3(2.0 / kTick_s, 0, 0); // without the damper's part
+        QVERIFY((felt - 0.5 * (t.p_WG - hip)).norm() < 1e-9);
+        QVERIFY(std::abs(felt.x() + 0.4 * felt.z()) < 1e-9);
+    }
+
+    void aMapOfOnesChangesNothingButRounding()
+    {
+        Mapped on(bumpySphere(12, 25.0, 0.04), spring(0.5), [](const Vec3&) { return 1.0; });
+        Mapped plain(bumpySphere(12, 25.0, 0.04), spring(0.5), [](const Vec3&) { return 1.0; });
+        plain.structure.maps = {};
+        plain.build();
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 hip(24.0 * std::sin(0.01 * i), 5.0 * std::sin(0.003 * i), 20.0 + 6.0 * std::cos(0.02 * i));
+            const TickResult a = on.at(hip), b = plain.at(hip);
+            QVERIFY(a.p_WG == b.p_WG);
+            QVERIFY((a.f_W - b.f_W).norm() <= 1e-15 * b.f_W.norm());
+        }
+    }
+};
+
+PALPATE_TEST(TissueMaps)
+#include "tst_TissueMaps.moc"
