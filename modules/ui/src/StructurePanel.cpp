@@ -18,6 +18,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -66,11 +67,8 @@ class FittingScroll final : public QScrollArea
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     }
-    [[nodiscard]] QSize sizeHint() const override { return widget() != nullptr ? widget()->sizeHint() : QSize(); }
-    [[nodiscard]] QSize minimumSizeHint() const override
-    {
-        return {widget() != nullptr ? widget()->minimumSizeHint().width() : 0, 160};
-    }
+    [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {withBar(widget()->minimumSizeHint()).width(), 160}; }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override
@@ -79,6 +77,13 @@ class FittingScroll final : public QScrollArea
             updateGeometry();
         }
         return QScrollArea::eventFilter(watched, event);
+    }
+
+  private:
+    /// What it holds keeps its width beside the scroll bar.
+    [[nodiscard]] QSize withBar(const QSize& size) const
+    {
+        return {size.width() + verticalScrollBar()->sizeHint().width(), size.height()};
     }
 };
 
