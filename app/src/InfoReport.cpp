@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "QtText.h"
 
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/study/StructureSources.h>
 
 #include <QJsonArray>
@@ -94,6 +95,30 @@ std::vector<std::string> notes(const FileReport& report)
     return out;
 }
 
+/// A structure's law in a line; empty for a linear one.
+std::string lawLine(const core::Tissue& tissue)
+{
+    const core::ForceLaw& law = tissue.law;
+    if (law.kind == core::LawKind::Linear) {
+        return {};
+    }
+    std::string line = std::string(core::lawName(law.kind));
+    std::array<char, 120> number = {};
+    std::size_t i = 0;
+    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+        std::snprintf(number.data(), number.size(), ", %s %.6g", term.key.data(), law.numbers[i++]);
+        line += number.data();
+    }
+    if (!law.points.empty()) {
+        const auto [depth_mm, force_N] = law.points.back();
+        std::snprintf(number.data(), number.size(), ", %zu to %.6g mm and %.6g N", law.points.size(), depth_mm,
+                      force_N);
+        line += number.data();
+    }
+    std::snprintf(number.data(), number.size(), "; at its steepest %.4g N/mm", haptics::greatestStiffness(tissue));
+    return line + number.data();
+}
+
 QJsonArray triple(const core::Vec3& v)
 {
     return {v.x(), v.y(), v.z()};
@@ -122,6 +147,9 @@ void printReport(const FileReport& report)
               "reoriented %zu; vertices welded %zu\n",
               r.openEdges, r.nonManifoldEdges, r.inconsistentEdges, r.zeroAreaTriangles, r.duplicateTriangles,
               r.reorientedTriangles, r.weldedVertices);
+        if (const std::string law = lawLine(structure.description.tissue); !law.empty()) {
+            print("    law: %s\n", law.c_str());
+        }
         if (const auto& e = report.examined[i]) {
             print("    %s\n", crossings(*e, r.triangles).c_str());
             if (const std::string line = wall(*e); !line.empty()) {
@@ -180,6 +208,27 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
     }
 }
 
+/// As in a scene file, and its greatest slope.
+QJsonObject lawObject(const core::Tissue& tissue)
+{
+    const core::ForceLaw& law = tissue.law;
+    QJsonObject object{{"kind", text(std::string(core::lawName(law.kind)))},
+                       {"greatest_slope_N_per_mm", haptics::greatestStiffness(tissue)}};
+    std::size_t i = 0;
+    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+        const double number = law.numbers[i++];
+        object[term.key.data()] = term.isSwitch ? QJsonValue(number != 0.0) : QJsonValue(number);
+    }
+    QJsonArray points;
+    for (const auto& [depth_mm, force_N] : law.points) {
+        points.append(QJsonArray{depth_mm, force_N});
+    }
+    if (!points.isEmpty()) {
+        object["points"] = points;
+    }
+    return object;
+}
+
 QJsonObject toJson(const meshio::LoadedStructure& structure, const session::StructureSource& source,
                    const std::optional<geometry::SurfaceExamination>& examined)
 {
@@ -216,6 +265,9 @@ QJsonObject toJson(const meshio::LoadedStructure& structure, const session::Stru
         {"orientation", orientation(r)},
         {"feels", text(feeling(r))},
     };
+    if (structure.description.tissue.law.kind != core::LawKind::Linear) {
+        object["law"] = lawObject(structure.description.tissue);
+    }
     add(examined, r.triangles, object, sentences);
     object["findings"] = sentences;
     if (!r.bounds.isEmpty()) {

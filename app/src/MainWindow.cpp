@@ -286,6 +286,7 @@ void MainWindow::connectTouch()
 {
     connect(m_palpation, &PalpationController::touched, this, [this](const TouchReading& reading) {
         m_touch->show(reading);
+        m_structures->showTouch(reading);
         m_touchedStructure = reading.structure;
         const session::RecorderStatus recording = m_live.recording();
         if (recording.isRecording) {

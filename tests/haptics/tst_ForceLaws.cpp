@@ -385,7 +385,7 @@ class ForceLaws : public QObject
         row("falls upwards", LawKind::Click, {0.5, 1, 1.5, 1, 0.5}, "F2_N is 1.5, above F1_N, 1");
         row("falls off a cliff", LawKind::Click, {0.5, 20, 1, 0.001, 0.5}, "falls by 19000 N/mm");
         row("one point", LawKind::Points, {0, 0}, "1 points; expected 2 to 64");
-        row("65 points", LawKind::Points, QVector<double>(130), "65 points");
+        row("65 points", LawKind::Points, QVector<double>(130), "more points; expected 2 to 64");
         row("a force at the surface", LawKind::Points, {0, 0.1, 1, 1}, "point 1 of 2 is (0 mm, 0.1 N)");
         row("back up", LawKind::Points, {0, 0, 2, 1, 1, 2},
             "point 3 of 3 is (1 mm, 2 N); expected a depth of 2.001 to 1000 mm");

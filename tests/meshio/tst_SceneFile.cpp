@@ -2,6 +2,8 @@
 #include "Samples.h"
 #include "TestRunner.h"
 
+#include <palpate/meshio/CurveFile.h>
+
 #include <numbers>
 
 using namespace palpate;
@@ -17,6 +19,10 @@ class SceneFile : public QObject
     void absentFieldsHaveDefaults();
     void wrongFieldIsNamedByItsPath_data();
     void wrongFieldIsNamedByItsPath();
+    void lawsComeBackAsTheyWere();
+    void aCurveInAFileIsKeptAsPoints();
+    void aWrongCurveIsNamedByItsLine_data();
+    void aWrongCurveIsNamedByItsLine();
     void newerVersionIsRefused();
     void onlyJsonIsAScene();
 };
@@ -83,13 +89,13 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
 {
     const test::Folder folder;
     const auto path = folder.write("a.json", R"({"version": 1, "author": {"name": "ä"}, "structures":
-        [{"mesh": "a.stl", "friction": [0.5, 1]}], "camera": {"lens": 2},
+        [{"mesh": "a.stl", "breathing": [0.5, 1]}], "camera": {"lens": 2},
         "findings": [{"name": "a", "size": 3}]})");
     const auto scene = meshio::readScene(path);
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(meshio::writeScene(path, scene.value()).isOk());
     const std::string text = test::fileBytes(path);
-    QVERIFY2(text.find("\"friction\"") != std::string::npos && text.find("\"name\": \"ä\"") != std::string::npos,
+    QVERIFY2(text.find("\"breathing\"") != std::string::npos && text.find("\"name\": \"ä\"") != std::string::npos,
              text.c_str());
     const auto again = meshio::readScene(path);
     QCOMPARE(again.value().extra, scene.value().extra);
@@ -132,6 +138,24 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("pose": [1,0,0,0, 0,2,0,0, 0,0,1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
     field(R"("pose": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
     field(R"("name": null)", "name: found null, expected a text");
+    field(R"("law": "hertz")", "law: found \"hertz\", expected an object");
+    field(R"("law": {})", "law.kind: found nothing, expected one of linear, exponential, hertz, layer, click, points");
+    field(R"("law": {"kind": "fung"})", "law.kind: found \"fung\", expected one of linear, exponential");
+    field(R"("law": {"kind": "exponential", "k0_N_per_mm": -0.1})",
+          "law.k0_N_per_mm: found -0.1, expected 1e-06 to 1000");
+    field(R"("law": {"kind": "exponential", "beta_per_mm": "steep"})", "law.beta_per_mm: found \"steep\"");
+    field(R"("law": {"kind": "exponential", "k0_N_per_mm": 3})", "law: k0_N_per_mm is 3, above k_max_N_per_mm, 2");
+    field(R"("law": {"kind": "layer", "bonded": 1})", "law.bonded: found 1, expected true or false");
+    field(R"("law": {"kind": "points"})", "law.points: found nothing, expected points");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [1, 1]], "file": "a.csv"})", "law.points: found both");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [1]]})", "law.points[1]: found an array of 1");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [1, null]]})", "law.points[1]: found an array of 2");
+    field(R"("law": {"kind": "points", "points": [[0, 0.2], [1, 1]]})", "law: point 1 of 2 is (0 mm, 0.2 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [2, 1], [1, 2]]})", "law: point 3 of 3 is (1 mm, 2 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [2, -1]]})", "law: point 2 of 2 is (2 mm, -1 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [1, 2000]]})",
+          "law: point 2 of 2 is (1 mm, 2000 N), a slope of 2000 N/mm");
+    field(R"("law": {"kind": "points", "file": "none.csv"})", "law.file: none.csv");
     const auto whole = [](const char* json, const char* message) {
         QTest::newRow(message) << std::string(json) << std::string(message);
     };
@@ -157,6 +181,97 @@ void SceneFile::wrongFieldIsNamedByItsPath()
     QVERIFY(!scene.isOk());
     QVERIFY2(scene.status().message().starts_with(message), scene.status().message().c_str());
     QVERIFY(scene.status().message().find('\n') == std::string::npos);
+}
+
+void SceneFile::lawsComeBackAsTheyWere()
+{
+    const test::Folder folder;
+    meshio::SceneFile scene;
+    for (const core::LawKind kind : core::kLawKinds) {
+        meshio::SceneStructure s;
+        s.mesh = folder.path("a.stl");
+        s.tissue.law = core::usualLaw(kind);
+        for (double& number : s.tissue.law.numbers) {
+            number *= 1.0 + 1e-3 / 3.0;
+        }
+        if (kind == core::LawKind::Layer) {
+            s.tissue.law.numbers[3] = 0.0; // not bonded
+        } else if (kind == core::LawKind::Points) {
+            s.tissue.law.points[1] = {1.0 / 3.0, 0.1};
+        }
+        scene.structures.push_back(s);
+    }
+    scene.structures.back().extra = R"({"law": {"probe": "ball of 5 mm"}})";
+    const auto path = folder.path("a.palpate.json");
+    QVERIFY(meshio::writeScene(path, scene).isOk());
+    const std::string text = test::fileBytes(path);
+    QVERIFY(text.find("\"linear\"") == std::string::npos); // what a tissue lacks is not said
+    auto back = meshio::readScene(path);
+    QVERIFY2(back.isOk(), back.status().message().c_str());
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        QVERIFY(back.value().structures[i].tissue == scene.structures[i].tissue);
+    }
+    QCOMPARE(back.value().structures.back().extra, std::string(R"({"law":{"probe":"ball of 5 mm"}})"));
+    back.value().structures.back().tissue.law = {};
+    QVERIFY(meshio::writeScene(path, back.value()).isOk());
+    const auto again = meshio::readScene(path);
+    QVERIFY2(again.isOk(), again.status().message().c_str());
+    QVERIFY(again.value().structures.back().tissue.law == core::ForceLaw{});
+    QCOMPARE(again.value().structures.back().extra, back.value().structures.back().extra);
+}
+
+void SceneFile::aCurveInAFileIsKeptAsPoints()
+{
+    const test::Folder folder;
+    folder.write("curve.csv", "\xEF\xBB\xBFtime_s, depth_mm,force_N\r\n0,0,0\r\n\r\n0.1, 1.5 ,0.25\r\n0.2,3,1e0");
+    const auto path = folder.write("a.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "law":
+        {"kind": "points", "file": "curve.csv"}}]})");
+    const auto scene = meshio::readScene(path);
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    const std::vector<core::ForceLaw::Point> expected{{0, 0}, {1.5, 0.25}, {3, 1}};
+    QVERIFY(scene.value().structures[0].tissue.law.points == expected);
+    QVERIFY(scene.value().structures[0].extra.empty());
+    QVERIFY(meshio::writeScene(path, scene.value()).isOk());
+    std::filesystem::remove(folder.path("curve.csv"));
+    const auto again = meshio::readScene(path); // the file is no longer needed
+    QVERIFY2(again.isOk(), again.status().message().c_str());
+    QVERIFY(again.value().structures[0].tissue.law.points == expected);
+}
+
+void SceneFile::aWrongCurveIsNamedByItsLine_data()
+{
+    QTest::addColumn<std::string>("csv");
+    QTest::addColumn<std::string>("message");
+    const auto row = [](const char* name, const std::string& csv, const char* message) {
+        QTest::newRow(name) << csv << "curve.csv: " + std::string(message);
+    };
+    const std::string head = "depth_mm,force_N\n";
+    row("empty", "", "it has 0 points");
+    row("no header", "0,0\n1,1\n", "line 1: no column depth_mm");
+    row("another unit", "depth_m,force_N\n0,0\n", "line 1: no column depth_mm");
+    row("no points", head, "it has 0 points");
+    row("a word", head + "0,0\n1,much\n", "line 3: force_N is \"much\"");
+    row("a cell too few", head + "0,0\n1\n", "line 3: force_N is \"\"");
+    row("no number", head + "0,0\n1,nan\n", "line 3: point 2 of 2 is (1 mm, nan N)");
+    row("does not ascend", head + "0,0\n\n2,1\n1,2\n", "line 5: point 3 of 3 is (1 mm, 2 N)");
+    row("begins in the air", head + "0.5,0\n1,1\n", "line 2: point 1 of 2 is (0.5 mm, 0 N)");
+    row("too steep", head + "0,0\n1,1001\n", "line 3: point 2 of 2 is (1 mm, 1001 N), a slope of 1001 N/mm");
+    std::string many = head;
+    for (int i = 0; i < 65; ++i) {
+        many += std::to_string(i) + "," + std::to_string(i) + "\n";
+    }
+    row("too many", many, "it has more points; expected 2 to 64");
+    row("bytes", std::string("\0\xFF\xFE,\n", 5), "line 1: no column");
+}
+
+void SceneFile::aWrongCurveIsNamedByItsLine()
+{
+    QFETCH(std::string, csv);
+    QFETCH(std::string, message);
+    const test::Folder folder;
+    const auto points = meshio::readCurve(folder.write("curve.csv", csv));
+    QVERIFY(!points.isOk());
+    QVERIFY2(points.status().message().starts_with(message), points.status().message().c_str());
 }
 
 void SceneFile::newerVersionIsRefused()

@@ -23,7 +23,7 @@ constexpr LawTerm kLayer[] = {
     {"young_kPa", "Young's modulus", "kPa", 1e-3, 1e7, 10.0},
     {"radius_mm", "Radius of the ball", "mm", 1e-3, 1000.0, 8.0},
     {"thickness_mm", "Thickness of the layer", "mm", 1e-2, 1000.0, 20.0},
-    {"bonded", "Bonded to what is below", "", 0.0, 1.0, 1.0},
+    {"bonded", "Bonded to what is below", "", 0.0, 1.0, 1.0, true},
 };
 constexpr LawTerm kClick[] = {
     {"k1_N_per_mm", "Stiffness before the click", "N/mm", 1e-6, 1000.0, 0.5},
@@ -72,21 +72,6 @@ std::string pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* be
     return "";
 }
 
-Status checkPoints(const std::vector<ForceLaw::Point>& points)
-{
-    if (points.size() < 2 || points.size() > ForceLaw::kMostPoints) {
-        return wrong("it has " + std::to_string(points.size()) + " points; expected 2 to " +
-                     std::to_string(ForceLaw::kMostPoints));
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
-        if (!problem.empty()) {
-            return wrong("point " + std::to_string(i + 1) + " of " + std::to_string(points.size()) + ' ' + problem);
-        }
-    }
-    return {};
-}
-
 } // namespace
 
 std::string_view lawName(LawKind kind) noexcept
@@ -127,6 +112,23 @@ ForceLaw usualLaw(LawKind kind)
     return law;
 }
 
+PointFault firstFault(std::span<const ForceLaw::Point> points)
+{
+    if (points.size() < 2 || points.size() > ForceLaw::kMostPoints) {
+        return {points.size(),
+                (points.size() > ForceLaw::kMostPoints ? std::string("it has more points")
+                                                       : "it has " + std::to_string(points.size()) + " points") +
+                    "; expected 2 to " + std::to_string(ForceLaw::kMostPoints)};
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::string problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
+        if (!problem.empty()) {
+            return {i, "point " + std::to_string(i + 1) + " of " + std::to_string(points.size()) + ' ' + problem};
+        }
+    }
+    return {};
+}
+
 Status check(const ForceLaw& law)
 {
     const std::span<const LawTerm> terms = lawTerms(law.kind);
@@ -147,7 +149,8 @@ Status check(const ForceLaw& law)
         return wrong("it falls by " + text((n[1] - n[2]) / n[3]) + " N/mm; expected at most " +
                      text(ForceLaw::kMostSlope));
     }
-    return law.kind == LawKind::Points ? checkPoints(law.points) : Status();
+    std::string fault = law.kind == LawKind::Points ? firstFault(law.points).what : std::string();
+    return fault.empty() ? Status() : wrong(std::move(fault));
 }
 
 } // namespace palpate::core

@@ -64,6 +64,13 @@ void JsonFields::fail(const char* name, const std::string& found, const std::str
     }
 }
 
+void JsonFields::refuse(const char* name, const core::Status& why)
+{
+    if (m_status.isOk()) {
+        m_status = {why.code(), m_file + ": " + pathOf(name) + ": " + why.message()};
+    }
+}
+
 void JsonFields::failType(const char* name, const QJsonValue& value, const std::string& expected)
 {
     fail(name, shown(value), expected);
@@ -146,6 +153,29 @@ std::vector<JsonFields> JsonFields::listOf(const char* name)
         list.emplace_back(entry, m_file, pathOf(name) + "[" + std::to_string(list.size()) + "]", m_status);
     }
     return list;
+}
+
+std::vector<std::array<double, 2>> JsonFields::pairs(const char* name, std::size_t most)
+{
+    const QJsonValue found = take(name);
+    const QJsonArray array = found.toArray();
+    if (!found.isArray() || static_cast<std::size_t>(array.size()) > most) {
+        if (!found.isUndefined()) {
+            failType(name, found, "at most " + std::to_string(most) + " pairs of numbers");
+        }
+        return {};
+    }
+    std::vector<std::array<double, 2>> values;
+    for (const QJsonValue& entry : array) {
+        const QJsonArray pair = entry.toArray();
+        if (pair.size() != 2 || !pair[0].isDouble() || !pair[1].isDouble()) {
+            const std::string element = std::string(name) + "[" + std::to_string(values.size()) + "]";
+            failType(element.c_str(), entry, "two numbers");
+            return {};
+        }
+        values.push_back({pair[0].toDouble(), pair[1].toDouble()});
+    }
+    return values;
 }
 
 std::optional<JsonFields> JsonFields::fieldsOf(const char* name)

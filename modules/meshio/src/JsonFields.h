@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ class JsonFields
     void read(const char* name, double& value, double low, double high);
     /// Reads exactly `count` numbers. @return nothing when the field is absent or wrong
     std::optional<std::vector<double>> numbers(const char* name, std::size_t count, double low, double high);
+    /// Reads an array of at most `most` pairs of numbers; empty when the field is absent or wrong.
+    std::vector<std::array<double, 2>> pairs(const char* name, std::size_t most);
     std::optional<QJsonObject> object(const char* name);
     /// The fields of an object; nothing when it is absent or wrong.
     std::optional<JsonFields> fieldsOf(const char* name);
@@ -46,6 +49,8 @@ class JsonFields
     /// @return "structures[2].opacity"
     [[nodiscard]] std::string pathOf(const char* name) const;
     void fail(const char* name, const std::string& found, const std::string& expected);
+    /// Keeps what is wrong with a field as the error. @param why  not ok
+    void refuse(const char* name, const core::Status& why);
 
   private:
     QJsonValue take(const char* name);

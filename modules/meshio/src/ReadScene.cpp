@@ -4,6 +4,7 @@
 #include "Fault.h"
 #include "FileImage.h"
 #include "JsonFields.h"
+#include "SceneLaw.h"
 #include "TextScan.h"
 
 #include <QCryptographicHash>
@@ -158,6 +159,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
             s.maps->push_back(readMapping(map, folder));
         }
     }
+    internal::readLaw(fields, folder, s.tissue.law);
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {

@@ -2,6 +2,7 @@
 #include "palpate/meshio/SceneFile.h"
 
 #include "AtomicFile.h"
+#include "SceneLaw.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -88,6 +89,7 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
             out[term.group.data()] = group;
         }
     }
+    internal::writeLaw(s.tissue.law, out);
     out["layer"] = static_cast<double>(s.layer);
     if (s.maps) {
         QJsonArray maps;

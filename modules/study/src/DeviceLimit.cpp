@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/DeviceLimit.h"
 
+#include <palpate/haptics/ForceTable.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -9,6 +11,8 @@ namespace palpate::study {
 
 namespace {
 
+constexpr double kLeast_N_per_mm = 1e-6; // of a law for which nothing is left
+
 bool isThere(const haptics::HapticStructure& structure)
 {
     return structure.surface != nullptr && structure.surface->triangleCount() > 0;
@@ -16,9 +20,10 @@ bool isThere(const haptics::HapticStructure& structure)
 
 } // namespace
 
-double greatestStiffness(const haptics::HapticStructure& structure) noexcept
+double greatestStiffness(const haptics::HapticStructure& structure)
 {
-    return structure.tissue.stiffness_N_per_mm;
+    return structure.law != nullptr ? structure.law->greatestSlope_N_per_mm()
+                                    : haptics::greatestStiffness(structure.tissue);
 }
 
 double greatestDamping(const haptics::HapticStructure& structure) noexcept
@@ -39,6 +44,10 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
             for (const core::TissueTerm& term : core::kTissueTerms) {
                 one->tissue.*term.member = std::min(one->tissue.*term.member, left.*term.member);
             }
+            if (one->law == nullptr) {
+                one->law = haptics::ForceTable::build(one->tissue);
+            }
+            one->law = haptics::ForceTable::bounded(one->law, std::max(kLeast_N_per_mm, left.stiffness_N_per_mm));
             if (isThere(*one)) {
                 stiffness = std::max(stiffness, greatestStiffness(*one));
                 damping = std::max(damping, greatestDamping(*one));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/HapticCopy.h"
 
+#include <palpate/haptics/ForceTable.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,6 +18,7 @@ haptics::HapticStructure hapticStructure(const meshio::SceneStructure& descripti
     out.surface = std::move(surface);
     out.tissue = description.tissue;
     out.layer = description.layer;
+    out.law = haptics::ForceTable::build(out.tissue);
     return out;
 }
 

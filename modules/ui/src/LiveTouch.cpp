@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include <palpate/core/Clock.h>
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/PassivityController.h>
+#include <palpate/study/DeviceLimit.h>
 
 #include <QLocale>
 
@@ -14,6 +16,12 @@
 #include <QJsonObject>
 
 namespace palpate::ui {
+
+namespace {
+
+constexpr double kRounding = 1e-5; // of the slope of a law that was bounded
+
+} // namespace
 
 LiveTouch::LiveTouch(StructureModel& model, QObject* parent)
     : QObject(parent)
@@ -208,11 +216,12 @@ void LiveTouch::tellRefused()
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
-        const double is = felt[static_cast<std::size_t>(row)].tissue.stiffness_N_per_mm;
-        if (one.palpable && one.tissue.stiffness_N_per_mm > is) {
+        const double asked = haptics::greatestStiffness(one.tissue);
+        const double is = study::greatestStiffness(felt[static_cast<std::size_t>(row)]);
+        if (one.palpable && asked > is * (1.0 + kRounding)) {
             // Short enough for a line below the picture; the field of the stiffness says why.
             line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.")
-                       .arg(QString::fromStdString(one.name), number(one.tissue.stiffness_N_per_mm), number(is),
+                       .arg(QString::fromStdString(one.name), number(asked), number(is),
                             QString::fromStdString(m_info.name),
                             is < greatest.stiffness_N_per_mm ? tr(" beside the layers around it") : QString());
         }

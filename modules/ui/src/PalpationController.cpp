@@ -2,6 +2,7 @@
 #include "palpate/ui/PalpationController.h"
 
 #include <palpate/core/Clock.h>
+#include <palpate/haptics/ForceTable.h>
 
 namespace palpate::ui {
 
@@ -186,9 +187,9 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
         const meshio::SceneStructure& structure = m_model.structure(tick.felt.structure);
         reading.structure = readableName(structure.name);
-        reading.stiffness_N_per_mm = structure.tissue.stiffness_N_per_mm;
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
+        reading.stiffness_N_per_mm = haptics::stiffnessAt(structure.tissue, reading.depth_mm);
         reading.constraints = tick.felt.constraints;
     }
     Q_EMIT touched(reading);

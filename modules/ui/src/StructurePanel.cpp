@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructurePanel.h"
 
+#include "palpate/ui/LawEditor.h"
 #include "palpate/ui/Theme.h"
+#include "palpate/ui/TouchPanel.h"
 
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/study/DeviceLimit.h>
 
 #include <QApplication>
@@ -15,6 +18,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QStyle>
 #include <QStyledItemDelegate>
@@ -26,21 +31,6 @@
 #include <cmath>
 
 namespace palpate::ui {
-
-const std::vector<TissuePreset>& tissuePresets()
-{
-    // A fingertip, as a flat punch of radius a = 5 mm on a half space of modulus E, feels k = 2 a E / (1 - nu^2): 5 kPa
-    // gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. Bone stands for "does not give" within what devices hold.
-    static const std::vector<TissuePreset> presets{
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Very soft organ"), {0.07, 0.0}},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft organ"), {0.25, 0.0}},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm organ"), {0.50, 0.0}},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm lump"), {0.80, 0.0}},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Hard lump"), {1.30, 0.0}},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Bone"), {2.00, 0.0005}},
-    };
-    return presets;
-}
 
 namespace {
 
@@ -71,6 +61,38 @@ double halfDigit(const core::TissueTerm& term)
     return 0.5 * std::pow(10.0, -term.decimals);
 }
 
+/// As high as what it holds, and scrolls where the window is too low for that.
+class FittingScroll final : public QScrollArea
+{
+  public:
+    explicit FittingScroll(QWidget* parent)
+        : QScrollArea(parent)
+    {
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    }
+    [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {withBar(widget()->minimumSizeHint()).width(), 160}; }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (event->type() == QEvent::LayoutRequest) {
+            updateGeometry();
+        }
+        return QScrollArea::eventFilter(watched, event);
+    }
+
+  private:
+    /// What it holds keeps its width beside the scroll bar.
+    [[nodiscard]] QSize withBar(const QSize& size) const
+    {
+        return {size.width() + verticalScrollBar()->sizeHint().width(), size.height()};
+    }
+};
+
 QLabel* makeWarning(const QString& accessibleName, QWidget* box)
 {
     auto* label = new QLabel(box);
@@ -98,6 +120,7 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     m_list->setAlternatingRowColors(true);
     m_list->setAccessibleName(tr("Structures"));
     m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setMinimumHeight(4 * fontMetrics().height());
     m_list->setIconSize(QSize(18, 18));
     m_list->setIndentation(0);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -128,7 +151,9 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(m_list, 1);
     m_tissue = makeTissueBox();
-    layout->addWidget(m_tissue);
+    auto* scrolled = new FittingScroll(this);
+    scrolled->setWidget(m_tissue);
+    layout->addWidget(scrolled);
 
     connect(m_list, &QTreeView::clicked, this, &StructurePanel::click);
     connect(m_list, &QWidget::customContextMenuRequested, this, &StructurePanel::openMenu);
@@ -214,11 +239,76 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     return field;
 }
 
+void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
+{
+    m_preset = new QComboBox(box);
+    m_preset->addItem(tr("Own values"));
+    for (const TissuePreset& preset : tissuePresets()) {
+        m_preset->addItem(tr(preset.name));
+        m_preset->setItemData(m_preset->count() - 1, tr(preset.source), Qt::ToolTipRole);
+    }
+    m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_preset->setAccessibleName(tr("Tissue"));
+    m_preset->setToolTip(tr("How the structure feels, by name"));
+    form.addRow(tr("Tissue"), m_preset);
+    m_source = new QLabel(box);
+    m_source->setWordWrap(true);
+    m_source->setForegroundRole(QPalette::PlaceholderText);
+    form.addRow(m_source);
+    connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
+        if (chosen > 0 && currentRow() >= 0) {
+            setTissue(withPreset(m_model.structure(currentRow()).tissue,
+                                 tissuePresets()[static_cast<std::size_t>(chosen - 1)]));
+        }
+    });
+}
+
+/// After the preset.
+void StructurePanel::addLaw(QFormLayout& form, QWidget* box)
+{
+    int row = 0;
+    QFormLayout::ItemRole role{};
+    form.getWidgetPosition(m_source, &row, &role);
+    m_law = new LawEditor(box);
+    form.insertRow(row + 1, m_law);
+    connect(m_law, &LawEditor::edited, this, [this](const core::ForceLaw& law) {
+        if (!m_isShowing && currentRow() >= 0) {
+            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
+            tissue.law = law;
+            setTissue(tissue);
+        }
+    });
+    connect(m_law, &LawEditor::refused, this, &StructurePanel::refuse);
+}
+
+void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
+{
+    m_friction = new QComboBox(box);
+    for (const FrictionPreset& preset : frictionPresets()) {
+        m_friction->addItem(tr(preset.name));
+    }
+    m_friction->addItem(tr("Own values"));
+    m_friction->setAccessibleName(tr("Friction"));
+    m_friction->setToolTip(tr("How much the surface holds the fingertip, by name"));
+    form.addRow(tr("Friction"), m_friction);
+    connect(m_friction, &QComboBox::activated, this, [this](int chosen) {
+        if (currentRow() >= 0 && static_cast<std::size_t>(chosen) < frictionPresets().size()) {
+            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
+            tissue.friction_static = tissue.friction_dynamic =
+                frictionPresets()[static_cast<std::size_t>(chosen)].coefficient;
+            setTissue(tissue);
+        }
+    });
+}
+
 void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
 {
     m_bound = makeWarning(tr("What is felt of it"), box);
     m_refusal = makeWarning(tr("Why the value was refused"), box);
     for (std::size_t i = 0; i < m_terms.size(); ++i) {
+        if (core::kTissueTerms[i].member == &haptics::Tissue::friction_static) {
+            addFriction(form, box);
+        }
         m_terms[i] = makeField(core::kTissueTerms[i], box);
         form.addRow(tr(core::kTissueTerms[i].name.data()), m_terms[i]);
         if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
@@ -251,24 +341,12 @@ QWidget* StructurePanel::makeTissueBox()
     addHead(*form, box);
     addOpacity(*form, box);
     const int layerRow = form->rowCount();
-
-    m_preset = new QComboBox(box);
-    m_preset->addItem(tr("Own values"));
-    for (const TissuePreset& preset : tissuePresets()) {
-        m_preset->addItem(tr(preset.name));
-    }
-    m_preset->setAccessibleName(tr("Tissue"));
-    m_preset->setToolTip(tr("How the structure feels, by name"));
-    form->addRow(tr("Tissue"), m_preset);
-
+    addPresets(*form, box);
     addTerms(*form, box);
+    addLaw(*form, box);
     addLayer(*form, layerRow, box);
+    m_form = form;
 
-    connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
-        if (chosen > 0) {
-            setTissue(tissuePresets()[static_cast<std::size_t>(chosen - 1)].tissue);
-        }
-    });
     return box;
 }
 
@@ -339,16 +417,7 @@ void StructurePanel::showSelection()
         m_colour->setIcon(m_model.data(m_model.index(row, StructureModel::Name), Qt::DecorationRole).value<QIcon>());
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
-        for (std::size_t i = 0; i < m_terms.size(); ++i) {
-            m_terms[i]->setValue(one.tissue.*core::kTissueTerms[i].member);
-        }
-        int chosen = 0;
-        for (std::size_t i = 0; i < tissuePresets().size(); ++i) {
-            if (tissuePresets()[i].tissue == one.tissue) {
-                chosen = static_cast<int>(i) + 1;
-            }
-        }
-        m_preset->setCurrentIndex(chosen);
+        showTissue(one.tissue);
         showLayer(row);
         showBound(row);
     } else {
@@ -357,6 +426,27 @@ void StructurePanel::showSelection()
         m_findings->hide();
     }
     m_isShowing = false;
+}
+
+void StructurePanel::showTissue(const haptics::Tissue& tissue)
+{
+    for (std::size_t i = 0; i < m_terms.size(); ++i) {
+        m_terms[i]->setValue(tissue.*core::kTissueTerms[i].member);
+    }
+    m_form->setRowVisible(m_terms.front(), tissue.law.kind == core::LawKind::Linear); // the others have their own
+    m_law->show(tissue, m_greatest.stiffness_N_per_mm);
+    const int preset = presetOf(tissue), friction = frictionPresetOf(tissue);
+    m_preset->setCurrentIndex(preset + 1);
+    m_form->setRowVisible(m_source, preset >= 0);
+    m_source->setText(preset < 0 ? QString()
+                                 : tr("Source: %1").arg(tr(tissuePresets()[static_cast<std::size_t>(preset)].source)));
+    m_friction->setCurrentIndex(friction < 0 ? m_friction->count() - 1 : friction);
+}
+
+void StructurePanel::showTouch(const TouchReading& reading)
+{
+    const bool isHere = currentRow() >= 0 && reading.structure == readableName(m_model.structure(currentRow()).name);
+    m_law->setDepth(isHere ? reading.depth_mm : 0.0);
 }
 
 void StructurePanel::showLayer(int row)
@@ -394,8 +484,8 @@ QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& fe
 void StructurePanel::showBound(int row)
 {
     const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
-    const double own = m_model.structure(row).tissue.stiffness_N_per_mm;
-    const double is = felt[static_cast<std::size_t>(row)].tissue.stiffness_N_per_mm;
+    const double own = haptics::greatestStiffness(m_model.structure(row).tissue);
+    const double is = study::greatestStiffness(felt[static_cast<std::size_t>(row)]);
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
     const QLocale locale;
     const QString takers = whoTakes(felt, row);
@@ -404,33 +494,59 @@ void StructurePanel::showBound(int row)
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
 
+/// @return why a tissue can't be had in place of the one that is there; empty: it can.
+QString StructurePanel::refusal(const haptics::Tissue& asked, const haptics::Tissue& now) const
+{
+    if (const core::Status law = core::check(asked.law); !law.isOk()) {
+        QString why = QString::fromStdString(law.message());
+        for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) { // as the field is called, not the file's key
+            why.replace(QLatin1String(term.key.data()), tr(term.name.data()));
+        }
+        return tr("This law is refused: %1.").arg(why);
+    }
+    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
+    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(currentRow())).tissue;
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        const bool isStiffness = term.member == &haptics::Tissue::stiffness_N_per_mm;
+        const double value = isStiffness ? haptics::greatestStiffness(asked) : asked.*term.member;
+        const double before = isStiffness ? haptics::greatestStiffness(now) : now.*term.member;
+        const double most = std::max(0.0, m_greatest.*term.member - taken.*term.member);
+        if (!(value > most + halfDigit(term)) || !(value > before)) {
+            continue;
+        }
+        const QLocale locale;
+        if (!isStiffness) {
+            return tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
+                .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
+        }
+        const QString takers = whoTakes(felt, currentRow());
+        const QString why = takers.isEmpty() ? m_why : tr("%1 Of that %2.").arg(m_why, takers);
+        const QString found = locale.toString(value, 'g', 4);
+        const QString allowed = locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2);
+        return asked.law.kind == core::LawKind::Linear
+                   ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.").arg(found, why, allowed)
+                   : tr("A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it "
+                        "rises by %3 N/mm or less.")
+                         .arg(found, why, allowed);
+    }
+    return {};
+}
+
+void StructurePanel::refuse(const QString& line)
+{
+    showSelection();
+    m_refusal->setText(line);
+    m_refusal->show();
+}
+
 void StructurePanel::setTissue(const haptics::Tissue& tissue)
 {
     if (currentRow() < 0) {
         return;
     }
     meshio::SceneStructure changed = m_model.structure(currentRow());
-    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
-    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(currentRow())).tissue;
-    for (const core::TissueTerm& term : core::kTissueTerms) {
-        const double asked = tissue.*term.member;
-        const double most = std::max(0.0, m_greatest.*term.member - taken.*term.member);
-        if (!(asked > most + halfDigit(term)) || !(asked > changed.tissue.*term.member)) {
-            continue;
-        }
-        const QLocale locale;
-        const QString takers = whoTakes(felt, currentRow());
-        const QString why = takers.isEmpty() ? m_why : tr("%1 Of that %2.").arg(m_why, takers);
-        const QString line =
-            term.member == &haptics::Tissue::stiffness_N_per_mm
-                ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.")
-                      .arg(locale.toString(asked, 'g', 4), why,
-                           locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2))
-                : tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
-                      .arg(locale.toString(asked, 'g', 4), locale.toString(most, 'f', 4));
-        showSelection();
-        m_refusal->setText(line);
-        m_refusal->show();
+    if (const QString why = refusal(tissue, changed.tissue); !why.isEmpty()) {
+        refuse(why);
         return;
     }
     m_refusal->hide();

@@ -161,6 +161,18 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     }
 }
 
+double greatestStiffness(const Tissue& tissue)
+{
+    const std::shared_ptr<const ForceTable> table = ForceTable::build(tissue);
+    return table == nullptr ? tissue.stiffness_N_per_mm : table->greatestSlope_N_per_mm();
+}
+
+double stiffnessAt(const Tissue& tissue, double depth_mm)
+{
+    const std::shared_ptr<const ForceTable> table = ForceTable::build(tissue);
+    return table == nullptr ? tissue.stiffness_N_per_mm : table->slope(depth_mm);
+}
+
 std::size_t ForceTable::byteSize() const noexcept
 {
     return sizeof(ForceTable) + m_cells.capacity() * sizeof(Cell) + m_knots.capacity() * sizeof(Knot);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,7 +50,8 @@ struct LawTerm
     std::string_view name;
     std::string_view unit;
     double least, most;
-    double usual; ///< where a file does not say it
+    double usual;          ///< where a file does not say it
+    bool isSwitch = false; ///< 0 or 1; true or false in files
 };
 
 /// The name of a law in files: "linear".
@@ -64,5 +66,13 @@ inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, Law
 /// @return what is wrong with a law, by number or point and value: one that is not finite or out of its range, numbers
 /// that contradict one another, points that do not ascend from (0, 0), fall below 0 or are too steep. Fine for linear.
 [[nodiscard]] Status check(const ForceLaw& law);
+
+/// The first of measured points that makes them no law, from 0, and what is wrong; nothing wrong: an empty text.
+struct PointFault
+{
+    std::size_t point = 0;
+    std::string what;
+};
+[[nodiscard]] PointFault firstFault(std::span<const ForceLaw::Point> points);
 
 } // namespace palpate::core

@@ -148,4 +148,9 @@ class ForceTable
     std::vector<Knot> m_knots;
 };
 
+/// @return the largest slope of force by depth that a hand meets on such a tissue [N/mm].
+[[nodiscard]] double greatestStiffness(const Tissue& tissue);
+/// @return the slope at a depth [N/mm]. Builds a table: for a picture, not for the servo thread.
+[[nodiscard]] double stiffnessAt(const Tissue& tissue, double depth_mm);
+
 } // namespace palpate::haptics

@@ -10,7 +10,7 @@
 namespace palpate::study {
 
 /// @return the largest slope of force by depth that a hand can meet on this structure [N/mm].
-[[nodiscard]] double greatestStiffness(const haptics::HapticStructure& structure) noexcept;
+[[nodiscard]] double greatestStiffness(const haptics::HapticStructure& structure);
 /// @return the largest damping that a hand can meet on it [N·s/mm].
 [[nodiscard]] double greatestDamping(const haptics::HapticStructure& structure) noexcept;
 
@@ -19,7 +19,7 @@ namespace palpate::study {
 /// A hand pressed through an outer layer into an inner one feels both: layers are springs in parallel, and so are their
 /// dampers. The most that it can meet is therefore the sum over the layers of the greatest in each, wherever they lie:
 /// a hand in one may still hold the god-object of another. The outermost layer gets what it asks for as far as the
-/// device holds it, each next one what is left.
+/// device holds it, each next one what is left. A law keeps its shape where it is no steeper than that.
 /// @param greatest    that the device holds; other terms than stiffness and damping bound each structure alone
 /// @param structures  those without a surface count for nothing
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/TissuePresets.h"
 
 #include <QWidget>
 
@@ -17,6 +18,9 @@ class QTreeView;
 
 namespace palpate::ui {
 
+class LawEditor;
+struct TouchReading;
+
 /// The list of structures, and look and feel of the selected one.
 class StructurePanel : public QWidget
 {
@@ -29,6 +33,8 @@ class StructurePanel : public QWidget
     void setGreatest(const haptics::Tissue& greatest, const QString& why);
     [[nodiscard]] int currentRow() const;
     void select(int row);
+    /// Shows in the curve of the selected structure's law how deep the hand is in it.
+    void showTouch(const TouchReading& reading);
 
   protected:
     /// In the list: V shows or hides the selected structure, H makes it felt or not, Ctrl+Down and Ctrl+Up have it felt
@@ -39,6 +45,8 @@ class StructurePanel : public QWidget
     void click(const QModelIndex& index);
     void showSelection();
     void setTissue(const haptics::Tissue& tissue);
+    void refuse(const QString& line);
+    [[nodiscard]] QString refusal(const haptics::Tissue& asked, const haptics::Tissue& now) const;
     void setLayer(std::uint32_t layer);
     void showLayer(int row);
     void showBound(int row);
@@ -51,6 +59,10 @@ class StructurePanel : public QWidget
     void addOpacity(QFormLayout& form, QWidget* box);
     void addLayer(QFormLayout& form, int place, QWidget* box);
     void addTerms(QFormLayout& form, QWidget* box);
+    void addPresets(QFormLayout& form, QWidget* box);
+    void addLaw(QFormLayout& form, QWidget* box);
+    void addFriction(QFormLayout& form, QWidget* box);
+    void showTissue(const haptics::Tissue& tissue);
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
 
     StructureModel& m_model;
@@ -61,6 +73,10 @@ class StructurePanel : public QWidget
     QSlider* m_opacity = nullptr;
     QLabel* m_opacityText = nullptr;
     QComboBox* m_preset = nullptr;
+    QLabel* m_source = nullptr; ///< of the preset's numbers
+    LawEditor* m_law = nullptr;
+    QComboBox* m_friction = nullptr;
+    QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
     QComboBox* m_layer = nullptr; ///< what is chosen is the layer
     QLabel* m_bound = nullptr;    ///< what is felt of the values, where the device holds less
@@ -70,13 +86,5 @@ class StructurePanel : public QWidget
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;
 };
-
-/// A tissue by name, "as felt" by a fingertip.
-struct TissuePreset
-{
-    const char* name;
-    haptics::Tissue tissue;
-};
-[[nodiscard]] const std::vector<TissuePreset>& tissuePresets();
 
 } // namespace palpate::ui

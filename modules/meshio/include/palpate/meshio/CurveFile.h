@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/ForceLaw.h>
+#include <palpate/core/Status.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace palpate::meshio {
+
+/// Reads a measured curve: CSV whose header has `depth_mm` and `force_N`, then at most 64 rows that core::check takes;
+/// other columns and empty lines are passed over. An error names the line and the value: "curve.csv: line 4: …".
+[[nodiscard]] core::Result<std::vector<core::ForceLaw::Point>> readCurve(const std::filesystem::path& path);
+
+} // namespace palpate::meshio

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/TissuePresets.h"
+
+#include <QtGlobal>
+
+namespace palpate::ui {
+
+namespace {
+
+core::Tissue linear(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0)
+{
+    core::Tissue tissue;
+    tissue.stiffness_N_per_mm = stiffness_N_per_mm;
+    tissue.damping_Ns_per_mm = damping_Ns_per_mm;
+    return tissue;
+}
+
+core::Tissue lawful(core::LawKind kind, const std::array<double, core::ForceLaw::kMostNumbers>& numbers)
+{
+    core::Tissue tissue = linear(0.25);
+    tissue.law = {kind, numbers, {}};
+    return tissue;
+}
+
+} // namespace
+
+const std::vector<TissuePreset>& tissuePresets()
+{
+    // A fingertip, as a flat punch of radius a = 5 mm on a half space of modulus E, feels k = 2 a E / (1 - nu^2): 5 kPa
+    // gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. Of a shear modulus, with nu = 1/2, it feels 8 a mu. Bone
+    // stands for "does not give" within what devices hold.
+    static const char* const kChosen = QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "numbers chosen");
+    static const char* const kElastography =
+        QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
+                          "shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it");
+    static const std::vector<TissuePreset> presets{
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Very soft organ"), kChosen, linear(0.07)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft organ"), kChosen, linear(0.25)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm organ"), kChosen, linear(0.50)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm lump"), kChosen, linear(0.80)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Hard lump"), kChosen, linear(1.30)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Bone"), kChosen, linear(2.00, 0.0005)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, healthy (2.3 kPa)"), kElastography, linear(0.092)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, fibrotic (5.9 kPa)"), kElastography, linear(0.236)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, malignant (10.1 kPa)"), kElastography, linear(0.404)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, stiffer with depth"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
+                           "shape after Carter et al. 2001 (exponential), numbers chosen"),
+         lawful(core::LawKind::Exponential, {0.1, 0.35, 1.5})},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft ground under a ball"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "shape after Hertz 1882, numbers chosen"),
+         lawful(core::LawKind::Hertz, {10.0, 8.0})},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Button that clicks"), kChosen,
+         lawful(core::LawKind::Click, {0.5, 1.0, 0.6, 1.0, 0.5})},
+    };
+    return presets;
+}
+
+core::Tissue withPreset(core::Tissue tissue, const TissuePreset& preset)
+{
+    tissue.stiffness_N_per_mm = preset.tissue.stiffness_N_per_mm;
+    tissue.damping_Ns_per_mm = preset.tissue.damping_Ns_per_mm;
+    tissue.law = preset.tissue.law;
+    return tissue;
+}
+
+int presetOf(const core::Tissue& tissue)
+{
+    for (std::size_t i = 0; i < tissuePresets().size(); ++i) {
+        if (withPreset(tissue, tissuePresets()[i]) == tissue) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+const std::vector<FrictionPreset>& frictionPresets()
+{
+    // All chosen: of a gloved finger on an organ no measured coefficient was found.
+    static const std::vector<FrictionPreset> presets{
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "None"), 0.0},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Wet (0.05, chosen)"), 0.05},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Moist (0.15, chosen)"), 0.15},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Dry (0.40, chosen)"), 0.40},
+    };
+    return presets;
+}
+
+int frictionPresetOf(const core::Tissue& tissue)
+{
+    for (std::size_t i = 0; i < frictionPresets().size(); ++i) {
+        const double coefficient = frictionPresets()[i].coefficient;
+        if (tissue.friction_static == coefficient && tissue.friction_dynamic == coefficient) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+} // namespace palpate::ui
