@@ -17,8 +17,9 @@ std::string counted(std::size_t n, const char* one, const char* many)
 
 bool MeshReport::isClean() const noexcept
 {
-    return zeroAreaTriangles == 0 && duplicateTriangles == 0 && inconsistentEdges == 0 && reorientedTriangles == 0 &&
-           openEdges == 0 && nonManifoldEdges == 0 && openComponents == 0 && insideOutComponents == 0;
+    return mixedValues == 0 && zeroAreaTriangles == 0 && duplicateTriangles == 0 && inconsistentEdges == 0 &&
+           reorientedTriangles == 0 && openEdges == 0 && nonManifoldEdges == 0 && openComponents == 0 &&
+           insideOutComponents == 0;
 }
 
 std::vector<std::string> MeshReport::sentences() const
@@ -29,6 +30,8 @@ std::vector<std::string> MeshReport::sentences() const
             lines.push_back(counted(n, one, many) + rest);
         }
     };
+    say(mixedValues, "value", "values",
+        " of arrays differed by more than 10 % from another at the same vertex: the mean is used");
     say(zeroAreaTriangles, "triangle", "triangles", " without area left out");
     say(duplicateTriangles, "duplicate triangle", "duplicate triangles", " left out");
     say(reorientedTriangles, "triangle", "triangles", " turned round to face the same way as the rest");

@@ -2,6 +2,7 @@
 #include "palpate/geometry/EdgeTable.h"
 #include "palpate/geometry/MeshReport.h"
 
+#include "CarryArrays.h"
 #include "Orientation.h"
 
 #include <algorithm>
@@ -133,10 +134,20 @@ void dropUnusedVertices(TriangleMesh& mesh)
     for (std::size_t v = 0; v < renumbered.size(); ++v) {
         if (renumbered[v] == 0) {
             mesh.vertices[next] = mesh.vertices[v];
+            for (MeshArray& array : mesh.arrays) {
+                if (!array.isPerTriangle) {
+                    array.values[next] = array.values[v];
+                }
+            }
             renumbered[v] = next++;
         }
     }
     mesh.vertices.resize(next);
+    for (MeshArray& array : mesh.arrays) {
+        if (!array.isPerTriangle) {
+            array.values.resize(next);
+        }
+    }
     for (Triangle& t : mesh.triangles) {
         for (std::uint32_t& v : t) {
             v = renumbered[v];
@@ -223,6 +234,7 @@ void Repairer::weldAndDrop()
 {
     const std::vector<std::uint32_t> renumbered = weld(m_input.vertices, m_mesh.vertices);
     m_report.weldedVertices = m_input.vertices.size() - m_mesh.vertices.size();
+    m_mesh.arrays = weldArrays(m_input.arrays, renumbered, m_mesh.vertices.size(), m_report.mixedValues);
     std::vector<Triangle> candidates(m_input.triangles.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -254,6 +266,7 @@ void Repairer::weldAndDrop()
             m_result.source.push_back(i);
         }
     }
+    keepTriangles(m_mesh.arrays, m_result.source);
     dropUnusedVertices(m_mesh);
 }
 

@@ -169,6 +169,15 @@ std::vector<std::array<double, 2>> JsonFields::pairs(const char* name, std::size
     return values;
 }
 
+std::vector<JsonFields> JsonFields::listOf(const char* name)
+{
+    std::vector<JsonFields> list;
+    for (const QJsonObject& entry : objects(name)) {
+        list.emplace_back(entry, m_file, pathOf(name) + "[" + std::to_string(list.size()) + "]", m_status);
+    }
+    return list;
+}
+
 std::optional<JsonFields> JsonFields::fieldsOf(const char* name)
 {
     const auto found = object(name);

@@ -37,6 +37,8 @@ class JsonFields
     std::optional<JsonFields> fieldsOf(const char* name);
     /// The objects of an array; empty when the field is absent.
     std::vector<QJsonObject> objects(const char* name);
+    /// The fields of each of them.
+    std::vector<JsonFields> listOf(const char* name);
 
     /// Lets fields of an object that nobody asked for count as unknown here. @param fields  as `unknown` says them
     void keepUnknown(const char* name, const std::string& fields);

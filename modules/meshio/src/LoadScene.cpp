@@ -4,6 +4,7 @@
 
 #include "AnatomyColours.h"
 #include "Fault.h"
+#include "ResolveMaps.h"
 
 #include <palpate/core/Parallel.h>
 
@@ -268,6 +269,7 @@ void Loader::collect()
         }
         m_scene.scene.structures.push_back(pending.description);
         m_scene.structures.push_back({std::move(pending.description), pending.frame, std::move(pending.surface)});
+        resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses);
     }
 }
 

@@ -23,8 +23,8 @@ using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
 
-// Layout: head size, head, then for each structure its vertices and its triangles as they lie in memory. Both ends are
-// one build on one machine.
+// Layout: head size, head, then for each structure its vertices, its triangles and its arrays' values as they lie in
+// memory. Both ends are one build on one machine.
 constexpr std::size_t kMostHead = std::size_t{1} << 28;
 constexpr std::size_t kMostMessage = 4000;
 constexpr std::size_t kPart = std::size_t{1} << 22;
@@ -163,6 +163,11 @@ Head headOf(const Result<MeshFile>& outcome)
         head.put(structure.colour.value_or(std::array<double, 3>{}));
         head.put(std::uint64_t{structure.mesh.vertices.size()});
         head.put(std::uint64_t{structure.mesh.triangles.size()});
+        head.put(std::uint64_t{structure.mesh.arrays.size()});
+        for (const geometry::MeshArray& array : structure.mesh.arrays) {
+            head.put(array.name);
+            head.put(std::uint8_t{array.isPerTriangle});
+        }
     }
     return head;
 }
@@ -199,6 +204,11 @@ bool writeOutcome(int descriptor, Result<MeshFile> outcome)
             !writeAll(descriptor, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle))) {
             return false;
         }
+        for (const geometry::MeshArray& array : mesh.arrays) {
+            if (!writeAll(descriptor, array.values.data(), array.values.size() * sizeof(float))) {
+                return false;
+            }
+        }
     }
     return true;
 }
@@ -225,6 +235,12 @@ const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshC
                 return t[0] < vertices && t[1] < vertices && t[2] < vertices;
             })) {
             return "an index out of range";
+        }
+        for (geometry::MeshArray& array : mesh.arrays) {
+            if (!moveItems(descriptor, at, array.isPerTriangle ? counts[i].triangles : counts[i].vertices, array.values,
+                           [](float) { return true; })) {
+                return "half an array";
+            }
         }
     }
     return nullptr;
@@ -287,11 +303,18 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
         MeshCounts& c = counts.emplace_back();
         c.vertices = head.take<std::uint64_t>();
         c.triangles = head.take<std::uint64_t>();
-        if (c.vertices > size || c.triangles > size || c.triangles == 0 ||
-            c.vertices * sizeof(Vec3) + c.triangles * sizeof(Triangle) > size - end) {
+        std::uint64_t ofVertex = sizeof(Vec3), ofTriangle = sizeof(Triangle); // bytes of one
+        for (auto arrays = head.take<std::uint64_t>(); arrays > 0 && head.isGood(); --arrays) {
+            geometry::MeshArray& array = structure.mesh.arrays.emplace_back();
+            array.name = head.text();
+            array.isPerTriangle = head.take<std::uint8_t>() != 0;
+            (array.isPerTriangle ? ofTriangle : ofVertex) += sizeof(float);
+        }
+        if (structure.mesh.arrays.size() > 2 * kMostArrays || c.vertices > size || c.triangles > size ||
+            c.triangles == 0 || c.vertices * ofVertex + c.triangles * ofTriangle > size - end) {
             return nonsense("an impossible count");
         }
-        end += c.vertices * sizeof(Vec3) + c.triangles * sizeof(Triangle);
+        end += c.vertices * ofVertex + c.triangles * ofTriangle;
     }
     if (!head.isAtEnd() || file.structures.empty() || end != size) {
         return nonsense("counts that do not fit its size");

@@ -29,6 +29,8 @@ struct PreScan
     /// own arrays say them (VTP).
     std::vector<std::string> partNames;
     std::vector<std::uint32_t> partOfCell;
+    /// Arrays of one number a point, or a polygon, that the reader shall give (VTP).
+    std::vector<std::string> pointArrays, cellArrays;
     std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
     std::string loss;               ///< what was cut off, "place: what is missing"
 };
@@ -43,6 +45,8 @@ struct ScanContext
     std::function<bool(double)> progress;
 };
 
+/// Arrays of one kind, points' or polygons', that come with a mesh: more are left out and noted.
+inline constexpr std::size_t kMostArrays = 16;
 inline constexpr double kMostMm = 1e7; ///< largest coordinate [mm]
 /// Points and cells of a file: indices are 32-bit inside.
 inline constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max();

@@ -76,6 +76,61 @@ void readTissue(JsonFields& fields, core::Tissue& tissue)
     }
 }
 
+/// Reads a name out of a list of names; its place there.
+template<class Enum, std::size_t N>
+void readName(JsonFields& fields, const char* name, const std::array<std::string_view, N>& names, Enum& value)
+{
+    std::string text(names[static_cast<std::size_t>(value)]);
+    fields.read(name, text);
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found != names.end()) {
+        value = static_cast<Enum>(found - names.begin());
+        return;
+    }
+    std::string expected;
+    for (const std::string_view known : names) {
+        expected.append(expected.empty() ? "" : ", ").append(known);
+    }
+    fields.fail(name, internal::inQuotes(text), "one of " + expected);
+}
+
+core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path& folder)
+{
+    core::TissueMapping map;
+    readName(fields, "quantity", core::kQuantityNames, map.quantity);
+    map.unit = map.quantity == core::MappedQuantity::Damping ? core::MapUnit::NsPerMm : core::MapUnit::Scale;
+    fields.read("array", map.array);
+    std::string file;
+    fields.read("file", file);
+    if (map.array.empty() == file.empty()) {
+        fields.fail("array", map.array.empty() ? "neither `array` nor `file`" : "`array` and `file`", "one of them");
+    }
+    if (!file.empty()) {
+        map.file = (folder / std::filesystem::path(file)).lexically_normal().string();
+    }
+    const auto known = std::find_if(core::kKnownMaps.begin(), core::kKnownMaps.end(),
+                                    [&](const core::KnownMap& k) { return k.array == map.array; });
+    if (known != core::kKnownMaps.end() && known->quantity == map.quantity) {
+        map.unit = known->unit;
+    } else if (!fields.has("unit") && map.quantity == core::MappedQuantity::Stiffness) {
+        // Young's or shear, or a scale: wrong by a factor of three and more where it is guessed.
+        fields.fail("unit", "nothing", "scale, N_per_mm, young_kPa or shear_kPa: what the numbers are");
+    }
+    readName(fields, "unit", core::kMapUnitNames, map.unit);
+    if (!core::fits(map.quantity, map.unit)) {
+        fields.fail("unit", internal::inQuotes(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]),
+                    "a unit of " + std::string(core::kQuantityNames[static_cast<std::size_t>(map.quantity)]));
+    }
+    fields.read("contact_radius_mm", map.contactRadius_mm, 1e-3, 1e3);
+    if (const auto clamp = fields.numbers("clamp", 2, 0.0, 1e12)) {
+        map.clamp = {(*clamp)[0], (*clamp)[1]};
+        if ((*clamp)[0] > (*clamp)[1]) {
+            fields.fail("clamp", "a larger number before a smaller", "the least, then the most");
+        }
+    }
+    return map;
+}
+
 SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& folder)
 {
     SceneStructure s;
@@ -99,6 +154,12 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("flipped", s.flipped);
     readTissue(fields, s.tissue);
     internal::readLaw(fields, folder, s.tissue.law);
+    if (fields.has("maps")) {
+        s.maps.emplace();
+        for (JsonFields& map : fields.listOf("maps")) {
+            s.maps->push_back(readMapping(map, folder));
+        }
+    }
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {

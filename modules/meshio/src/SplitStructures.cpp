@@ -62,6 +62,17 @@ bool hasArea(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles)
     });
 }
 
+/// Adds the values of one vertex, or of one triangle, to a structure's arrays.
+void takeValues(const std::vector<geometry::MeshArray>& from, bool isPerTriangle, std::uint32_t i,
+                std::vector<geometry::MeshArray>& to)
+{
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        if (from[k].isPerTriangle == isPerTriangle) {
+            to[k].values.push_back(from[k].values[i]);
+        }
+    }
+}
+
 } // namespace
 
 Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, const PreScan& scan,
@@ -112,6 +123,9 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
         }
         geometry::TriangleMesh& mesh = structure.mesh;
         mesh.triangles.reserve(begin[part + 1] - begin[part]);
+        for (const geometry::MeshArray& array : soup.mesh.arrays) {
+            mesh.arrays.push_back({array.name, array.isPerTriangle, {}});
+        }
         for (std::size_t i = begin[part]; i < begin[part + 1]; ++i) {
             Triangle triangle = triangles[order[i]];
             for (std::uint32_t& corner : triangle) {
@@ -119,10 +133,12 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
                     user[corner] = part;
                     place[corner] = static_cast<std::uint32_t>(mesh.vertices.size());
                     mesh.vertices.push_back(points[corner]);
+                    takeValues(soup.mesh.arrays, false, corner, mesh.arrays);
                 }
                 corner = place[corner];
             }
             mesh.triangles.push_back(triangle);
+            takeValues(soup.mesh.arrays, true, order[i], mesh.arrays);
         }
     }
     if (structures.size() == 1 && isPlaceholder(structures.front().name)) {

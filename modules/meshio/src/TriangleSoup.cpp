@@ -5,15 +5,19 @@
 #include "PolygonCutter.h"
 #include "VtkMessages.h"
 
+#include <palpate/core/TissueMapping.h>
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -126,6 +130,65 @@ void takeFieldData(vtkPolyData& data, PreScan& scan)
     }
 }
 
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+/// A number of VTK's as it is kept: what no float holds is not known.
+float known(double value)
+{
+    return std::abs(value) <= double{std::numeric_limits<float>::max()} ? static_cast<float>(value) : kUnknown;
+}
+
+/// Takes over the arrays of one number each that VTK has read.
+/// @param cellOf  for each triangle its cell's position in VTK's cell data
+void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::uint32_t>& cellOf,
+                std::vector<geometry::MeshArray>& out)
+{
+    const auto points = static_cast<std::size_t>(data.GetNumberOfPoints());
+    // 3 D Slicer's and VTK's probes: a point where nothing was there to be sampled.
+    vtkDataArray* valid = data.GetPointData()->GetArray("vtkValidPointMask");
+    for (const std::string& name : scan.pointArrays) {
+        vtkDataArray* array = data.GetPointData()->GetArray(name.c_str());
+        if (array == nullptr || array == valid || array->GetNumberOfComponents() != 1 ||
+            static_cast<std::size_t>(array->GetNumberOfTuples()) != points) {
+            continue;
+        }
+        geometry::MeshArray& taken = out.emplace_back(geometry::MeshArray{name, false, {}});
+        taken.values.reserve(points);
+        for (std::size_t i = 0; i < points; ++i) {
+            const auto at = static_cast<vtkIdType>(i);
+            const bool isValid = valid == nullptr || valid->GetComponent(at, 0) != 0.0;
+            taken.values.push_back(isValid ? known(array->GetComponent(at, 0)) : kUnknown);
+        }
+    }
+    for (const std::string& name : scan.cellArrays) {
+        vtkDataArray* array = data.GetCellData()->GetArray(name.c_str());
+        if (array == nullptr || array->GetNumberOfComponents() != 1 ||
+            array->GetNumberOfTuples() < data.GetNumberOfCells()) {
+            continue;
+        }
+        geometry::MeshArray& taken = out.emplace_back(geometry::MeshArray{name, true, {}});
+        taken.values.reserve(cellOf.size());
+        for (const std::uint32_t cell : cellOf) {
+            taken.values.push_back(known(array->GetComponent(static_cast<vtkIdType>(cell), 0)));
+        }
+    }
+}
+
+/// Leaves out what is more than a mesh may bring.
+void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
+{
+    // What means something comes first.
+    std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
+        return std::any_of(core::kKnownMaps.begin(), core::kKnownMaps.end(),
+                           [&](const core::KnownMap& map) { return map.array == name; });
+    });
+    if (names.size() > kMostArrays) {
+        scan.notes.push_back(counted(names.size() - kMostArrays, "array") + " of the " + each + " left out: at most " +
+                             std::to_string(kMostArrays) + " are used");
+        names.resize(kMostArrays);
+    }
+}
+
 } // namespace
 
 Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanContext& context)
@@ -144,7 +207,10 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     const vtkIdType firstCell = data.GetNumberOfVerts() + data.GetNumberOfLines();
     PolygonCutter cutter;
     std::vector<std::uint32_t> polygon;
-    std::uint64_t cell = 0; // over polygons, then strips
+    bound(scan.pointArrays, "points", scan);
+    bound(scan.cellArrays, "polygons", scan);
+    std::vector<std::uint32_t> cellOf; // for each triangle
+    std::uint64_t cell = 0;            // over polygons, then strips
     for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
         const bool isStrip = cells == data.GetStrips();
         const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
@@ -171,6 +237,10 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
                 polygon.assign(corners, corners + count);
                 cutter.cut(soup.mesh.vertices, polygon, triangles);
             }
+            if (!scan.cellArrays.empty()) {
+                cellOf.resize(triangles.size(),
+                              static_cast<std::uint32_t>(firstCell) + static_cast<std::uint32_t>(cell));
+            }
             if (hasParts) {
                 const std::uint32_t part =
                     ids.isEmpty() ? scan.partOfCell[cell] : ids.partOf(firstCell + static_cast<vtkIdType>(cell), soup);
@@ -181,6 +251,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     if (cutter.crossing() > 0) {
         scan.notes.push_back(counted(cutter.crossing(), "polygon") + " without a simple outline");
     }
+    takeArrays(data, scan, cellOf, soup.mesh.arrays);
     if (soup.partNames.empty()) {
         soup.partNames.emplace_back();
     }

@@ -55,7 +55,7 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const
     observer->report = context.progress;
     vtkSmartPointer<vtkPolyData> mesh;
     try {
-        const vtkSmartPointer<vtkAlgorithm> reader = format.reader(image.openPath());
+        const vtkSmartPointer<vtkAlgorithm> reader = format.reader(image.openPath(), scan);
         reader->AddObserver(vtkCommand::ProgressEvent, observer);
         reader->Update();
         mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));

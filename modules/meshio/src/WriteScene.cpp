@@ -41,6 +41,26 @@ QJsonArray pose(const core::Transform& X_WM)
     return out;
 }
 
+QJsonObject mapping(const core::TissueMapping& map, const std::filesystem::path& folder)
+{
+    const core::TissueMapping usual;
+    QJsonObject out;
+    out["quantity"] = text(std::string(core::kQuantityNames[static_cast<std::size_t>(map.quantity)]));
+    out["unit"] = text(std::string(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]));
+    if (map.array.empty()) {
+        out["file"] = text(std::filesystem::path(map.file).lexically_relative(folder).generic_string());
+    } else {
+        out["array"] = text(map.array);
+    }
+    if (map.contactRadius_mm != usual.contactRadius_mm) {
+        out["contact_radius_mm"] = map.contactRadius_mm;
+    }
+    if (map.clamp) {
+        out["clamp"] = QJsonArray{(*map.clamp)[0], (*map.clamp)[1]};
+    }
+    return out;
+}
+
 QJsonObject structure(const SceneStructure& s, const std::filesystem::path& folder)
 {
     QJsonObject out = unknownFields(s.extra);
@@ -71,6 +91,13 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     }
     internal::writeLaw(s.tissue.law, out);
     out["layer"] = static_cast<double>(s.layer);
+    if (s.maps) {
+        QJsonArray maps;
+        for (const core::TissueMapping& map : *s.maps) {
+            maps.append(mapping(map, folder));
+        }
+        out["maps"] = maps;
+    }
     out["pose"] = pose(s.X_WM);
     return out;
 }

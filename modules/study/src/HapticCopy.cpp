@@ -3,6 +3,8 @@
 
 #include <palpate/haptics/ForceTable.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,31 @@ haptics::HapticStructure hapticStructure(const meshio::SceneStructure& descripti
     return out;
 }
 
+haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure, const geometry::SurfaceIndex& surface)
+{
+    using core::MappedQuantity;
+    const core::Tissue& tissue = structure.description.tissue;
+    haptics::TissueMaps maps;
+    for (const meshio::SurfaceMap& map : structure.maps) {
+        const bool isScale = map.mapping.unit == core::MapUnit::Scale;
+        const bool isStiffness = map.mapping.quantity == MappedQuantity::Stiffness;
+        const double own = isScale ? 1.0 : isStiffness ? tissue.stiffness_N_per_mm : tissue.damping_Ns_per_mm;
+        if (isStiffness && !(own > 0.0)) {
+            continue; // nothing to scale
+        }
+        std::vector<float> values = map.values;
+        std::replace_if(
+            values.begin(), values.end(), [](float v) { return std::isnan(v); }, static_cast<float>(own));
+        haptics::TissueMap& to = isStiffness                                       ? maps.stiffness
+                                 : map.mapping.quantity == MappedQuantity::Damping ? maps.damping
+                                                                                   : maps.friction;
+        to = map.isPerTriangle ? haptics::TissueMap::atTriangles(surface, values)
+                               : haptics::TissueMap::atVertices(surface, *structure.surface, values);
+        to.factor = isStiffness && !isScale ? 1.0 / own : 1.0;
+    }
+    return maps;
+}
+
 std::shared_ptr<const geometry::SurfaceIndex> indexed(const geometry::RepairedMesh& surface)
 {
     return std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(surface));
@@ -33,6 +60,9 @@ std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScen
         const bool isFelt = structure.description.palpable && structure.surface != nullptr &&
                             !structure.surface->mesh.triangles.empty();
         structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
+        if (isFelt) {
+            structures.back().maps = tissueMaps(structure, *structures.back().surface);
+        }
     }
     return std::make_shared<const haptics::HapticScene>(std::move(structures));
 }

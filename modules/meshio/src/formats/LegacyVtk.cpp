@@ -582,7 +582,7 @@ Result<PreScan> guardLegacyVtk(FileImage& image, const ScanContext& context)
     return LegacyScan(image, context).run();
 }
 
-vtkSmartPointer<vtkAlgorithm> legacyVtkReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> legacyVtkReader(const std::string& path, const PreScan& /*scan*/)
 {
     auto made = vtkSmartPointer<vtkPolyDataReader>::New();
     made->SetFileName(path.c_str());

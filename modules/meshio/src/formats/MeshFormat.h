@@ -27,8 +27,8 @@ struct MeshFormat
     /// Checks all bytes before VTK sees them: counts against the bytes that are there, and every number and index that
     /// VTK's reader would trust. Where VTK misreads what is valid the image is rewritten, and the reason stands there.
     core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
-    /// @return VTK's reader, set up for the file at `path`
-    vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path);
+    /// @return VTK's reader, set up for the file at `path`, of which `scan` is known
+    vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
 };
 
 extern const MeshFormat kStl;

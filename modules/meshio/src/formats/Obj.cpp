@@ -286,7 +286,7 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     return found;
 }
 
-vtkSmartPointer<vtkAlgorithm> objReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> objReader(const std::string& path, const PreScan& /*scan*/)
 {
     auto made = vtkSmartPointer<vtkOBJReader>::New();
     made->SetFileName(path.c_str());

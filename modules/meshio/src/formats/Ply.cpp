@@ -360,7 +360,7 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
     return scan;
 }
 
-vtkSmartPointer<vtkAlgorithm> plyReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> plyReader(const std::string& path, const PreScan& /*scan*/)
 {
     auto made = vtkSmartPointer<vtkPLYReader>::New();
     made->SetFileName(path.c_str());

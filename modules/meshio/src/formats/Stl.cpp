@@ -406,7 +406,7 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
     return isBinary ? guardBinary(image, context) : guardAscii(image, context);
 }
 
-vtkSmartPointer<vtkAlgorithm> stlReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> stlReader(const std::string& path, const PreScan& /*scan*/)
 {
     auto made = vtkSmartPointer<vtkSTLReader>::New();
     made->SetFileName(path.c_str());

@@ -6,6 +6,8 @@
 #include "Fault.h"
 #include "TextScan.h"
 
+#include <palpate/core/TissueMapping.h>
+
 #include <vtkDataArraySelection.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
@@ -55,7 +57,8 @@ class VtpScan
     /// How many strings the array holds: each ends with a zero.
     Result<std::uint64_t> countStrings(const VtpDataArray& array) const;
     Status checkFieldData() const;
-    void noteShortData(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples);
+    Status takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
+                      std::vector<std::string>& usable);
 
     const VtpHeader& m_header;
     const ScanContext& m_context;
@@ -271,17 +274,52 @@ Status VtpScan::checkFieldData() const
     return {};
 }
 
-void VtpScan::noteShortData(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples)
+/// Lists the arrays of a piece that hold one number for each point or polygon. One whose name says how a tissue varies
+/// must be whole; another that is damaged is noted and not used.
+Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
+                           std::vector<std::string>& usable)
 {
+    std::vector<std::string> here;
     for (const VtpDataArray& array : arrays) {
-        if (array.name == "StructureId" || array.components > kMostElements) {
+        if (array.name == "StructureId") {
             continue;
         }
-        const Result<std::uint64_t> held = array.type == "String" ? countStrings(array) : countValues(array);
-        if (!held.isOk() || held.value() != tuples * array.components) {
+        const bool isKnown = std::any_of(core::kKnownMaps.begin(), core::kKnownMaps.end(),
+                                         [&](const core::KnownMap& map) { return map.array == array.name; });
+        if (isKnown && array.components != 1) {
+            return wrong(array, StatusCode::BadFormat, counted(array.components, "component") + " for each " + each,
+                         "1");
+        }
+        if (array.components > kMostElements) {
+            continue;
+        }
+        const bool isText = array.type == "String";
+        const Result<std::uint64_t> held = isText ? countStrings(array) : countValues(array);
+        if (isKnown && (!held.isOk() || held.value() != tuples)) {
+            return !held.isOk() ? held.status()
+                                : wrong(array, StatusCode::OutOfRange, counted(held.value(), "value"),
+                                        grouped(tuples) + ", one for each " + each);
+        }
+        // VTK follows a null pointer when it names cell data that do not unpack and there are no point data.
+        const bool isWhole =
+            held.isOk() && held.value() == tuples * array.components &&
+            (isText || array.components != 1 || array.format == VtpFormat::Ascii || unpacked(array).isOk());
+        if (isKnown && !isWhole) {
+            return unpacked(array).status();
+        }
+        if (!isWhole) {
             m_scan.notes.push_back("the array " + inQuotes(array.name) + " is damaged; it is not used");
+        } else if (!isText && array.components == 1 && !array.name.empty()) {
+            here.push_back(array.name);
         }
     }
+    // Of all pieces, what each of them has.
+    if (m_scan.points == 0 && m_scan.cells == 0) {
+        usable = std::move(here);
+    } else {
+        std::erase_if(usable, [&](const std::string& name) { return std::ranges::count(here, name) == 0; });
+    }
+    return {};
 }
 
 Status VtpScan::checkPiece(const VtpPiece& piece)
@@ -320,8 +358,12 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
             }
         }
     }
-    noteShortData(piece.pointData, piece.points);
-    noteShortData(piece.cellData, cells);
+    if (Status status = takeArrays(piece.pointData, piece.points, "point", m_scan.pointArrays); !status.isOk()) {
+        return status;
+    }
+    if (Status status = takeArrays(piece.cellData, cells, "polygon", m_scan.cellArrays); !status.isOk()) {
+        return status;
+    }
     m_scan.points += piece.points;
     m_scan.cells += piece.strips.count + piece.polys.count;
     return {};
@@ -373,7 +415,7 @@ Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
     return scan;
 }
 
-vtkSmartPointer<vtkAlgorithm> vtpReader(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> vtpReader(const std::string& path, const PreScan& scan)
 {
     auto made = vtkSmartPointer<vtkXMLPolyDataReader>::New();
     made->SetFileName(path.c_str());
@@ -381,6 +423,12 @@ vtkSmartPointer<vtkAlgorithm> vtpReader(const std::string& path)
     made->GetPointDataArraySelection()->DisableAllArrays();
     made->GetCellDataArraySelection()->DisableAllArrays();
     made->GetCellDataArraySelection()->EnableArray("StructureId");
+    for (const std::string& name : scan.pointArrays) {
+        made->GetPointDataArraySelection()->EnableArray(name.c_str());
+    }
+    for (const std::string& name : scan.cellArrays) {
+        made->GetCellDataArraySelection()->EnableArray(name.c_str());
+    }
     return made;
 }
 

@@ -17,10 +17,11 @@ struct MeshReport
     std::size_t vertices = 0;  ///< after repair
     std::size_t triangles = 0; ///< after repair
 
-    std::size_t weldedVertices = 0;      ///< merged into another with exactly the same coordinates
-    std::size_t zeroAreaTriangles = 0;   ///< dropped: no normal can be computed from their corners
-    std::size_t duplicateTriangles = 0;  ///< dropped: same three vertices as another, whatever the winding
-    std::size_t inconsistentEdges = 0;   ///< two-triangle edges that both traverse in the same direction, before repair
+    std::size_t weldedVertices = 0;     ///< merged into another with exactly the same coordinates
+    std::size_t mixedValues = 0;        ///< values of arrays that differed by more than 10 % where vertices were welded
+    std::size_t zeroAreaTriangles = 0;  ///< dropped: no normal can be computed from their corners
+    std::size_t duplicateTriangles = 0; ///< dropped: same three vertices as another, whatever the winding
+    std::size_t inconsistentEdges = 0;  ///< two-triangle edges that both traverse in the same direction, before repair
     std::size_t reorientedTriangles = 0; ///< turned round to make an orientable component consistent
 
     std::size_t components = 0;              ///< sets of triangles connected over edges
@@ -60,6 +61,8 @@ struct RepairedMesh
 };
 
 /// Makes one structure's mesh fit for touching and reports what that took.
+///
+/// Arrays come along: a welded vertex has the mean of the values that are known there.
 ///
 /// Welds vertices with equal coordinates, drops zero-area and duplicate triangles, and orients each component: a
 /// consistent one keeps its orientation, an inconsistent but orientable one is made consistent (outwards when closed).

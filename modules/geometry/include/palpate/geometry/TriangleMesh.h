@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace palpate::geometry {
@@ -15,12 +16,21 @@ using core::Vec3;
 /// Three vertex indices, counter-clockwise seen from the side that the normal points to.
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Numbers that vary over a surface: one for each vertex, linear between, or one for each triangle.
+struct MeshArray
+{
+    std::string name;
+    bool isPerTriangle = false;
+    std::vector<float> values; ///< NaN: not known there
+};
+
 /// The surface of one structure: shared vertices [mm] and triangles. A value type without invariants; what comes from a
 /// file goes through `repair` before anything else relies on it.
 struct TriangleMesh
 {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
+    std::vector<MeshArray> arrays{};
 
     /// @return the box of all vertices [mm], empty without any.
     [[nodiscard]] Box bounds() const;

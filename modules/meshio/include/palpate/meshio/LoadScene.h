@@ -11,12 +11,22 @@
 
 namespace palpate::meshio {
 
+/// How a quantity varies over a surface, as it is felt.
+struct SurfaceMap
+{
+    core::TissueMapping mapping;
+    bool isPerTriangle = false;
+    /// One for each vertex or triangle of the surface, scale, N/mm or N·s/mm; NaN: the structure's own is felt there.
+    std::vector<float> values;
+};
+
 /// One structure ready for the view and for touching: repaired, flipped and posed in the world frame.
 struct LoadedStructure
 {
     SceneStructure description; ///< its `part` is filled where the mesh file holds several
     FileFrame frame = FileFrame::Untagged;
     std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
+    std::vector<SurfaceMap> maps{};                        ///< at most one for each quantity
 };
 
 /// A scene with its meshes.

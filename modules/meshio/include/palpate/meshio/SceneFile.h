@@ -4,6 +4,7 @@
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Tissue.h>
+#include <palpate/core/TissueMapping.h>
 #include <palpate/core/Types.h>
 
 #include <array>
@@ -29,7 +30,10 @@ struct SceneStructure
     bool palpable = true;
     bool flipped = false; ///< turn the surface inside out on import
     core::Tissue tissue;
-    std::uint32_t layer = 0;                            ///< 0 is the outermost
+    std::uint32_t layer = 0; ///< 0 is the outermost
+    /// How arrays or volumes vary the tissue over the surface; nothing: by the arrays whose names say it
+    /// (core::kKnownMaps).
+    std::optional<std::vector<core::TissueMapping>> maps{};
     core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
     std::string extra; ///< fields of this structure that this version does not know, as a JSON object
 };

@@ -15,6 +15,13 @@ namespace palpate::study {
 [[nodiscard]] haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,
                                                        std::shared_ptr<const geometry::SurfaceIndex> surface);
 
+/// What varies over a structure, for the tick: in the order of the index, with the structure's own values where a map
+/// says nothing.
+/// @param surface  the index of the structure's surface
+/// @par Cost O(triangles) for each map.
+[[nodiscard]] haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure,
+                                             const geometry::SurfaceIndex& surface);
+
 /// Builds the index that a surface is felt by.
 /// @par Cost O(n log n), on two threads.
 [[nodiscard]] std::shared_ptr<const geometry::SurfaceIndex> indexed(const geometry::RepairedMesh& surface);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+#include <palpate/core/TissueMapping.h>
+#include <palpate/geometry/MeshReport.h>
+
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+/// Reads a volume (`.vti`, `.mha`, `.mhd`, `.nrrd`, `.nhdr`, `.nii`, `.nii.gz`; LPS, mm, NIfTI turned to it) and says
+/// for each vertex of a surface what a finger would feel there: not the voxel at the surface, which is half air, but
+/// the geometric mean of two means over the tissue below, weighted by the share of a press's energy at each place. A
+/// press on a half-space of varying modulus feels between its harmonic and its arithmetic mean.
+///
+/// `w(r, z) = (6c/pi) z^2 / (r^2 + (z + c)^2)^3`, c = a/pi, for a contact of radius a = `contactRadius_mm`.
+/// @return NaN where less than half of that weight lies on known values above 0
+/// @par Source resources/docs/maps.md
+[[nodiscard]] core::Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping,
+                                                            const geometry::RepairedMesh& surface);
+
+} // namespace palpate::meshio::internal
