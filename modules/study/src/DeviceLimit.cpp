@@ -18,17 +18,48 @@ bool isThere(const haptics::HapticStructure& structure)
     return structure.surface != nullptr && structure.surface->triangleCount() > 0;
 }
 
-} // namespace
-
-double greatestStiffness(const haptics::HapticStructure& structure)
+/// The largest slope of its law, without the map [N/mm].
+double slopeOf(const haptics::HapticStructure& structure)
 {
     return structure.law != nullptr ? structure.law->greatestSlope_N_per_mm()
                                     : haptics::greatestStiffness(structure.tissue);
 }
 
+/// Bounds what one structure makes of a device's limit: a map where there is one, as it may say less than the tissue
+/// everywhere; else the tissue and its law.
+void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
+{
+    const bool isMapped = !one.maps.stiffness.isEmpty();
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        if (!isMapped || term.member != &core::Tissue::stiffness_N_per_mm) {
+            one.tissue.*term.member = std::min(one.tissue.*term.member, left.*term.member);
+        }
+    }
+    if (one.law == nullptr) {
+        one.law = haptics::ForceTable::build(one.tissue);
+    }
+    const double most = std::max(kLeast_N_per_mm, left.stiffness_N_per_mm);
+    if (isMapped) {
+        one.maps.stiffness = one.maps.stiffness.atMost(most / slopeOf(one));
+    } else {
+        one.law = haptics::ForceTable::bounded(one.law, most);
+    }
+    if (!one.maps.damping.isEmpty()) {
+        one.maps.damping = one.maps.damping.atMost(left.damping_Ns_per_mm);
+    }
+}
+
+} // namespace
+
+double greatestStiffness(const haptics::HapticStructure& structure)
+{
+    const double slope = slopeOf(structure);
+    return structure.maps.stiffness.isEmpty() ? slope : slope * structure.maps.stiffness.greatest();
+}
+
 double greatestDamping(const haptics::HapticStructure& structure) noexcept
 {
-    return structure.tissue.damping_Ns_per_mm;
+    return structure.maps.damping.isEmpty() ? structure.tissue.damping_Ns_per_mm : structure.maps.damping.greatest();
 }
 
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures)
@@ -41,13 +72,7 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
     for (auto& [number, members] : layers) {
         double stiffness = 0.0, damping = 0.0;
         for (haptics::HapticStructure* one : members) {
-            for (const core::TissueTerm& term : core::kTissueTerms) {
-                one->tissue.*term.member = std::min(one->tissue.*term.member, left.*term.member);
-            }
-            if (one->law == nullptr) {
-                one->law = haptics::ForceTable::build(one->tissue);
-            }
-            one->law = haptics::ForceTable::bounded(one->law, std::max(kLeast_N_per_mm, left.stiffness_N_per_mm));
+            boundOne(left, *one);
             if (isThere(*one)) {
                 stiffness = std::max(stiffness, greatestStiffness(*one));
                 damping = std::max(damping, greatestDamping(*one));
