@@ -132,7 +132,7 @@ class Recording : public QObject
             servo::TickRecord tick = pattern;
             tick.tick = 600000 + i;
             tick.time_ns = tick.tick * 1000003;
-            tick.felt.triangle = 1'000'000;
+            tick.felt.triangle = tick.felt.contacts[0].triangle = 1'000'000;
             tick.solve_ns = 70000;
             tick.fSent_W = tick.felt.f_W + core::Vec3(0.1, 0.1, 0.1); // the gate acts all the time
             ticks.push_back(tick);

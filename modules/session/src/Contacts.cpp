@@ -18,8 +18,9 @@ constexpr std::size_t kContactBytes = 4 * sizeof(std::uint32_t) + 9 * sizeof(dou
 
 bool isSame(const Contact& a, const Contact& b)
 {
+    const core::Vec3 zero = core::Vec3::Zero();
     return a.structure == b.structure && a.triangle == b.triangle && a.layer == b.layer && a.friction == b.friction &&
-           sameBits(a.p_WG, b.p_WG) && sameBits(a.n_W, b.n_W) && sameBits(a.f_W, b.f_W);
+           sameBits(a.p_WG, b.p_WG) && sameBits(a.n_W, b.n_W) && sameBits(a.f_W + zero, b.f_W + zero);
 }
 
 double depth(const Contact& contact, const servo::TickRecord& tick)
@@ -90,6 +91,12 @@ void unpackLayers(std::string_view layers, servo::TickRecord& tick)
         contact.depth_mm = depth(contact, tick);
         contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
     }
+}
+
+bool sameContacts(const haptics::TickResult& a, const haptics::TickResult& b)
+{
+    return a.contactCount == b.contactCount &&
+           std::equal(a.contacts.begin(), a.contacts.begin() + a.contactCount, b.contacts.begin(), isSame);
 }
 
 } // namespace palpate::session::internal

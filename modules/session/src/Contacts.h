@@ -21,4 +21,8 @@ namespace palpate::session::internal {
 /// @param layers  what packLayers made; of another form: as if empty, which a checksum then tells
 void unpackLayers(std::string_view layers, servo::TickRecord& tick);
 
+/// @return true for the same contacts, bit for bit but for the sign of a zero in a share of the force: the sum over the
+/// layers, which a tick keeps, has none to give back. Depths follow from the rest.
+[[nodiscard]] bool sameContacts(const haptics::TickResult& a, const haptics::TickResult& b);
+
 } // namespace palpate::session::internal

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Contacts.h"
 #include "Packing.h"
 #include "palpate/session/Replay.h"
 
@@ -123,11 +124,12 @@ class Resimulator
         const bool isSameForce = internal::sameBits(was.f_W, is.f_W);
         const bool isSameTouch =
             was.structure == is.structure && was.constraints == is.constraints && was.triangle == is.triangle;
-        if (isSamePlace && isSameForce && isSameTouch) {
+        const bool knowsLayers = m_recording.info().version >= 3;
+        if (isSamePlace && isSameForce && isSameTouch && (!knowsLayers || internal::sameContacts(was, is))) {
             return;
         }
         ++m_result.differing;
-        const double apart_mm = (was.p_WG - is.p_WG).norm();
+        const double apart_mm = std::max((was.p_WG - is.p_WG).norm(), knowsLayers ? layersApart(was, is) : 0.0);
         const double apart_N = (was.f_W - is.f_W).norm();
         m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
         m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
@@ -142,9 +144,15 @@ class Resimulator
         const auto touches = [&] {
             return tick + "structure, triangle and constraints recorded as " + touch(was) + ", now " + touch(is);
         };
+        const auto layers = [&] {
+            return tick + "layers (structure, triangle, friction) recorded as " + touched(was) + ", now " + touched(is);
+        };
         if (!m_result.firstDifference) {
             m_result.firstDifference = row.tick;
-            m_result.difference = !isSamePlace ? places() : !isSameForce ? forces() : touches();
+            m_result.difference = !isSamePlace   ? places()
+                                  : !isSameForce ? forces()
+                                  : !isSameTouch ? touches()
+                                                 : layers();
         }
         // Not comparisons that a NaN passes.
         const bool isNear = apart_mm <= m_rounding_mm;
@@ -155,6 +163,32 @@ class Resimulator
             m_result.firstBeyond = row.tick;
             m_result.beyond = !isNear ? places() : !isAlike ? forces() : touches();
         }
+    }
+
+    /// The largest distance between god-objects of the same layer. One that touches in one of the two alone gives a
+    /// force: that tells.
+    static double layersApart(const haptics::TickResult& was, const haptics::TickResult& is)
+    {
+        double apart_mm = 0.0;
+        for (std::size_t i = 0; i < was.contactCount; ++i) {
+            for (std::size_t j = 0; j < is.contactCount; ++j) {
+                if (was.contacts[i].layer == is.contacts[j].layer) {
+                    apart_mm = std::max(apart_mm, (was.contacts[i].p_WG - is.contacts[j].p_WG).norm());
+                }
+            }
+        }
+        return apart_mm;
+    }
+
+    static std::string touched(const haptics::TickResult& felt)
+    {
+        std::string out;
+        for (std::size_t i = 0; i < felt.contactCount; ++i) {
+            const haptics::Contact& contact = felt.contacts[i];
+            out += (i > 0 ? " (" : "(") + std::to_string(contact.structure) + ' ' + std::to_string(contact.triangle) +
+                   ' ' + std::to_string(static_cast<int>(contact.friction)) + ')';
+        }
+        return out.empty() ? "none" : out;
     }
 
     static std::string apart(double value, const char* unit)
