@@ -45,8 +45,7 @@ void ReplaySummary::reserve(std::size_t ticks)
 
 void ReplaySummary::add(const servo::TickRecord& tick, const session::StructureNames& names)
 {
-    m_measures.add(tick, tick.felt.structure < 0 ? std::string_view()
-                                                 : names(static_cast<std::uint32_t>(tick.felt.structure)));
+    m_measures.add(tick, names);
     m_solve_ns.push_back(tick.solve_ns);
     m_mostIterations = std::max(m_mostIterations, tick.felt.iterations);
     m_iterationBounds += (tick.flags & servo::kIterationLimit) != 0 ? 1 : 0;
