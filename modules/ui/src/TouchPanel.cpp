@@ -52,10 +52,15 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_structure->setTextFormat(Qt::PlainText);
     m_structure->setAccessibleName(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
+    // Room for two layers, so that nothing jumps when the hand comes upon the second.
+    m_structure->setWordWrap(true);
+    m_structure->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_structure->setMinimumHeight(2 * QFontMetrics(medium).lineSpacing());
     medium.setWeight(QFont::Normal);
     m_detail->setFont(medium);
     m_detail->setAccessibleName(tr("Depth and stiffness"));
-    m_detail->setToolTip(tr("Depth: from the surface to the hand [mm]; stiffness as felt [N/mm]"));
+    m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
+                            "that are touched [N/mm]"));
     m_solver->setWordWrap(true);
     m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
                             "Solver: time of one tick, not exceeded by 99 of 100 [µs].\n"
@@ -92,32 +97,53 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
     const QString shown =
         m_structure->fontMetrics().elidedText(structure, Qt::ElideMiddle, std::max(100, width() - 28));
     if (m_structure->text() != shown) {
+        m_structure->setTextFormat(Qt::PlainText);
         m_structure->setText(shown);
         m_structure->setToolTip(structure);
+        m_structure->setAccessibleDescription({});
     }
     m_detail->setText(detail);
 }
 
+void TouchPanel::setLayers(const TouchReading& reading)
+{
+    std::vector<FeltLayer> layers = reading.layers;
+    for (FeltLayer& layer : layers) {
+        layer.name = m_structure->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() / 2));
+    }
+    m_structure->setTextFormat(Qt::RichText);
+    m_structure->setText(layersMarkup(layers));
+    m_structure->setToolTip(layersText(reading.layers));
+    m_structure->setAccessibleDescription(layersText(reading.layers));
+    m_detail->setText(detailText(reading));
+}
+
 void TouchPanel::show(const TouchReading& reading)
 {
+    m_reading = reading;
     const bool isTouching = !reading.structure.isEmpty();
     m_force->setText(forceText(reading.force_N));
     m_force->setForegroundRole(QPalette::WindowText);
     m_bar->setForce(reading.force_N);
-    setLine(isTouching ? reading.structure : tr("Free space"),
-            isTouching ? detailText(reading) : tr("nothing is touched"));
+    if (reading.layers.size() > 1) {
+        setLayers(reading);
+    } else {
+        setLine(isTouching ? reading.structure : tr("Free space"),
+                isTouching ? detailText(reading) : tr("nothing is touched"));
+    }
     m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
                       : reading.solveP99_us >= 0.0
                           ? tr("constraints %1 · solver %2 µs p99")
                                 .arg(reading.constraints)
                                 .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))
                           : tr("constraints %1").arg(reading.constraints));
-    m_history.add({reading.time_s, reading.force_N, reading.depth_mm});
+    m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers)});
     m_chart->update();
 }
 
 void TouchPanel::showNoHand()
 {
+    m_reading = {};
     m_force->setText(forceText(0.0));
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);
