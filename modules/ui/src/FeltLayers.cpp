@@ -11,12 +11,13 @@ namespace palpate::ui {
 
 namespace {
 
+/// @param isInner  how deep the outermost layer is pressed in stands elsewhere
 QString shareText(const FeltLayer& layer, bool isInner)
 {
     const auto number = [](double value) { return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1); };
-    return isInner ? QCoreApplication::translate("FeltLayers", "%1 %2 N, %3 mm in")
-                         .arg(layer.name, number(layer.force_N), number(layer.depth_mm))
-                   : QCoreApplication::translate("FeltLayers", "%1 %2 N").arg(layer.name, number(layer.force_N));
+    return isInner ? QCoreApplication::translate("FeltLayers", "%1 N, %2 mm in")
+                         .arg(number(layer.force_N), number(layer.depth_mm))
+                   : QCoreApplication::translate("FeltLayers", "%1 N").arg(number(layer.force_N));
 }
 
 } // namespace
@@ -43,7 +44,7 @@ QString layersText(const std::vector<FeltLayer>& layers)
     }
     QStringList parts;
     for (const FeltLayer& layer : layers) {
-        parts << shareText(layer, !parts.isEmpty());
+        parts << layer.name + QLatin1Char(' ') + shareText(layer, !parts.isEmpty());
     }
     return parts.join(QStringLiteral(" · "));
 }
@@ -53,13 +54,10 @@ QString layersMarkup(const std::vector<FeltLayer>& layers)
     QStringList parts;
     for (const FeltLayer& layer : layers) {
         const bool isInner = !parts.isEmpty();
-        // A line may break between layers alone.
-        const QString text =
-            shareText(layer, isInner).toHtmlEscaped().replace(QLatin1Char(' '), QStringLiteral("&nbsp;"));
-        parts << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
-                     .arg(layer.colour.name(), QString(isInner ? QChar(0x25a8) : QChar(0x25a0)), text);
+        const QString text = QStringLiteral("<b>%1</b> %2").arg(layer.name.toHtmlEscaped(), shareText(layer, isInner));
+        parts << QStringLiteral("<span style='color:%1'>■</span> %2").arg(layer.colour.name(), text);
     }
-    return parts.join(QStringLiteral(" · "));
+    return QStringLiteral("<p style='white-space:pre'>%1</p>").arg(parts.join(QStringLiteral("<br>")));
 }
 
 std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers)

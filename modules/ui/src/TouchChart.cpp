@@ -126,7 +126,7 @@ void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N
     const auto y = [&](double force_N) {
         return lane.bottom() - std::clamp(force_N / top_N, 0.0, 1.0) * lane.height();
     };
-    const QColor edge = palette().color(QPalette::Text);
+    const QColor edge(24, 30, 36); // reads on the colours of structures, which are light
     for (std::size_t i = 1; i < samples.size(); ++i) {
         const TouchSample& a = samples[i - 1];
         const TouchSample& b = samples[i];

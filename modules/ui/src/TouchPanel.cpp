@@ -31,6 +31,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_force(new QLabel(this))
     , m_forceUnit(new QLabel(tr("N"), this))
     , m_structure(new QLabel(this))
+    , m_layers(new QLabel(this))
     , m_detail(new QLabel(this))
     , m_solver(new QLabel(this))
     , m_bar(new ForceBar(this))
@@ -52,10 +53,17 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_structure->setTextFormat(Qt::PlainText);
     m_structure->setAccessibleName(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
-    // Room for two layers, so that nothing jumps when the hand comes upon the second.
-    m_structure->setWordWrap(true);
-    m_structure->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_structure->setMinimumHeight(2 * QFontMetrics(medium).lineSpacing());
+    m_layers->setTextFormat(Qt::RichText);
+    m_layers->setAccessibleName(tr("Touched structures, the outermost first, with their forces and depths"));
+    m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its share of the force [N],\n"
+                            "and how deep the hand is in it [mm]"));
+    m_layers->setMinimumWidth(10);
+    m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Room for two, so that nothing jumps when the hand comes upon the second.
+    QFont rows = font();
+    rows.setPointSizeF(font().pointSizeF() * 1.1);
+    m_layers->setFont(rows);
+    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
     medium.setWeight(QFont::Normal);
     m_detail->setFont(medium);
     m_detail->setAccessibleName(tr("Depth and stiffness"));
@@ -80,6 +88,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     layout->addSpacing(4);
     layout->addWidget(m_structure);
     layout->addWidget(m_detail);
+    layout->addWidget(m_layers);
     layout->addSpacing(6);
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_solver);
@@ -97,25 +106,24 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
     const QString shown =
         m_structure->fontMetrics().elidedText(structure, Qt::ElideMiddle, std::max(100, width() - 28));
     if (m_structure->text() != shown) {
-        m_structure->setTextFormat(Qt::PlainText);
         m_structure->setText(shown);
         m_structure->setToolTip(structure);
-        m_structure->setAccessibleDescription({});
     }
     m_detail->setText(detail);
 }
 
-void TouchPanel::setLayers(const TouchReading& reading)
+void TouchPanel::setLayers(std::vector<FeltLayer> layers)
 {
-    std::vector<FeltLayer> layers = reading.layers;
-    for (FeltLayer& layer : layers) {
-        layer.name = m_structure->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() / 2));
+    if (layers.size() < 2) {
+        m_layers->clear();
+        m_layers->setAccessibleDescription({});
+        return;
     }
-    m_structure->setTextFormat(Qt::RichText);
-    m_structure->setText(layersMarkup(layers));
-    m_structure->setToolTip(layersText(reading.layers));
-    m_structure->setAccessibleDescription(layersText(reading.layers));
-    m_detail->setText(detailText(reading));
+    m_layers->setAccessibleDescription(layersText(layers));
+    for (FeltLayer& layer : layers) {
+        layer.name = m_layers->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() - 160));
+    }
+    m_layers->setText(layersMarkup(layers));
 }
 
 void TouchPanel::show(const TouchReading& reading)
@@ -125,12 +133,13 @@ void TouchPanel::show(const TouchReading& reading)
     m_force->setText(forceText(reading.force_N));
     m_force->setForegroundRole(QPalette::WindowText);
     m_bar->setForce(reading.force_N);
-    if (reading.layers.size() > 1) {
-        setLayers(reading);
-    } else {
-        setLine(isTouching ? reading.structure : tr("Free space"),
-                isTouching ? detailText(reading) : tr("nothing is touched"));
+    QStringList names{reading.structure};
+    for (std::size_t i = 1; i < reading.layers.size(); ++i) {
+        names << reading.layers[i].name;
     }
+    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Free space"),
+            isTouching ? detailText(reading) : tr("nothing is touched"));
+    setLayers(reading.layers);
     m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
                       : reading.solveP99_us >= 0.0
                           ? tr("constraints %1 · solver %2 µs p99")
@@ -148,6 +157,7 @@ void TouchPanel::showNoHand()
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);
     setLine(tr("No hand"), tr("press on a structure to feel it"));
+    setLayers({});
     m_solver->setText(tr("constraints 0"));
 }
 

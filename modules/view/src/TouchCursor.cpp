@@ -14,6 +14,7 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
+constexpr double kInnerLift_px = 14.0; // inner marks lie over the spring that leads past them
 
 vtkSmartPointer<vtkActor> makeBall()
 {
@@ -52,9 +53,9 @@ TouchCursor::TouchCursor()
     , m_spring(1.6, kLight)
 {
     for (InnerMark& inner : m_inner) {
-        inner.dark = makeRing(4.9, 6.1, kDarkRim, 0.6);
-        inner.light = makeRing(3.7, 5.0, kLight, 0.7);
-        inner.mark = makeRing(0.0, 3.8, kLight, 0.8);
+        inner.dark = makeRing(4.9, 6.1, kDarkRim, kInnerLift_px);
+        inner.light = makeRing(3.7, 5.0, kLight, kInnerLift_px + 0.2);
+        inner.mark = makeRing(0.0, 3.8, kLight, kInnerLift_px + 0.4);
     }
     m_ball->GetProperty()->SetAmbient(0.35);
     m_ball->GetProperty()->SetDiffuse(0.7);

@@ -39,7 +39,7 @@ using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 [[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
 /// "liver 2.5 N · lump 20 mm 3.5 N, 5.8 mm in"; of a single layer its name.
 [[nodiscard]] QString layersText(const std::vector<FeltLayer>& layers);
-/// The same as rich text, each name behind a mark in the structure's colour, full or hatched as the chart has it.
+/// The same as rich text, a line a layer, each behind a mark in the structure's colour.
 [[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);
 /// What the chart keeps of them.
 [[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers);

@@ -46,13 +46,14 @@ class TouchPanel : public QWidget
 
   private:
     void setLine(const QString& structure, const QString& detail);
-    void setLayers(const TouchReading& reading);
+    void setLayers(std::vector<FeltLayer> layers);
 
     TouchReading m_reading;
     TouchHistory m_history;
     QLabel* m_force = nullptr;
     QLabel* m_forceUnit = nullptr;
     QLabel* m_structure = nullptr;
+    QLabel* m_layers = nullptr;
     QLabel* m_detail = nullptr;
     QLabel* m_solver = nullptr;
     ForceBar* m_bar = nullptr;
