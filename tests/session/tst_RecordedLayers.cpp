@@ -4,6 +4,7 @@
 #include "Sessions.h"
 #include "TestRunner.h"
 
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/ServoCore.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
@@ -254,6 +255,37 @@ class RecordedLayers : public QObject
             const auto status = RecordingReader::open(path("j.palpate")).value()->verify();
             QVERIFY2(status.message().find("scene 1: found other bits") != std::string::npos, sql);
         }
+    }
+
+    /// What was felt is the table that the recording keeps, whatever this build would make of the law's numbers.
+    void aLawIsFeltAgainByItsTable()
+    {
+        core::Tissue hertz{0.4, 0.001};
+        hertz.law.kind = core::LawKind::Hertz;
+        hertz.law.numbers = {30.0, 8.0};
+        std::vector<haptics::HapticStructure> structures = scene()->structures();
+        structures[0].tissue = hertz;
+        const haptics::HapticScene felt(structures);
+        QVERIFY(felt.structures()[0].law != nullptr);
+        std::vector<session::StructureSource> sources(structures.size());
+        for (std::size_t i = 0; i < sources.size(); ++i) {
+            sources[i].sha256 = structures[i].name;
+        }
+        session::SceneRecord record = session::describeScene(1, felt, sources);
+        QVERIFY(record.structures[1].lawTable.empty());
+        const auto again = session::rebuildScene(record, surfaces());
+        QVERIFY2(again.isOk(), again.status().message().c_str());
+        QVERIFY(*again.value()->structures()[0].law == *felt.structures()[0].law);
+
+        const auto other = haptics::ForceTable::fromKnots({{0, 0, 0, 1}, {1, 1, 1, 2}});
+        const std::vector<std::byte> bytes = other.value()->bytes();
+        record.structures[0].lawTable.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        QVERIFY(*session::rebuildScene(record, surfaces()).value()->structures()[0].law == *other.value());
+
+        record.structures[0].lawTable += 'x';
+        const auto bad = session::rebuildScene(record, surfaces());
+        QVERIFY2(bad.status().message().starts_with("structure \"block\" of the recording: law_table: "),
+                 bad.status().message().c_str());
     }
 
     void lawsComeBackAsTheyWere()

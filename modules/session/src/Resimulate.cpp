@@ -4,11 +4,13 @@
 #include "palpate/session/Replay.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace palpate::session {
@@ -214,7 +216,9 @@ class Resimulator
             const double layer_mm = kSkinsOfRounding * scene->layer(i).skin_mm;
             double stiffest = 0.0;
             for (const std::uint32_t number : scene->layer(i).structures) {
-                stiffest = std::max(stiffest, scene->structures()[number].tissue.stiffness_N_per_mm);
+                const haptics::HapticStructure& structure = scene->structures()[number];
+                stiffest = std::max(stiffest, structure.law == nullptr ? structure.tissue.stiffness_N_per_mm
+                                                                       : structure.law->greatestSlope_N_per_mm());
             }
             m_rounding_mm = std::max(m_rounding_mm, layer_mm);
             m_rounding_N += stiffest * layer_mm;
@@ -251,6 +255,14 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         out.name = structure.name;
         out.tissue = structure.tissue;
         out.layer = structure.layer;
+        if (!structure.lawTable.empty()) {
+            auto table = haptics::ForceTable::fromBytes(std::as_bytes(std::span(structure.lawTable)));
+            if (!table.isOk()) {
+                return Status(StatusCode::BadFormat, "structure \"" + structure.name +
+                                                         "\" of the recording: law_table: " + table.status().message());
+            }
+            out.law = std::move(table).value();
+        }
         if (!structure.palpable) {
             continue;
         }
