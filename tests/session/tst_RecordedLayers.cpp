@@ -67,27 +67,37 @@ class RecordedLayers : public QObject
     }
 
     /// Presses over the lump and beside it, then on what lies bare.
-    static std::vector<servo::TickRecord> pressing()
+    /// @param from  the first tick that is given
+    /// @param start  gets the state before it; may be null
+    static std::vector<servo::TickRecord> pressing(const haptics::HapticScene& felt, int from,
+                                                   haptics::PalpatorState* start)
     {
         device::DeviceInfo info;
         info.maxForce_N = 20.0;
         servo::ServoCore core(servo::GateLimits::forDevice(info), 1000.0);
-        core.setScene(scene().get(), 1);
+        core.setScene(&felt, 1);
         std::vector<servo::TickRecord> ticks;
         for (int i = 0; i < 1500; ++i) {
+            if (i == from && start != nullptr) {
+                *start = core.palpatorState();
+            }
             device::DeviceState state;
             state.time_ns = std::int64_t{i} * 1'000'000;
             state.isPresent = true;
             state.p_D = Vec3(-15.0 + 0.03 * i, 0.5 * std::sin(0.01 * i), 2.0 - 4.0 * (1.0 - std::cos(0.02 * i)));
-            ticks.push_back(core.tick(state, state.time_ns));
-            ticks.back().solve_ns = 100;
+            const servo::TickRecord tick = core.tick(state, state.time_ns);
+            if (i >= from) {
+                ticks.push_back(tick);
+                ticks.back().solve_ns = 100;
+            }
         }
         return ticks;
     }
+    static std::vector<servo::TickRecord> pressing() { return pressing(*scene(), 0, nullptr); }
 
-    bool write(const char* name, const std::vector<servo::TickRecord>& ticks, const session::SceneRecord& scene) const
+    bool write(const char* name, const std::vector<servo::TickRecord>& ticks, const session::SceneRecord& scene,
+               session::RecordingInfo info = {}) const
     {
-        session::RecordingInfo info;
         info.firstGeneration = 1;
         auto writer = session::RecordingWriter::create(path(name), info);
         bool isOk = writer.isOk() && writer.value()->addScene(scene).isOk();
@@ -194,6 +204,48 @@ class RecordedLayers : public QObject
         QCOMPARE(*other.value().firstDifference, two->tick);
         QVERIFY(!other.value().isWithinRounding());
         QVERIFY2(other.value().difference.find("layers") != std::string::npos, other.value().difference.c_str());
+    }
+
+    /// With friction the normal is not the spring's, and what slides at the start decides what comes.
+    void frictionIsKeptAndFeltAgain()
+    {
+        std::vector<haptics::HapticStructure> structures = scene()->structures();
+        structures[0].tissue.friction_static = 0.4;
+        structures[0].tissue.friction_dynamic = 0.1;
+        const haptics::HapticScene rough(structures);
+        session::SceneRecord record = described();
+        record.structures[0].tissue = structures[0].tissue;
+        session::RecordingInfo info;
+        int from = 300;
+        std::vector<servo::TickRecord> ticks;
+        do { // begins while it slides
+            ticks = pressing(rough, from++, &info.start);
+        } while (info.start.layers[0].slides == 0 && from < 1400);
+        QVERIFY(info.start.layers[0].slides == 1 && ticks.front().felt.contactCount > 0);
+        info.firstTick = ticks.front().tick;
+        int leaning = 0;
+        unsigned seen = 0;
+        for (const servo::TickRecord& tick : ticks) {
+            const core::Vec3 spring = tick.felt.p_WG - tick.p_WH;
+            leaning += tick.felt.structure == 0 && (spring.normalized() - tick.felt.n_W).norm() > 0.05 ? 1 : 0;
+            seen |= tick.flags;
+        }
+        QVERIFY2(leaning > 100, std::to_string(leaning).c_str());
+        QVERIFY((seen & servo::kSlides) != 0 && (seen & servo::kHolds) != 0);
+        QVERIFY(write("r.palpate", ticks, record, info));
+        const auto reader = RecordingReader::open(path("r.palpate"));
+        QCOMPARE(reader.value()->info().start.layers[0].slides, std::uint8_t{1});
+        const auto read = all(*reader.value());
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            QVERIFY2(test::isSameTick(read[i], ticks[i]), std::to_string(i).c_str());
+        }
+        const auto again = session::resimulate(*reader.value(), surfaces());
+        QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
+        // The byte bites: begun as if it held, it goes another way.
+        info.start.layers[0].slides = 0;
+        QVERIFY(write("s.palpate", ticks, record, info));
+        const auto other = session::resimulate(*RecordingReader::open(path("s.palpate")).value(), surfaces());
+        QVERIFY(!other.value().isSame());
     }
 
     void aChangedLayerIsFound()
