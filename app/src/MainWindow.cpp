@@ -52,7 +52,7 @@ MainWindow::MainWindow()
     makeStatusBar();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
-    m_playback = new Playback(*m_viewport, *m_session, *m_touch, this);
+    m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(this);
     m_document = new SceneDocument(m_model, this);
@@ -287,7 +287,6 @@ void MainWindow::connectTouch()
     connect(m_palpation, &PalpationController::touched, this, [this](const TouchReading& reading) {
         m_touch->show(reading);
         m_structures->showTouch(reading);
-        m_touchedStructure = reading.structure;
         const session::RecorderStatus recording = m_live.recording();
         if (recording.isRecording) {
             m_session->timeline().addLive(recording.duration_s, reading.force_N);

@@ -158,7 +158,6 @@ class MainWindow : public QMainWindow
     QAction* m_fitLumpAction = nullptr;
 
     SceneDocument* m_document = nullptr;
-    QString m_touchedStructure; ///< by the hand; empty in free space
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there

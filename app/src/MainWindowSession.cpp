@@ -83,14 +83,21 @@ void MainWindow::markFinding()
     }
     core::Finding finding;
     finding.name = tr("Finding %1").arg(m_document->findings().size() + 1).toStdString();
-    finding.structure = m_touchedStructure.toStdString();
+    const TouchReading& felt = m_touch->reading();
+    finding.structure = felt.structure.toStdString();
     finding.p_W = touch.p_WG;
     finding.force_N = touch.f_W.norm();
     finding.depth_mm = (touch.p_WG - touch.p_WH).norm();
+    for (const FeltLayer& layer : felt.layers) {
+        if (felt.layers.size() > 1) {
+            finding.layers.push_back({layer.name.toStdString(), layer.force_N, layer.depth_mm});
+        }
+    }
     m_document->addFinding(finding);
-    say(tr("%1 marked on %2 with %3 N")
-            .arg(QString::fromStdString(finding.name), m_touchedStructure,
-                 QLocale().toString(*finding.force_N, 'f', 2)));
+    say(felt.layers.size() > 1 ? tr("%1 marked: %2").arg(QString::fromStdString(finding.name), layersText(felt.layers))
+                               : tr("%1 marked on %2 with %3 N")
+                                     .arg(QString::fromStdString(finding.name), felt.structure,
+                                          QLocale().toString(*finding.force_N, 'f', 2)));
 }
 
 /// Where findings are, in the view and for fitting a lump to the device.

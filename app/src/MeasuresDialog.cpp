@@ -51,17 +51,21 @@ QString toHtml(const session::SessionMeasures& m)
         table(tr("Session"),
               {{tr("Duration"), tr("In contact"), tr("Contacts"), tr("Path of the hand"), tr("Path on the surface")},
                {ui::clockText(m.sums.duration_s), ui::clockText(all.time_s),
-                QLocale().toString(static_cast<qlonglong>(m.sums.contacts)),
+                QLocale().toString(static_cast<qlonglong>(m.sums.contact.contacts)),
                 tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)), tr("%1 mm").arg(number(m.sums.contactPath_mm, 0))}});
     std::vector<QStringList> rows{{tr("Force and depth"), tr("Time [s]"), tr("Mean [N]"), tr("Median [N]"),
-                                   tr("95 % [N]"), tr("Peak [N]"), tr("Deepest [mm]")}};
-    const auto contact = [&](const QString& name, const session::ContactMeasures& c) {
+                                   tr("95 % [N]"), tr("Peak [N]"), tr("Deepest [mm]"), tr("Presses")}};
+    const auto contact = [&](const QString& name, const session::ContactMeasures& c,
+                             const std::vector<session::Phase>& phases) {
+        const session::PhaseSummary presses = session::summary(phases, session::Phase::Kind::Press);
         rows.push_back({name, number(c.time_s, 1), number(c.meanForce_N), number(c.medianForce_N), number(c.p95Force_N),
-                        number(c.peakForce_N), number(c.peakDepth_mm, 1)});
+                        number(c.peakForce_N), number(c.peakDepth_mm, 1), QString::number(presses.phases)});
     };
-    contact(tr("All"), all);
+    contact(tr("All"), all, m.phases);
     for (const auto& [name, part] : m.sums.structures) {
-        contact(ui::readableName(name), part);
+        const auto phases = m.structurePhases.find(name);
+        contact(ui::readableName(name), part,
+                phases != m.structurePhases.end() ? phases->second : std::vector<session::Phase>());
     }
     html += table(tr("Touch"), rows);
     rows = {{tr("Hand"), tr("Phases"), tr("Time [s]"), tr("Mean [N]"), tr("Peak [N]")}};
@@ -91,6 +95,16 @@ QString toHtml(const session::SessionMeasures& m)
                             number(one.peakForce_N)});
         }
         html += table(tr("Findings"), rows);
+        rows = {{tr("Felt when marked"), tr("Structure"), tr("Force [N]"), tr("Depth [mm]")}};
+        for (const session::FindingMeasures& one : m.findings) {
+            for (const core::FeltLayer& layer : one.finding.layers) {
+                rows.push_back({QString::fromStdString(one.finding.name), QString::fromStdString(layer.structure),
+                                number(layer.force_N), number(layer.depth_mm, 1)});
+            }
+        }
+        if (rows.size() > 1) {
+            html += table(tr("Findings, layer by layer"), rows);
+        }
     }
     return html + QStringLiteral("<p>%1</p>").arg(tr("Research measures, not a diagnosis."));
 }

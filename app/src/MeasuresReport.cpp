@@ -9,7 +9,7 @@ void printMeasures(const session::SessionMeasures& m)
 {
     const session::ContactMeasures& all = m.sums.contact;
     print("duration %.3f s, contact %.3f s in %s contact%s\n", m.sums.duration_s, all.time_s,
-          grouped(m.sums.contacts).c_str(), m.sums.contacts == 1 ? "" : "s");
+          grouped(m.sums.contact.contacts).c_str(), m.sums.contact.contacts == 1 ? "" : "s");
     print("path of the hand %.4g mm, on the surface %.4g mm\n", m.sums.pathLength_mm, m.sums.contactPath_mm);
     print("force in contact: peak %.4g N, mean %.4g N, median %.4g N, 95th percentile %.4g N\n", all.peakForce_N,
           all.meanForce_N, all.medianForce_N, all.p95Force_N);
@@ -22,8 +22,15 @@ void printMeasures(const session::SessionMeasures& m)
               sum.meanForce_N, sum.peakForce_N);
     }
     for (const auto& [name, part] : m.sums.structures) {
-        print("  %s: contact %.3f s, force peak %.4g N, mean %.4g N, 95th percentile %.4g N, peak depth %.4g mm\n",
-              name.c_str(), part.time_s, part.peakForce_N, part.meanForce_N, part.p95Force_N, part.peakDepth_mm);
+        const auto phases = m.structurePhases.find(name);
+        const std::int64_t presses = phases == m.structurePhases.end()
+                                         ? 0
+                                         : session::summary(phases->second, session::Phase::Kind::Press).phases;
+        print("  %s: contact %.3f s, pressed %lld times, its share of the force peak %.4g N, mean %.4g N, 95th "
+              "percentile "
+              "%.4g N, peak depth %.4g mm\n",
+              name.c_str(), part.time_s, static_cast<long long>(presses), part.peakForce_N, part.meanForce_N,
+              part.p95Force_N, part.peakDepth_mm);
     }
     for (const session::SurfaceMeasures& surface : m.surfaces) {
         print("  %s: %.3g %% of %.4g cm² covered (within %.3g mm), longest dwell at a point %.3f s\n",
@@ -35,6 +42,10 @@ void printMeasures(const session::SessionMeasures& m)
               "peak %.4g N\n",
               one.finding.name.c_str(), one.finding.p_W.x(), one.finding.p_W.y(), one.finding.p_W.z(), one.marked_s,
               one.dwell_s, static_cast<long long>(one.visits), one.meanForce_N, one.peakForce_N);
+        for (const core::FeltLayer& layer : one.finding.layers) {
+            print("    %s: %.4g N at %.4g mm when it was marked\n", layer.structure.c_str(), layer.force_N,
+                  layer.depth_mm);
+        }
     }
 }
 

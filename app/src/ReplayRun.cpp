@@ -199,11 +199,11 @@ Status ReplayRun::startRecording(const session::RecordingInfo& info)
     return m_writer->addScene(session::describeScene(1, *m_scene, m_sources));
 }
 
-bool ReplayRun::take(const servo::TickRecord& tick, std::string_view structure)
+bool ReplayRun::take(const servo::TickRecord& tick, const session::StructureNames& names)
 {
-    m_summary->add(tick, structure);
+    m_summary->add(tick, names);
     if (m_csv) {
-        m_csv->write(tick, structure);
+        m_csv->write(tick, names);
     }
     if (m_writer) {
         m_writeStatus = m_writer->append(tick);
@@ -247,8 +247,9 @@ Status ReplayRun::feel()
     if (Status status = startRecording(info); !status.isOk()) {
         return status;
     }
-    session::replay(*m_scene, m_motion,
-                    [this](const servo::TickRecord& tick) { return take(tick, name(tick.felt.structure)); });
+    session::replay(*m_scene, m_motion, [this](const servo::TickRecord& tick) {
+        return take(tick, [this](std::uint32_t structure) { return name(structure); });
+    });
     return m_writeStatus;
 }
 
@@ -256,7 +257,8 @@ Status ReplayRun::feelRecording()
 {
     const auto result = session::resimulate(
         *m_recording, study::surfacesByHash(*m_scene, m_sources), [this](const servo::TickRecord& tick) {
-            return (tick.flags & servo::kNoHand) != 0 || take(tick, m_recording->structureName(tick));
+            return (tick.flags & servo::kNoHand) != 0 ||
+                   take(tick, [&](std::uint32_t number) { return m_recording->structureName(tick.scene, number); });
         });
     if (!result.isOk()) {
         return {result.status().code(), m_options.motion.string() + ": " + result.status().message()};
@@ -320,7 +322,10 @@ Status ReplayRun::feelLive()
     loop.cpu = m_options.cpu;
     const auto result = replayLive(
         m_scene, hand, loop, begin,
-        [this](const servo::TickRecord& tick) { return take(tick, name(tick.felt.structure)); }, idle);
+        [this](const servo::TickRecord& tick) {
+            return take(tick, [this](std::uint32_t structure) { return name(structure); });
+        },
+        idle);
     if (!result.isOk()) {
         return result.status();
     }

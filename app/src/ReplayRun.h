@@ -81,11 +81,8 @@ class ReplayRun
     core::Status finish();
 
     core::Status startRecording(const session::RecordingInfo& info);
-    bool take(const servo::TickRecord& tick, std::string_view structure);
-    std::string_view name(std::int32_t structure) const
-    {
-        return structure < 0 ? std::string_view() : m_scene->structures()[static_cast<std::size_t>(structure)].name;
-    }
+    bool take(const servo::TickRecord& tick, const session::StructureNames& names);
+    std::string_view name(std::uint32_t structure) const { return m_scene->structures()[structure].name; }
 
     const ReplayOptions& m_options;
     double m_unit_mm = 1.0;

@@ -43,9 +43,9 @@ void ReplaySummary::reserve(std::size_t ticks)
     m_solve_ns.reserve(ticks);
 }
 
-void ReplaySummary::add(const servo::TickRecord& tick, std::string_view structure)
+void ReplaySummary::add(const servo::TickRecord& tick, const session::StructureNames& names)
 {
-    m_measures.add(tick, structure);
+    m_measures.add(tick, names);
     m_solve_ns.push_back(tick.solve_ns);
     m_mostIterations = std::max(m_mostIterations, tick.felt.iterations);
     m_iterationBounds += (tick.flags & servo::kIterationLimit) != 0 ? 1 : 0;

@@ -3,11 +3,11 @@
 
 #include <palpate/session/Measures.h>
 #include <palpate/session/Replay.h>
+#include <palpate/session/StructureNames.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace palpate::app {
@@ -37,7 +37,7 @@ class ReplaySummary
     ReplaySummary(SceneCost cost, double dt_s);
 
     void reserve(std::size_t ticks);
-    void add(const servo::TickRecord& tick, std::string_view structure);
+    void add(const servo::TickRecord& tick, const session::StructureNames& names);
     void setResimulation(const session::Resimulation& result) { m_resimulation = result; }
     /// @param lost  ticks of the motion that were not felt
     void setLive(std::int64_t lost, std::uint64_t overruns) { m_lost = lost, m_overruns = overruns; }

@@ -43,6 +43,8 @@ struct Row
     int constraints = 0;
     QByteArray structure;
     int solve_ns = 0;
+    Vec3 normal;
+    QByteArray slides, layers;
 };
 
 Vec3 vector(const QList<QByteArray>& fields, int first)
@@ -118,9 +120,9 @@ class CommandLine : public QObject
         lines.removeFirst();
         for (const QByteArray& line : lines) {
             const QList<QByteArray> f = line.split(',');
-            if (f.size() == 13) {
-                out.append(
-                    {f[0].toInt(), vector(f, 1), vector(f, 4), vector(f, 7), f[10].toInt(), f[11], f[12].toInt()});
+            if (f.size() == 18) {
+                out.append({f[0].toInt(), vector(f, 1), vector(f, 4), vector(f, 7), f[10].toInt(), f[11], f[12].toInt(),
+                            vector(f, 13), f[16], f[17]});
             }
         }
         return out;
@@ -130,7 +132,9 @@ class CommandLine : public QObject
     {
         QByteArray out;
         for (const QByteArray& line : csv.split('\n')) {
-            out += line.left(line.lastIndexOf(',')) + '\n';
+            QList<QByteArray> fields = line.split(',');
+            fields.remove(12, fields.size() > 12 ? 1 : 0); // solve_ns
+            out += fields.join(',') + '\n';
         }
         return out;
     }
@@ -274,20 +278,28 @@ class CommandLine : public QObject
         QCOMPARE(outcome.error, QByteArray());
         QCOMPARE(outcome.exitCode, 0);
         QVERIFY(read("t.csv").startsWith("tick,hip_x,hip_y,hip_z,god_x,god_y,god_z,force_x,force_y,force_z,"
-                                         "constraints,structure,solve_ns\n"));
+                                         "constraints,structure,solve_ns,normal_x,normal_y,normal_z,slides,layers\n"));
         const QList<Row> table = rows("t.csv");
         QCOMPARE(table.size(), 1000);
         int contacts = 0;
         for (qsizetype i = 0; i < table.size(); ++i) {
             const Row& row = table[i];
             QCOMPARE(row.tick, static_cast<int>(i));
-            if (row.hip.z() < 10.0) { // force in the tick of contact
+            QCOMPARE(row.slides, QByteArray()); // no friction
+            if (row.hip.z() < 10.0) {           // force in the tick of contact
                 ++contacts;
                 QCOMPARE(row.structure, QByteArray("box"));
                 QCOMPARE(row.constraints, 1);
                 QVERIFY(std::abs(row.god.z() - 10.0) <= 1e-6);
                 QVERIFY((row.force - 0.5 * (row.god - row.hip)).norm() <= 1e-12);
+                QVERIFY((row.normal - Vec3::UnitZ()).norm() < 1e-6);
+                const QList<QByteArray> layer = row.layers.split('=');
+                QCOMPARE(layer.size(), 3);
+                QCOMPARE(layer[0], QByteArray("box"));
+                QCOMPARE(layer[1].toDouble(), row.force.norm());
+                QCOMPARE(layer[2].toDouble(), (row.god - row.hip).norm());
             } else {
+                QCOMPARE(row.layers, QByteArray());
                 QCOMPARE(row.structure, QByteArray());
                 QCOMPARE(row.constraints, 0);
                 QCOMPARE(row.god, row.hip);

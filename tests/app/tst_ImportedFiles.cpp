@@ -297,7 +297,12 @@ void ImportedFiles::sameUnderAGermanLocale()
         const auto withoutTime = [](std::string text) {
             std::string out;
             for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
-                out += text.substr(at, text.rfind(',', end) - at) + '\n';
+                std::size_t from = at; // of solve_ns, the 13th column
+                for (int column = 1; column < 13; ++column) {
+                    from = text.find(',', from) + 1;
+                }
+                out +=
+                    text.substr(at, from - at) + text.substr(text.find(',', from), end - text.find(',', from)) + '\n';
             }
             return out;
         };

@@ -2,6 +2,7 @@
 #include "Sessions.h"
 
 #include "../support/Shapes.h"
+#include "Contacts.h"
 
 #include <palpate/servo/ServoCore.h>
 #include <palpate/session/RecordingWriter.h>
@@ -120,7 +121,8 @@ bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b)
            same(a.felt.f_W, b.felt.f_W) && same(a.fSent_W, b.fSent_W) && a.felt.structure == b.felt.structure &&
            (a.felt.structure < 0 || a.felt.triangle == b.felt.triangle) && a.scene == b.scene &&
            a.buttons == b.buttons && a.solve_ns == b.solve_ns && a.felt.iterations == b.felt.iterations &&
-           a.flags == b.flags && a.felt.constraints == b.felt.constraints;
+           a.flags == b.flags && a.felt.constraints == b.felt.constraints &&
+           (a.felt.structure < 0 || same(a.felt.n_W, b.felt.n_W)) && session::internal::sameContacts(a.felt, b.felt);
 }
 
 bool runSql(const std::filesystem::path& path, const std::string& sql)

@@ -2,6 +2,7 @@
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"
+#include "Contacts.h"
 #include "Sessions.h"
 
 #include <palpate/session/GeometryHash.h>
@@ -27,7 +28,16 @@ class Measures : public QObject
         record.felt.p_WG = core::Vec3(0, 0, god_z);
         record.felt.f_W = core::Vec3(0, 0, force_z);
         record.felt.structure = force_z > 0.0 ? 0 : -1;
+        if (force_z > 0.0) {
+            record.felt.contactCount = 1;
+            record.felt.contacts[0] = session::internal::ownContact(record);
+        }
         return record;
+    }
+    /// @return what gives every structure this name.
+    static session::StructureNames called(const char* name)
+    {
+        return [name](std::uint32_t) { return std::string_view(name); };
     }
 
   private Q_SLOTS:
@@ -37,12 +47,12 @@ class Measures : public QObject
         session::MeasureAccumulator measures(1e-3);
         for (int i = 0; i < 6; ++i) {
             const double z = 2.0 - i;
-            measures.add(tick(i, z, std::max(z, 0.0), 0.5 * std::max(-z, 0.0)), z < 0.0 ? "liver" : "");
+            measures.add(tick(i, z, std::max(z, 0.0), 0.5 * std::max(-z, 0.0)), called("liver"));
         }
         const session::Measures m = measures.result();
         QCOMPARE(m.ticks, std::int64_t{6});
         QCOMPARE(m.contact.ticks, std::int64_t{3});
-        QCOMPARE(m.contacts, std::int64_t{1});
+        QCOMPARE(m.contact.contacts, std::int64_t{1});
         QCOMPARE(m.duration_s, 6e-3);
         QCOMPARE(m.contact.time_s, 3e-3);
         QCOMPARE(m.pathLength_mm, 5.0);
@@ -62,12 +72,12 @@ class Measures : public QObject
     void doNotCountMovesAcrossALoss()
     {
         session::MeasureAccumulator measures(1e-3);
-        measures.add(tick(0, 0, 0, 0), "");
-        measures.add(tick(5, 100, 100, 0), ""); // 4 ticks are missing
+        measures.add(tick(0, 0, 0, 0), called(""));
+        measures.add(tick(5, 100, 100, 0), called("")); // 4 ticks are missing
         servo::TickRecord reset = tick(6, 200, 200, 0);
         reset.flags = servo::kReset;
-        measures.add(reset, "");
-        measures.add(tick(7, 201, 201, 0), "");
+        measures.add(reset, called(""));
+        measures.add(tick(7, 201, 201, 0), called(""));
         QCOMPARE(measures.result().pathLength_mm, 1.0);
     }
 
@@ -75,7 +85,7 @@ class Measures : public QObject
     {
         session::MeasureAccumulator measures(1e-3);
         for (int i = 1; i <= 100; ++i) {
-            measures.add(tick(i, -1, 0, i), "a");
+            measures.add(tick(i, -1, 0, i), called("a"));
         }
         QCOMPARE(measures.result().contact.p95Force_N, 95.0);
     }
@@ -113,6 +123,49 @@ class Measures : public QObject
         QCOMPARE(press.time_s, 0.25);
         QVERIFY(std::abs(press.meanForce_N - (0.2 * 2.0 + 0.05 * 4.0) / 0.25) < 1e-12);
         QCOMPARE(press.peakForce_N, 4.0);
+    }
+
+    /// Half a second through a liver onto a lump and off it again, twice: each has its own time, share, depth, presses.
+    void everyLayerIsMeasured()
+    {
+        session::MeasureAccumulator measures(1e-3);
+        session::PhaseAccumulator liver(1e-3);
+        session::PhaseAccumulator lump(1e-3);
+        for (int i = 0; i < 1000; ++i) {
+            const bool isOnLump = i % 500 >= 200;
+            servo::TickRecord record = tick(i, -10.0, 0.0, isOnLump ? 6.0 : 2.0);
+            record.felt.contacts[0].f_W.z() = 2.0;
+            if (isOnLump) {
+                record.felt.contactCount = 2;
+                record.felt.contacts[1] = record.felt.contacts[0];
+                record.felt.contacts[1].structure = 1;
+                record.felt.contacts[1].p_WG.z() = -8.0;
+                record.felt.contacts[1].f_W.z() = 4.0;
+                record.felt.contacts[1].depth_mm = 2.0;
+            }
+            measures.add(record, [](std::uint32_t number) { return number == 0 ? "liver" : "lump"; });
+            liver.add(record, &record.felt.contacts[0]);
+            lump.add(record, isOnLump ? &record.felt.contacts[1] : nullptr);
+        }
+        const session::Measures m = measures.result();
+        QCOMPARE(m.contact.time_s, 1.0);
+        QCOMPARE(m.contact.peakForce_N, 6.0);
+        QCOMPARE(m.contact.contacts, std::int64_t{1});
+        QCOMPARE(m.structures.size(), std::size_t{2});
+        const session::ContactMeasures& outer = m.structures.at("liver");
+        QCOMPARE(outer.time_s, 1.0);
+        QCOMPARE(outer.peakForce_N, 2.0);
+        QCOMPARE(outer.peakDepth_mm, 10.0);
+        const session::ContactMeasures& inner = m.structures.at("lump");
+        QCOMPARE(inner.time_s, 0.6);
+        QCOMPARE(inner.contacts, std::int64_t{2});
+        QCOMPARE(inner.meanForce_N, 4.0);
+        QCOMPARE(inner.peakDepth_mm, 2.0);
+        QCOMPARE(session::summary(liver.result(), session::Phase::Kind::Press).phases, std::int64_t{1});
+        const session::PhaseSummary presses = session::summary(lump.result(), session::Phase::Kind::Press);
+        QCOMPARE(presses.phases, std::int64_t{2});
+        QCOMPARE(presses.time_s, 0.6);
+        QCOMPARE(presses.peakForce_N, 4.0);
     }
 
     /// A square sheet of 40 mm in z = 0. 2 ticks with 3 N at its middle, 1 tick with 5 N at (10, 0), 4 mm distance:
@@ -169,6 +222,7 @@ class Measures : public QObject
                                             : isSecond ? 0.5
                                                        : 0.0);
             record.p_WH.x() = record.felt.p_WG.x() = i < 250 ? 0.0 : 12.0;
+            record.felt.contacts[0] = session::internal::ownContact(record);
             record.scene = 1;
             record.flags = i == 250 ? servo::kReset : 0;
             QVERIFY(writer.value()->append(record).isOk());
@@ -184,7 +238,7 @@ class Measures : public QObject
         QVERIFY2(measured.isOk(), measured.status().message().c_str());
         const session::SessionMeasures& m = measured.value();
         QCOMPARE(m.sums.contact.time_s, 0.3);
-        QCOMPARE(m.sums.contacts, std::int64_t{2});
+        QCOMPARE(m.sums.contact.contacts, std::int64_t{2});
         QCOMPARE(m.sums.pathLength_mm, 3.0 + 2.0 + 2.0); // up after the first, down to and up from the second
         QCOMPARE(m.unmeasured, std::vector<std::string>{"elsewhere"});
         QCOMPARE(m.surfaces.size(), std::size_t{1});

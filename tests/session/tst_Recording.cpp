@@ -132,7 +132,7 @@ class Recording : public QObject
             servo::TickRecord tick = pattern;
             tick.tick = 600000 + i;
             tick.time_ns = tick.tick * 1000003;
-            tick.felt.triangle = 1'000'000;
+            tick.felt.triangle = tick.felt.contacts[0].triangle = 1'000'000;
             tick.solve_ns = 70000;
             tick.fSent_W = tick.felt.f_W + core::Vec3(0.1, 0.1, 0.1); // the gate acts all the time
             ticks.push_back(tick);
@@ -156,11 +156,11 @@ class Recording : public QObject
         QTest::newRow("lost block") << "DELETE FROM ticks WHERE tick BETWEEN 500 AND 749;"
                                        "DELETE FROM checks WHERE first = 500"
                                     << "a part of the recording was taken out";
-        QTest::newRow("added row")
-            << "INSERT INTO ticks SELECT 5000, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
-               "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
-               "constraints, scene, buttons, solve_ns, iterations, flags FROM ticks WHERE tick = 9"
-            << "ticks 2000 to 5000";
+        QTest::newRow("added row") << "INSERT INTO ticks SELECT 5000, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
+                                      "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
+                                      "constraints, scene, buttons, solve_ns, iterations, flags, normal_x, normal_y, "
+                                      "normal_z, layers FROM ticks WHERE tick = 9"
+                                   << "ticks 2000 to 5000";
         QTest::newRow("start state") << "UPDATE meta SET value = zeroblob(length(value)) WHERE key = 'start';"
                                         "UPDATE meta SET value = 'x' WHERE key = 'device_name'"
                                      << "metadata: found other bits";
@@ -249,8 +249,8 @@ class Recording : public QObject
     {
         QTest::addColumn<QString>("sql");
         QTest::addColumn<QString>("message");
-        QTest::newRow("newer") << "PRAGMA user_version = 3"
-                               << "found a recording of version 3, expected at most 2";
+        QTest::newRow("newer") << "PRAGMA user_version = 4"
+                               << "found a recording of version 4, expected at most 3";
         QTest::newRow("another program's") << "PRAGMA application_id = 7"
                                            << "found another program's SQLite database";
         QTest::newRow("no meta") << "DROP TABLE meta"

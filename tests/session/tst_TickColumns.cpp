@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Contacts.h"
 #include "Packing.h"
 #include "TestRunner.h"
 #include "TickColumns.h"
@@ -41,6 +42,8 @@ class TickColumns : public QObject
     {
         servo::TickRecord tick;
         tick.felt.structure = 2; // touched: nothing of it is left out
+        tick.felt.contactCount = 2;
+        tick.felt.contacts.fill(ownContact(tick));
         std::string before;
         packTick(before, tick);
         int stored = 0;
@@ -49,6 +52,8 @@ class TickColumns : public QObject
             useValue(column, other, []<class Value>(Value& value) {
                 if constexpr (std::is_same_v<Value, core::Vec3>) {
                     value.z() = -0.0;
+                } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
+                    value.contacts[1].friction = haptics::Friction::Holds;
                 } else {
                     value = Value(value + 1);
                 }
@@ -62,12 +67,15 @@ class TickColumns : public QObject
         QCOMPARE(std::size_t(stored), tickColumnCount());
     }
 
-    void theTableIsThatOfVersion2()
+    void theTablesAreThoseOfTheirVersions()
     {
-        QCOMPARE(createTicks(),
-                 std::string("CREATE TABLE ticks(tick INTEGER PRIMARY KEY, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
-                             "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
-                             "constraints, scene, buttons, solve_ns, iterations, flags);\n"));
+        const std::string version2 =
+            "CREATE TABLE ticks(tick INTEGER PRIMARY KEY, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
+            "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
+            "constraints, scene, buttons, solve_ns, iterations, flags";
+        QCOMPARE(createTicks(1), version2 + ");\n");
+        QCOMPARE(createTicks(2), version2 + ");\n");
+        QCOMPARE(createTicks(3), version2 + ", normal_x, normal_y, normal_z, layers);\n");
     }
 };
 

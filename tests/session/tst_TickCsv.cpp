@@ -16,6 +16,10 @@ class TickCsv : public QObject
 {
     Q_OBJECT
 
+    static constexpr auto kNames = [](std::uint32_t number) -> std::string_view {
+        return number == 0 ? "lump; a=1, 50%" : "liver";
+    };
+
     static QByteArray contents(const QString& path)
     {
         QFile file(path);
@@ -34,20 +38,33 @@ class TickCsv : public QObject
         tick.p_WH = core::Vec3(1, -2.5, 0.1);
         tick.felt.p_WG = core::Vec3(1, 2, 3);
         tick.felt.f_W = core::Vec3(0, 0, 1e-300);
+        tick.felt.structure = 1;
+        tick.felt.n_W = core::Vec3(0, 0.6, 0.8);
         tick.felt.constraints = 2;
+        tick.felt.contactCount = 2;
+        tick.felt.contacts[0] = {core::Vec3::Zero(),       core::Vec3::Zero(), core::Vec3(0.3, 0, 0.4), 8.25, 1, 0, 0,
+                                 haptics::Friction::Slides};
+        tick.felt.contacts[1] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 0, 3.5), 0.1, 0, 0, 1,
+                                 haptics::Friction::None};
         tick.solve_ns = 321;
-        csv.value().write(tick, "liver");
+        csv.value().write(tick, kNames);
+        tick.felt.contactCount = 1;
+        tick.felt.contacts[0].friction = haptics::Friction::Holds;
+        csv.value().write(tick, kNames);
         tick = {};
         tick.tick = 8;
         tick.solve_ns = 40;
-        csv.value().write(tick, "");
+        csv.value().write(tick, kNames);
         QVERIFY(!QFile::exists(path)); // not before it is whole
         QVERIFY(csv.value().finish().isOk());
         QCOMPARE(contents(path),
                  QByteArray("tick,hip_x,hip_y,hip_z,god_x,god_y,god_z,force_x,force_y,force_z,constraints,structure,"
-                            "solve_ns\n"
-                            "7,1,-2.5,0.10000000000000001,1,2,3,0,0,1e-300,2,liver,321\n"
-                            "8,0,0,0,0,0,0,0,0,0,0,,40\n"));
+                            "solve_ns,normal_x,normal_y,normal_z,slides,layers\n"
+                            "7,1,-2.5,0.10000000000000001,1,2,3,0,0,1e-300,2,liver,321,0,0.59999999999999998,"
+                            "0.80000000000000004,1,liver=0.5=8.25;lump%3B a%3D1%2C 50%25=3.5=0.10000000000000001\n"
+                            "7,1,-2.5,0.10000000000000001,1,2,3,0,0,1e-300,2,liver,321,0,0.59999999999999998,"
+                            "0.80000000000000004,0,liver=0.5=8.25\n"
+                            "8,0,0,0,0,0,0,0,0,0,0,,40,0,0,0,,\n"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 
@@ -75,7 +92,9 @@ class TickCsv : public QObject
         const QString path = folder.filePath("t.csv");
         auto csv = session::TickCsv::create(path.toStdString());
         for (const char* name : {"left lobe", "a,b", "say \"ah\""}) {
-            csv.value().write({}, name);
+            servo::TickRecord tick;
+            tick.felt.structure = 0;
+            csv.value().write(tick, [name](std::uint32_t) { return std::string_view(name); });
         }
         QVERIFY(csv.value().finish().isOk());
         const QByteArray text = contents(path);
@@ -95,7 +114,7 @@ class TickCsv : public QObject
         const QByteArray before = contents(path);
         {
             auto second = session::TickCsv::create(path.toStdString());
-            second.value().write({}, "");
+            second.value().write({}, kNames);
         }
         QCOMPARE(contents(path), before);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);

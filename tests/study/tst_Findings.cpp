@@ -26,7 +26,8 @@ class Findings : public QObject
                 .note = "hard, \"as a pea\"",
                 .structure = "lobe of the lüver",
                 .force_N = 1.25,
-                .depth_mm = 0.0};
+                .depth_mm = 0.0,
+                .layers = {{"lobe of the lüver", 0.75, 12.5}, {"a \"pea\"", 1.0 / 3.0, 4.5}}};
     }
 
     static void compare(const core::Finding& is, const core::Finding& was)
@@ -37,6 +38,7 @@ class Findings : public QObject
         QCOMPARE(is.structure, was.structure);
         QVERIFY(is.force_N == was.force_N);
         QVERIFY(is.depth_mm == was.depth_mm);
+        QVERIFY(is.layers == was.layers);
     }
 
   private Q_SLOTS:

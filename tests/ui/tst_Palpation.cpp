@@ -3,6 +3,7 @@
 #include "TestRunner.h"
 
 #include <palpate/device/DevicePresets.h>
+#include <palpate/meshio/LoadScene.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/ui/PalpationController.h>
 
@@ -168,6 +169,75 @@ class Palpation : public QObject
         QVERIFY(layer != events.end());
         QVERIFY2(layer->json.find("[0,1]") != std::string::npos, layer->json.c_str());
         QCOMPARE(reader.value()->scenes().back().structures.front().layer, 1u);
+    }
+
+    /// 12 mm deep over the phantom's larger lump: what is felt, said and shown is both.
+    void aLumpBelowTheSurfaceIsNamed()
+    {
+        /// Goes straight down to a place and stays there.
+        struct Press final : palpate::device::HapticDevice
+        {
+            palpate::device::DeviceInfo info() const override
+            {
+                return palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+            }
+            palpate::core::Status start() override { return {}; }
+            void stop() noexcept override {}
+            palpate::device::DeviceState read(std::int64_t now_ns) noexcept override
+            {
+                palpate::device::DeviceState state;
+                m_above_mm = std::max(-12.0, m_above_mm - 0.02);
+                state.p_D = top_W + m_above_mm * out_W;
+                state.time_ns = now_ns;
+                state.isPresent = true;
+                return state;
+            }
+            void write(const palpate::core::Vec3& /*f_D*/) noexcept override {}
+
+            palpate::core::Vec3 top_W, out_W;
+            double m_above_mm = 3.0;
+        };
+        const auto scene = meshio::loadScene(PALPATE_PHANTOM);
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        std::vector<ui::StructureRow> rows;
+        for (const meshio::LoadedStructure& loaded : scene.value().structures) {
+            ui::StructureRow& row =
+                rows.emplace_back(ui::StructureRow{loaded, view::makeSurface(*loaded.surface), {}, {}});
+            if (loaded.description.palpable) {
+                row.touch =
+                    std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*loaded.surface));
+            }
+        }
+        auto device = std::make_unique<Press>();
+        const core::Vec3 centre_W = rows[1].loaded.surface->report.bounds.center();
+        double nearest_mm = 1e9;
+        for (const core::Vec3& p_W : rows[0].loaded.surface->mesh.vertices) {
+            if ((p_W - centre_W).norm() < nearest_mm) {
+                nearest_mm = (p_W - centre_W).norm();
+                device->top_W = p_W;
+                device->out_W = (p_W - centre_W).normalized();
+            }
+        }
+        m_model->setRows(std::move(rows));
+        QVERIFY(m_live->useDevice(std::move(device)).isOk());
+        QVERIFY(m_live->start().isOk());
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 11.9, 10000);
+        QTRY_COMPARE(m_reading->layers.size(), std::size_t{2});
+        const std::vector<ui::FeltLayer>& layers = m_reading->layers;
+        QCOMPARE(m_reading->structure, QStringLiteral("liver"));
+        QCOMPARE(layers[0].name, QStringLiteral("liver"));
+        QCOMPARE(layers[1].name, QStringLiteral("lump 20 mm"));
+        QCOMPARE(layers[1].colour, ui::colourOf(m_model->structure(1)));
+        QVERIFY(std::abs(layers[0].force_N - 0.2 * layers[0].depth_mm) < 0.02);
+        QVERIFY(std::abs(layers[1].force_N - 0.6 * layers[1].depth_mm) < 0.02);
+        QVERIFY(std::abs(layers[0].along_N + layers[1].along_N - m_reading->force_N) < 0.02);
+        QVERIFY(m_reading->force_N > 1.3 * layers[0].force_N);
+        QCOMPARE(m_reading->stiffness_N_per_mm, 0.8);
+        const view::TouchState& shown = m_viewport->view().cursor().state();
+        QCOMPARE(shown.innerCount, std::size_t{1});
+        QVERIFY(std::abs((shown.inner[0].p_WG - centre_W).norm() - 10.0) < 0.5);
+        m_live->stop();
+        QVERIFY(m_live->useDevice(nullptr).isOk());
     }
 
     void recordsWhatWasFelt()

@@ -71,6 +71,56 @@ class Panels : public QObject
         QVERIFY(says(panel, QStringLiteral("constraints 1 · solver 0.3 µs p99")));
         QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
     }
+    void eachLayerIsNamedWithItsShare()
+    {
+        ui::TouchPanel panel;
+        panel.resize(300, 500);
+        ui::TouchReading reading{1.0, 6.0, 12.4, QStringLiteral("liver"), 0.8, 1, 0.3};
+        reading.layers = {{QStringLiteral("liver"), QColor(221, 130, 101), 2.5, 2.5, 12.4},
+                          {QStringLiteral("lump <20 mm>"), QColor(144, 238, 144), 3.5, 3.5, 5.83}};
+        QCOMPARE(ui::layersText(reading.layers), QStringLiteral("liver 2.5 N · lump <20 mm> 3.5 N, 5.8 mm in"));
+        panel.show(reading);
+        QVERIFY(says(panel, QStringLiteral("liver · lump <20 mm>")));
+        QVERIFY(says(panel, QStringLiteral("12.4 mm deep · 0.80 N/mm")));
+        QVERIFY(says(panel, ui::layersMarkup(reading.layers)));
+        QVERIFY(ui::layersMarkup(reading.layers).contains(QStringLiteral("lump &lt;20 mm&gt;</b> 3.5 N, 5.8 mm in")));
+        const int height = panel.findChild<ui::TouchChart*>()->height();
+        reading.layers.pop_back();
+        panel.show(reading);
+        QVERIFY(says(panel, QStringLiteral("liver")));
+        QVERIFY(!says(panel, QStringLiteral("liver · lump <20 mm>")));
+        QCOMPARE(panel.findChild<ui::TouchChart*>()->height(), height); // nothing jumps
+    }
+    /// Each layer's area is as high as its part of the force, in its structure's colour.
+    void chartStacksTheLayers()
+    {
+        const QColor outer(221, 130, 101);
+        const QColor inner(144, 238, 144);
+        const auto count = [](const ui::TouchHistory& history, const QColor& colour) {
+            ui::TouchChart chart(history);
+            chart.resize(400, 300);
+            const QImage image = chart.grab().toImage();
+            int pixels = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    pixels += image.pixelColor(x, y).rgb() == colour.rgb() ? 1 : 0;
+                }
+            }
+            return pixels;
+        };
+        ui::TouchHistory layered;
+        ui::TouchHistory plain;
+        for (int i = 0; i <= 100; ++i) {
+            layered.add({0.1 * i, 4.0, 10.0, {{outer, 3.0}, {inner, 1.0}}});
+            plain.add({0.1 * i, 4.0, 10.0, {{outer, 4.0}}});
+        }
+        QVERIFY(layered.hasLayers() && !plain.hasLayers());
+        const int below = count(layered, outer);
+        const int above = count(layered, inner); // less by its hatching
+        QVERIFY2(below > 5000 && above > 500, qPrintable(QStringLiteral("%1 %2").arg(below).arg(above)));
+        QVERIFY2(above < 0.36 * below, qPrintable(QStringLiteral("%1 %2").arg(below).arg(above)));
+        QCOMPARE(count(plain, outer), 0); // one layer: as it always was
+    }
     void aTickThatStoppedAtItsBoundSaysSo()
     {
         ui::TouchPanel panel;

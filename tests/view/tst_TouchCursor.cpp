@@ -96,6 +96,28 @@ class TouchCursor : public QObject
         const double height_mm = frame.height_px * frame.mmPerPixel(cursor.state().p_WG);
         QVERIFY(std::abs(cursor.arrow().length_mm() - view::ForceArrow::kLongest * height_mm) < 1e-9);
     }
+    void innerGodObjectsHaveTheColoursOfTheirStructures()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state = contact(Vec3(0, 0, 2));
+        state.innerCount = 1;
+        state.inner[0] = {Vec3(1, 2, 1), {0.25, 0.5, 0.75}};
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(cursor.innerMark(0)->GetVisibility());
+        QVERIFY(!cursor.innerMark(1)->GetVisibility());
+        const double* colour = cursor.innerMark(0)->GetProperty()->GetColor();
+        QVERIFY(colour[0] == 0.25 && colour[1] == 0.5 && colour[2] == 0.75);
+        const double* b = cursor.innerMark(0)->GetBounds();
+        QVERIFY(std::abs(0.5 * (b[0] + b[1]) - 1.0) < 0.01 && std::abs(0.5 * (b[2] + b[3]) - 2.0) < 0.01);
+        state.inner[0].p_WG = Vec3(1, 2, -30);
+        cursor.setState(state);
+        QVERIFY(cursor.bounds().contains(state.inner[0].p_WG));
+        state.isInContact = false;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(!cursor.innerMark(0)->GetVisibility());
+    }
     void nonFiniteTickIsNotDrawn()
     {
         view::TouchCursor cursor;

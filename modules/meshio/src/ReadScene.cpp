@@ -182,6 +182,28 @@ SceneCamera readCamera(JsonFields& fields)
     return camera;
 }
 
+core::Finding readFinding(const QJsonObject& object, const std::string& file, const std::string& path, Status& status)
+{
+    JsonFields entry(object, file, path, status);
+    core::Finding finding;
+    entry.read("name", finding.name);
+    entry.read("note", finding.note);
+    entry.read("structure", finding.structure);
+    readIfThere(entry, "force_N", finding.force_N);
+    readIfThere(entry, "depth_mm", finding.depth_mm);
+    finding.p_W = point(entry, "position").value_or(finding.p_W);
+    std::size_t i = 0;
+    for (const QJsonObject& felt : entry.objects("layers")) {
+        JsonFields layer(felt, file, path + ".layers[" + std::to_string(i++) + "]", status);
+        core::FeltLayer& out = finding.layers.emplace_back();
+        layer.read("structure", out.structure);
+        layer.read("force_N", out.force_N, 0.0, 1e9);
+        layer.read("depth_mm", out.depth_mm, 0.0, 1e9);
+    }
+    finding.extra = entry.unknown();
+    return finding;
+}
+
 } // namespace
 
 bool isSceneFile(const std::filesystem::path& path)
@@ -239,16 +261,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     i = 0;
     for (const QJsonObject& object : fields.objects("findings")) {
-        JsonFields entry(object, file, "findings[" + std::to_string(i++) + "]", status);
-        core::Finding finding;
-        entry.read("name", finding.name);
-        entry.read("note", finding.note);
-        entry.read("structure", finding.structure);
-        readIfThere(entry, "force_N", finding.force_N);
-        readIfThere(entry, "depth_mm", finding.depth_mm);
-        finding.p_W = point(entry, "position").value_or(finding.p_W);
-        finding.extra = entry.unknown();
-        scene.findings.push_back(std::move(finding));
+        scene.findings.push_back(readFinding(object, file, "findings[" + std::to_string(i++) + "]", status));
     }
     scene.extra = fields.unknown();
     return status.isOk() ? Result<SceneFile>(std::move(scene)) : Result<SceneFile>(status);

@@ -137,6 +137,14 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         if (finding.depth_mm) {
             one["depth_mm"] = *finding.depth_mm;
         }
+        if (!finding.layers.empty()) {
+            QJsonArray layers;
+            for (const core::FeltLayer& layer : finding.layers) {
+                layers.append(QJsonObject{
+                    {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
+            }
+            one["layers"] = layers;
+        }
         findings.append(one);
     }
     out["findings"] = findings;

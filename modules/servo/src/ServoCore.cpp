@@ -26,6 +26,16 @@ void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexce
     if (tick.felt.status == haptics::TickStatus::IterationLimit) {
         tick.flags |= kIterationLimit;
     }
+    switch (tick.felt.friction()) {
+    case haptics::Friction::Slides:
+        tick.flags |= kSlides;
+        break;
+    case haptics::Friction::Holds:
+        tick.flags |= kHolds;
+        break;
+    case haptics::Friction::None:
+        break;
+    }
 }
 
 ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLimits& passivity) noexcept

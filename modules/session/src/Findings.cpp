@@ -35,6 +35,11 @@ std::optional<core::Finding> findingIn(const std::string& text)
     finding.structure = json["structure"].toString().toStdString();
     finding.force_N = numberIn(json, "force_N");
     finding.depth_mm = numberIn(json, "depth_mm");
+    for (const QJsonValue& value : json["layers"].toArray()) {
+        const QJsonObject layer = value.toObject();
+        finding.layers.push_back(
+            {layer["structure"].toString().toStdString(), layer["force_N"].toDouble(), layer["depth_mm"].toDouble()});
+    }
     return finding;
 }
 
@@ -50,6 +55,15 @@ std::string findingJson(const core::Finding& finding)
     }
     if (finding.depth_mm) {
         json["depth_mm"] = *finding.depth_mm;
+    }
+    if (!finding.layers.empty()) {
+        QJsonArray layers;
+        for (const core::FeltLayer& layer : finding.layers) {
+            layers.append(QJsonObject{{"structure", QString::fromStdString(layer.structure)},
+                                      {"force_N", layer.force_N},
+                                      {"depth_mm", layer.depth_mm}});
+        }
+        json["layers"] = layers;
     }
     if (!finding.note.empty()) {
         json["note"] = QString::fromStdString(finding.note);
@@ -99,7 +113,15 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
     for (Sum& sum : m_sums) {
         FindingMeasures& m = sum.measures;
         const bool wasThere = sum.isThere && goesOn;
-        sum.isThere = tick.felt.structure >= 0 && (tick.felt.p_WG - m.finding.p_W).norm() <= m_distance_mm;
+        double depth_mm = 0.0;
+        sum.isThere = false;
+        for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+            const haptics::Contact& contact = tick.felt.contacts[i];
+            if ((contact.p_WG - m.finding.p_W).norm() <= m_distance_mm) {
+                sum.isThere = true;
+                depth_mm = std::max(depth_mm, contact.depth_mm);
+            }
+        }
         if (!sum.isThere) {
             continue;
         }
@@ -110,7 +132,7 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
         ++sum.ticks;
         sum.force_N += tick.felt.f_W.norm();
         m.peakForce_N = std::max(m.peakForce_N, tick.felt.f_W.norm());
-        m.peakDepth_mm = std::max(m.peakDepth_mm, (tick.felt.p_WG - tick.p_WH).norm());
+        m.peakDepth_mm = std::max(m.peakDepth_mm, depth_mm);
     }
 }
 

@@ -2,7 +2,11 @@
 #include "palpate/session/MeasureSession.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace palpate::session {
@@ -42,13 +46,15 @@ class Surfaces
 
     void add(const servo::TickRecord& tick, double dt_s)
     {
-        if (m_lastScene != tick.scene || m_lastStructure != tick.felt.structure) {
-            m_lastScene = tick.scene;
-            m_lastStructure = tick.felt.structure;
-            m_last = surfaceOf(tick);
-        }
-        if (m_last != nullptr) {
-            m_last->add(tick.felt.p_WG, tick.felt.f_W.norm(), dt_s);
+        for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+            const haptics::Contact& contact = tick.felt.contacts[i];
+            Last& last = m_last[i];
+            if (last.scene != tick.scene || last.structure != contact.structure) {
+                last = {tick.scene, contact.structure, surfaceOf(tick.scene, contact.structure)};
+            }
+            if (last.surface != nullptr) {
+                last.surface->add(contact.p_WG, contact.f_W.norm(), dt_s);
+            }
         }
     }
 
@@ -78,11 +84,10 @@ class Surfaces
         std::unique_ptr<TouchedSurface> surface; ///< made at the first touch
     };
 
-    TouchedSurface* surfaceOf(const servo::TickRecord& tick)
+    TouchedSurface* surfaceOf(std::uint32_t generation, std::uint32_t number)
     {
-        const SceneRecord* scene = m_reader.scene(tick.scene);
-        const auto number = static_cast<std::size_t>(tick.felt.structure);
-        if (scene == nullptr || tick.felt.structure < 0 || number >= scene->structures.size()) {
+        const SceneRecord* scene = m_reader.scene(generation);
+        if (scene == nullptr || number >= scene->structures.size()) {
             return nullptr;
         }
         const StructureRecord& structure = scene->structures[number];
@@ -101,9 +106,54 @@ class Surfaces
     const MeshesByHash& m_meshes;
     double m_distance_mm;
     std::map<std::pair<std::string, std::string>, Place> m_places; ///< by name and hash
-    std::uint32_t m_lastScene = 0;
-    std::int32_t m_lastStructure = -1;
-    TouchedSurface* m_last = nullptr;
+    /// What the contact in this place was looked up for last.
+    struct Last
+    {
+        std::uint32_t scene = 0;
+        std::uint32_t structure = std::numeric_limits<std::uint32_t>::max(); ///< none
+        TouchedSurface* surface = nullptr;
+    };
+    std::array<Last, haptics::kMaxLayers> m_last{};
+};
+
+/// Phases of each structure by itself.
+class StructurePhases
+{
+  public:
+    explicit StructurePhases(double dt_s)
+        : m_dt_s(dt_s)
+    {
+    }
+
+    void add(const servo::TickRecord& tick, const RecordingReader& reader)
+    {
+        const auto contacts = std::span(tick.felt.contacts).first(tick.felt.contactCount);
+        for (const haptics::Contact& contact : contacts) {
+            const std::string_view name = reader.structureName(tick.scene, contact.structure);
+            if (m_phases.find(name) == m_phases.end()) {
+                m_phases.emplace(name, PhaseAccumulator(m_dt_s, reader.extent().firstTick));
+            }
+        }
+        for (auto& [name, phases] : m_phases) {
+            const auto touched = std::find_if(contacts.begin(), contacts.end(), [&](const haptics::Contact& contact) {
+                return reader.structureName(tick.scene, contact.structure) == name;
+            });
+            phases.add(tick, touched == contacts.end() ? nullptr : &*touched);
+        }
+    }
+
+    [[nodiscard]] std::map<std::string, std::vector<Phase>> result() const
+    {
+        std::map<std::string, std::vector<Phase>> out;
+        for (const auto& [name, phases] : m_phases) {
+            out.emplace(name, phases.result());
+        }
+        return out;
+    }
+
+  private:
+    double m_dt_s;
+    std::map<std::string, PhaseAccumulator, std::less<>> m_phases;
 };
 
 } // namespace
@@ -114,18 +164,21 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     const double dt_s = reader.info().dt_s;
     MeasureAccumulator sums(dt_s);
     PhaseAccumulator phases(dt_s);
+    StructurePhases structurePhases(dt_s);
     FindingAccumulator findings(reader.events(), reader.extent().firstTick, dt_s, options.distance_mm);
     Surfaces surfaces(reader, meshes, options.distance_mm);
     bool isCancelled = false;
-    const Status status = reader.forEach(std::numeric_limits<std::int64_t>::min(),
-                                         std::numeric_limits<std::int64_t>::max(), [&](const servo::TickRecord& tick) {
-                                             sums.add(tick, reader.structureName(tick));
-                                             phases.add(tick);
-                                             findings.add(tick);
-                                             surfaces.add(tick, dt_s);
-                                             isCancelled = options.isCancelled != nullptr && *options.isCancelled;
-                                             return !isCancelled;
-                                         });
+    const Status status = reader.forEach(
+        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+        [&](const servo::TickRecord& tick) {
+            sums.add(tick, [&](std::uint32_t number) { return reader.structureName(tick.scene, number); });
+            phases.add(tick);
+            structurePhases.add(tick, reader);
+            findings.add(tick);
+            surfaces.add(tick, dt_s);
+            isCancelled = options.isCancelled != nullptr && *options.isCancelled;
+            return !isCancelled;
+        });
     if (!status.isOk()) {
         return status;
     }
@@ -136,6 +189,7 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     out.distance_mm = options.distance_mm;
     out.sums = sums.result();
     out.phases = phases.result();
+    out.structurePhases = structurePhases.result();
     out.findings = findings.result();
     surfaces.finish(out);
     return out;

@@ -41,7 +41,16 @@ MeasureAccumulator::MeasureAccumulator(double dt_s)
 {
 }
 
-void MeasureAccumulator::add(const servo::TickRecord& tick, std::string_view structure)
+/// @param goesOn  the tick follows the one before it
+void MeasureAccumulator::Samples::add(std::int64_t tick, bool goesOn, double force_N, double depth_mm)
+{
+    contacts += goesOn && last && *last + 1 >= tick ? 0 : 1;
+    last = tick;
+    forces_N.push_back(force_N);
+    depths_mm.push_back(depth_mm);
+}
+
+void MeasureAccumulator::add(const servo::TickRecord& tick, const StructureNames& names)
 {
     ++m_sum.ticks;
     const bool goesOn = follows(m_previous, tick);
@@ -52,15 +61,16 @@ void MeasureAccumulator::add(const servo::TickRecord& tick, std::string_view str
         }
     }
     if (tick.felt.structure >= 0) {
-        m_sum.contacts += goesOn && m_previous->felt.structure >= 0 ? 0 : 1;
-        auto found = m_structures.find(structure);
+        m_all.add(tick.tick, goesOn, tick.felt.f_W.norm(), (tick.felt.p_WG - tick.p_WH).norm());
+    }
+    for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+        const haptics::Contact& contact = tick.felt.contacts[i];
+        const std::string_view name = names(contact.structure);
+        auto found = m_structures.find(name);
         if (found == m_structures.end()) {
-            found = m_structures.emplace(structure, Samples{}).first;
+            found = m_structures.emplace(name, Samples{}).first;
         }
-        for (Samples* samples : {&m_all, &found->second}) {
-            samples->forces_N.push_back(tick.felt.f_W.norm());
-            samples->depths_mm.push_back((tick.felt.p_WG - tick.p_WH).norm());
-        }
+        found->second.add(tick.tick, goesOn, contact.f_W.norm(), contact.depth_mm);
     }
     m_previous = tick;
 }
@@ -69,6 +79,7 @@ ContactMeasures MeasureAccumulator::summary(const Samples& samples) const
 {
     ContactMeasures out;
     out.ticks = static_cast<std::int64_t>(samples.forces_N.size());
+    out.contacts = samples.contacts;
     out.time_s = static_cast<double>(out.ticks) * m_dt_s;
     out.peakForce_N = percentile(samples.forces_N, 1.0);
     out.meanForce_N = mean(samples.forces_N);

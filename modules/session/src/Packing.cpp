@@ -1,67 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Packing.h"
 
-#include "Schema.h"
-
+#include "Bytes.h"
+#include "Contacts.h"
+#include "LawText.h"
 #include "MetaTable.h"
+#include "Schema.h"
 #include "TickColumns.h"
 
 #include <QCryptographicHash>
 
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <span>
 
 namespace palpate::session::internal {
-
-static_assert(std::endian::native == std::endian::little, "the format is little-endian");
-
-namespace {
-
-template<class T>
-void put(std::string& out, T value)
-{
-    char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    out.append(bytes, sizeof value);
-}
-
-void putNumber(std::string& out, double value)
-{
-    // NULL stands for every NaN in a table, so that its bits cannot count.
-    put(out, std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
-}
-
-void put(std::string& out, const core::Vec3& v)
-{
-    for (const double value : v) {
-        putNumber(out, value);
-    }
-}
-
-void putText(std::string& out, std::string_view text)
-{
-    put(out, static_cast<std::uint64_t>(text.size()));
-    out += text;
-}
-
-template<class T>
-void take(std::string_view& in, T& value)
-{
-    std::memcpy(&value, in.data(), sizeof value);
-    in.remove_prefix(sizeof value);
-}
-
-void take(std::string_view& in, core::Vec3& v)
-{
-    for (double& value : v) {
-        take(in, value);
-    }
-}
-
-} // namespace
 
 bool sameBits(double a, double b) noexcept
 {
@@ -73,7 +26,7 @@ bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept
     return sameBits(a.x(), b.x()) && sameBits(a.y(), b.y()) && sameBits(a.z(), b.z());
 }
 
-void packTick(std::string& out, const servo::TickRecord& tick)
+void packTick(std::string& out, const servo::TickRecord& tick, int version)
 {
     const servo::TickRecord none{};
     for (const std::size_t width : {8U, 4U, 2U, 1U}) {
@@ -81,11 +34,16 @@ void packTick(std::string& out, const servo::TickRecord& tick)
             const bool isNull = column.stored == Stored::InContact && tick.felt.structure < 0;
             useValue(column, isNull ? none : tick, [&]<class Value>(const Value& value) {
                 constexpr std::size_t kWidth = std::is_same_v<Value, core::Vec3> ? sizeof(double) : sizeof(Value);
-                if (column.isStored() && kWidth == width) {
-                    put(out, value);
+                if constexpr (!std::is_same_v<Value, haptics::TickResult>) {
+                    if (column.isStored(version) && kWidth == width) {
+                        put(out, value);
+                    }
                 }
             });
         }
+    }
+    if (version >= 3) {
+        putText(out, packLayers(tick));
     }
 }
 
@@ -107,6 +65,11 @@ void packScene(std::string& out, const SceneRecord& scene, int version)
         }
         put(out, structure.layer);
         put(out, static_cast<std::uint8_t>(structure.palpable));
+        if (version >= 3) {
+            putText(out, lawText(structure.tissue.law));
+            putText(out, structure.lawTable);
+            putText(out, structure.maps);
+        }
     }
 }
 
@@ -132,7 +95,7 @@ std::string embeddedHash(const geometry::RepairedMesh& surface)
     return hash.result().toStdString();
 }
 
-std::string packState(const haptics::PalpatorState& state)
+std::string packState(const haptics::PalpatorState& state, int version)
 {
     std::string out;
     for (const auto& layer : state.layers) {
@@ -148,6 +111,9 @@ std::string packState(const haptics::PalpatorState& state)
         }
         put(out, layer.constraints);
         put(out, layer.placed);
+        if (version >= 3) {
+            put(out, layer.slides);
+        }
     }
     put(out, state.p_WH);
     put(out, state.started);
@@ -157,7 +123,8 @@ std::string packState(const haptics::PalpatorState& state)
 std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
 {
     haptics::PalpatorState state;
-    if (bytes.size() != packState(state).size()) {
+    const bool hasFriction = bytes.size() == packState(state).size();
+    if (!hasFriction && bytes.size() != packState(state, 2).size()) {
         return std::nullopt;
     }
     for (auto& layer : state.layers) {
@@ -173,7 +140,11 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
         }
         take(bytes, layer.constraints);
         take(bytes, layer.placed);
-        if (layer.constraints > layer.triangle.size() || layer.placed > 1 || !layer.p_WG.allFinite()) {
+        if (hasFriction) {
+            take(bytes, layer.slides);
+        }
+        if (layer.constraints > layer.triangle.size() || layer.placed > 1 || layer.slides > 1 ||
+            !layer.p_WG.allFinite()) {
             return std::nullopt;
         }
     }

@@ -22,7 +22,8 @@ namespace palpate::session::internal {
 /// Appends what a checksum covers of a tick: what is stored of it, NULLs filled in, from the wide numbers to the
 /// narrow.
 /// @param tick  `time_ns` since the recording's first
-void packTick(std::string& out, const servo::TickRecord& tick);
+/// @param version  of the recording that the tick is checked against
+void packTick(std::string& out, const servo::TickRecord& tick, int version = kRecordingVersion);
 
 /// What the checksum of a scene covers.
 /// @param version  of the recording that the scene is checked against
@@ -32,8 +33,9 @@ void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
 /// What the checksum of an embedded surface covers: all its arrays.
 [[nodiscard]] std::string embeddedHash(const geometry::RepairedMesh& surface);
 
-[[nodiscard]] std::string packState(const haptics::PalpatorState& state);
-/// @return nothing when `bytes` has another length or a number out of range.
+[[nodiscard]] std::string packState(const haptics::PalpatorState& state, int version = kRecordingVersion);
+/// Takes a state of this version or of one before, which knew no friction. @return nothing when `bytes` has another
+/// length or a number out of range.
 [[nodiscard]] std::optional<haptics::PalpatorState> unpackState(std::string_view bytes);
 
 /// SHA-256, raw.

@@ -6,12 +6,12 @@
 #include "TickTable.h"
 #include "palpate/session/Recording.h"
 
-#include <palpate/core/Tissue.h>
-
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,6 +28,7 @@ namespace {
 
 constexpr std::size_t kPage = 4096; // SQLite's own choice, and ours
 constexpr std::size_t kFileHeader = 100;
+constexpr int kOldestForm = 2; // version 1 had the same ticks; its other rows are not known by their form
 constexpr std::uint64_t kMostPayload = 1U << 30U; // SQLite's own bound
 
 // Kinds of b-tree pages that hold rows; a row of a table WITHOUT ROWID may lie in an inner page, too.
@@ -126,8 +127,8 @@ bool is(const Value& value)
     return std::holds_alternative<T>(value);
 }
 
-/// Whose row it is, by its form. @param rowid  null in a table without
-const char* tableOf(const std::vector<Value>& row, bool hasRowid)
+/// Whose row it is, by its form. @param version  of the recording
+const char* tableOf(const std::vector<Value>& row, bool hasRowid, int version)
 {
     constexpr std::size_t kHashDigits = 64;
     const std::size_t columns = row.size();
@@ -140,9 +141,8 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid)
                 is<std::int64_t>(row[1]) && std::get<std::string>(row[0]).size() == kHashDigits;
             return isIndexOfEmbedded ? nullptr : "meta";
         }
-        return columns == 6 + core::kTissueTerms.size() && is<std::int64_t>(row[0]) && is<std::int64_t>(row[1])
-                   ? "structures"
-                   : nullptr;
+        const std::size_t structures = tissueTerms(version).size() + (version >= 3 ? 9 : 6);
+        return columns == structures && is<std::int64_t>(row[0]) && is<std::int64_t>(row[1]) ? "structures" : nullptr;
     }
     if (columns == 6 && is<std::string>(row[0]) && is<Blob>(row[1])) {
         return "embedded";
@@ -150,7 +150,7 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid)
     if (!is<std::monostate>(row[0])) {
         return nullptr; // the others' first column is the rowid, which stands elsewhere
     }
-    if (columns == tickColumnCount()) {
+    if (columns == tickColumnCount(version)) {
         return "ticks";
     }
     switch (columns) {
@@ -167,32 +167,36 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid)
     }
 }
 
-class Salvager
+/// Takes a row; without a rowid, that is null.
+using RowSink = std::function<void(std::vector<Value>& row, std::optional<std::uint64_t> rowid)>;
+
+/// The rows that a file's pages hold, one by one.
+class PageRows
 {
   public:
-    Salvager(std::ifstream& file, Database& database)
+    explicit PageRows(std::ifstream& file)
         : m_file(file)
-        , m_database(database)
-    {
-    }
-
-    Salvage run()
     {
         m_file.seekg(0, std::ios::end);
-        m_result.pages = static_cast<std::int64_t>(m_file.tellg()) / static_cast<std::int64_t>(kPage);
+        m_pages = static_cast<std::int64_t>(m_file.tellg()) / static_cast<std::int64_t>(kPage);
+    }
+
+    [[nodiscard]] std::int64_t pages() const noexcept { return m_pages; }
+
+    void forEach(const RowSink& sink)
+    {
         std::string page;
-        for (std::int64_t i = 1; i <= m_result.pages; ++i) {
+        for (std::int64_t i = 1; i <= m_pages; ++i) {
             if (readPage(static_cast<std::uint64_t>(i), page)) {
-                takeRows(page, i == 1 ? kFileHeader : 0);
+                takeRows(page, i == 1 ? kFileHeader : 0, sink);
             }
         }
-        return m_result;
     }
 
   private:
     bool readPage(std::uint64_t index, std::string& page)
     {
-        if (index < 1 || index > static_cast<std::uint64_t>(m_result.pages)) {
+        if (index < 1 || index > static_cast<std::uint64_t>(m_pages)) {
             return false;
         }
         page.resize(kPage);
@@ -201,7 +205,7 @@ class Salvager
         return static_cast<bool>(m_file.read(page.data(), static_cast<std::streamsize>(kPage)));
     }
 
-    void takeRows(std::string_view page, std::size_t start)
+    void takeRows(std::string_view page, std::size_t start, const RowSink& sink)
     {
         const auto kind = static_cast<std::uint8_t>(page[start]);
         if (kind != kTableLeaf && kind != kIndexLeaf && kind != kIndexInner) {
@@ -212,12 +216,12 @@ class Salvager
         for (std::size_t i = 0; i < cells && header + 2 * i + 2 <= kPage; ++i) {
             const std::size_t at = number(page.substr(header + 2 * i, 2)) + (kind == kIndexInner ? 4 : 0);
             if (at < kPage) {
-                takeRow(page.substr(at), kind == kTableLeaf);
+                takeRow(page.substr(at), kind == kTableLeaf, sink);
             }
         }
     }
 
-    void takeRow(std::string_view cell, bool hasRowid)
+    void takeRow(std::string_view cell, bool hasRowid, const RowSink& sink)
     {
         const auto size = takeVarint(cell);
         const auto rowid = hasRowid ? takeVarint(cell) : std::optional<std::uint64_t>(0);
@@ -226,14 +230,9 @@ class Salvager
         }
         const auto payload = gather(cell, *size, hasRowid);
         auto row = payload ? parseRecord(*payload) : std::nullopt;
-        const char* table = row ? tableOf(*row, hasRowid) : nullptr;
-        if (table == nullptr) {
-            return;
+        if (row && !row->empty()) {
+            sink(*row, hasRowid ? rowid : std::nullopt);
         }
-        if (hasRowid && is<std::monostate>(row->front())) {
-            row->front() = static_cast<std::int64_t>(*rowid);
-        }
-        insert(table, *row);
     }
 
     /// A row's bytes: what lies in the page, then the pages of its overflow.
@@ -246,7 +245,7 @@ class Salvager
         const std::size_t least = (kPage - 12) * 32 / 255 - 23;
         const std::size_t fitting = least + (size - least) % (kPage - 4);
         const std::size_t local = fitting <= most ? fitting : least;
-        if (local + 4 > cell.size() || size > static_cast<std::uint64_t>(m_result.pages) * kPage) {
+        if (local + 4 > cell.size() || size > static_cast<std::uint64_t>(m_pages) * kPage) {
             return std::nullopt;
         }
         std::string out(cell.substr(0, local));
@@ -262,6 +261,50 @@ class Salvager
         return out;
     }
 
+    std::ifstream& m_file;
+    std::int64_t m_pages = 0;
+};
+
+/// @return the version whose ticks most rows look like.
+int versionOf(PageRows& pages)
+{
+    std::array<std::int64_t, kRecordingVersion + 1> rows{};
+    pages.forEach([&](std::vector<Value>& row, std::optional<std::uint64_t> rowid) {
+        for (int version = kOldestForm; version <= kRecordingVersion; ++version) {
+            const bool isTick = rowid && is<std::monostate>(row[0]) && row.size() == tickColumnCount(version);
+            rows[static_cast<std::size_t>(version)] += isTick ? 1 : 0;
+        }
+    });
+    return static_cast<int>(std::max_element(rows.begin() + kOldestForm, rows.end()) - rows.begin());
+}
+
+/// Puts rows into the tables that they are of.
+class Salvager
+{
+  public:
+    Salvager(Database& database, int version)
+        : m_database(database)
+        , m_version(version)
+    {
+    }
+
+    Salvage run(PageRows& pages)
+    {
+        m_result.pages = pages.pages();
+        pages.forEach([this](std::vector<Value>& row, std::optional<std::uint64_t> rowid) {
+            const char* table = tableOf(row, rowid.has_value(), m_version);
+            if (table == nullptr) {
+                return;
+            }
+            if (rowid && is<std::monostate>(row.front())) {
+                row.front() = static_cast<std::int64_t>(*rowid);
+            }
+            insert(table, row);
+        });
+        return m_result;
+    }
+
+  private:
     void insert(const char* table, const std::vector<Value>& row)
     {
         auto found = m_inserts.find(table);
@@ -293,8 +336,8 @@ class Salvager
         }
     }
 
-    std::ifstream& m_file;
     Database& m_database;
+    const int m_version;
     std::map<std::string, Statement> m_inserts;
     Salvage m_result;
 };
@@ -312,14 +355,16 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
         return opened.status();
     }
     Database& database = opened.value();
+    PageRows pages(file);
+    const int version = versionOf(pages);
     // Thrown away in the end: nothing need survive a crash.
     if (Status status = database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id=" +
                                          std::to_string(kRecordingApplicationId) + "; PRAGMA user_version=" +
-                                         std::to_string(kRecordingVersion) + "; BEGIN;" + schema());
+                                         std::to_string(version) + "; BEGIN;" + schema(version));
         !status.isOk()) {
         return status;
     }
-    const Salvage result = Salvager(file, database).run();
+    const Salvage result = Salvager(database, version).run(pages);
     if (Status status = database.execute("COMMIT"); !status.isOk()) {
         return status;
     }

@@ -24,9 +24,10 @@ PhaseSummary summary(const std::vector<Phase>& phases, Phase::Kind kind)
     return out;
 }
 
-PhaseAccumulator::PhaseAccumulator(double dt_s)
+PhaseAccumulator::PhaseAccumulator(double dt_s, std::optional<std::int64_t> firstTick)
     : m_dt_s(dt_s)
     , m_blockTicks(std::max<std::int64_t>(1, std::llround(kPhaseBlock_s / dt_s)))
+    , m_firstTick(firstTick)
 {
 }
 
@@ -58,28 +59,38 @@ void PhaseAccumulator::close(std::vector<Phase>& phases, bool& isOpen) const
 
 void PhaseAccumulator::add(const servo::TickRecord& tick)
 {
+    take(tick, tick.felt.structure < 0 ? std::nullopt : std::optional(Touch{tick.felt.p_WG, tick.felt.f_W.norm()}));
+}
+
+void PhaseAccumulator::add(const servo::TickRecord& tick, const haptics::Contact* touched)
+{
+    take(tick, touched == nullptr ? std::nullopt : std::optional(Touch{touched->p_WG, touched->f_W.norm()}));
+}
+
+void PhaseAccumulator::take(const servo::TickRecord& tick, const std::optional<Touch>& touch)
+{
     m_firstTick = m_firstTick.value_or(tick.tick);
-    const bool goesOn = follows(m_previous, tick) && m_previous->felt.structure >= 0;
+    const bool goesOn = follows(m_previous, tick) && m_wasTouching;
     m_previous = tick;
-    if (tick.felt.structure < 0 || !goesOn || (m_block && m_block->phase.ticks == m_blockTicks)) {
+    m_wasTouching = touch.has_value();
+    if (!touch || !goesOn || (m_block && m_block->phase.ticks == m_blockTicks)) {
         close(m_phases, m_isOpen);
         m_block.reset();
     }
-    if (tick.felt.structure < 0) {
+    if (!touch) {
         m_isOpen = false;
         return;
     }
     if (!m_block) {
         m_block = Block{};
         m_block->goesOn = goesOn;
-        m_block->first_WG = tick.felt.p_WG;
+        m_block->first_WG = touch->p_WG;
         m_block->phase.firstTick = tick.tick;
         m_block->phase.start_s = static_cast<double>(tick.tick - *m_firstTick) * m_dt_s;
     }
-    const double force_N = tick.felt.f_W.norm();
-    m_block->last_WG = tick.felt.p_WG;
-    m_block->sumForce_N += force_N;
-    m_block->phase.peakForce_N = std::max(m_block->phase.peakForce_N, force_N);
+    m_block->last_WG = touch->p_WG;
+    m_block->sumForce_N += touch->force_N;
+    m_block->phase.peakForce_N = std::max(m_block->phase.peakForce_N, touch->force_N);
     ++m_block->phase.ticks;
 }
 

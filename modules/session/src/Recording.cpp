@@ -3,6 +3,8 @@
 
 #include "BuildId.h"
 
+#include <palpate/haptics/ForceTable.h>
+
 namespace palpate::session {
 
 std::string palpateVersion()
@@ -35,6 +37,10 @@ SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& 
         out.tissue = structure.tissue;
         out.layer = structure.layer;
         out.palpable = structure.surface != nullptr;
+        if (structure.law != nullptr) {
+            const std::vector<std::byte> table = structure.law->bytes();
+            out.lawTable.assign(reinterpret_cast<const char*>(table.data()), table.size());
+        }
     }
     return record;
 }

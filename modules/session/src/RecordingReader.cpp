@@ -42,7 +42,7 @@ struct RecordingReader::Private
     Status wrong(StatusCode code, const std::string& what) const { return {code, path.string() + ": " + what}; }
     Status readHead();
     Status readMeta();
-    Status readScenes() { return tables.readScenes(scenes); }
+    Status readScenes();
     Status readEvents();
     Status readExtent();
 
@@ -81,6 +81,12 @@ Status RecordingReader::Private::readMeta()
     info.version = tables.version();
     extent.isComplete = meta.contains(internal::kComplete);
     return {};
+}
+
+Status RecordingReader::Private::readScenes()
+{
+    const Status status = tables.readScenes(scenes);
+    return status.code() == StatusCode::BadFormat ? wrong(status.code(), status.message()) : status;
 }
 
 Status RecordingReader::Private::readEvents()
@@ -203,13 +209,17 @@ const SceneRecord* RecordingReader::scene(std::uint32_t generation) const noexce
     return found == scenes.end() || found->generation != generation ? nullptr : &*found;
 }
 
+std::string_view RecordingReader::structureName(std::uint32_t generation, std::uint32_t number) const noexcept
+{
+    const SceneRecord* felt = scene(generation);
+    return felt == nullptr || number >= felt->structures.size() ? std::string_view() : felt->structures[number].name;
+}
+
 std::string RecordingReader::structureName(const servo::TickRecord& tick) const
 {
-    const SceneRecord* felt = scene(tick.scene);
-    const auto number = static_cast<std::size_t>(tick.felt.structure);
-    return tick.felt.structure < 0 || felt == nullptr || number >= felt->structures.size()
+    return tick.felt.structure < 0
                ? std::string()
-               : felt->structures[number].name;
+               : std::string(structureName(tick.scene, static_cast<std::uint32_t>(tick.felt.structure)));
 }
 
 Status RecordingReader::forEach(std::int64_t first, std::int64_t last,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordingStore.h"
 
+#include "LawText.h"
 #include "Packing.h"
 #include "Schema.h"
 
@@ -81,8 +82,8 @@ RecordingStore::RecordingStore(Database database)
     , m_insertMesh(m_database.prepare("INSERT OR IGNORE INTO meshes(path, part, unit_mm, flipped, pose, sha256) "
                                       "VALUES(?1, ?2, ?3, ?4, ?5, ?6)"))
     , m_insertStructure(m_database.prepare(
-          ("INSERT INTO structures(generation, number, name, mesh, layer, palpable" + tissueColumns(kRecordingVersion) +
-           ") SELECT ?7, ?8, ?9, mesh, ?10, ?11" + tissuePlaces(12) +
+          ("INSERT INTO structures(generation, number, name, mesh, layer, palpable, law, law_table, maps" +
+           tissueColumns(kRecordingVersion) + ") SELECT ?7, ?8, ?9, mesh, ?10, ?11, ?12, ?13, ?14" + tissuePlaces(15) +
            " FROM meshes WHERE path = ?1 AND part = ?2 AND unit_mm = ?3 AND flipped = ?4 AND pose = ?5 AND sha256 = ?6")
               .c_str()))
     , m_insertEmbedded(m_database.prepare("INSERT OR IGNORE INTO embedded VALUES(?, ?, ?, ?, ?, ?)"))
@@ -184,7 +185,12 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
         m_insertStructure.bind(8, structure.name);
         m_insertStructure.bind(9, std::int64_t{structure.layer});
         m_insertStructure.bind(10, std::int64_t{structure.palpable});
-        int column = 11;
+        const std::string law = lawText(structure.tissue.law);
+        law.empty() ? m_insertStructure.bindNull(11) : m_insertStructure.bind(11, std::string_view(law));
+        structure.lawTable.empty() ? m_insertStructure.bindNull(12)
+                                   : m_insertStructure.bindBlob(12, structure.lawTable);
+        structure.maps.empty() ? m_insertStructure.bindNull(13) : m_insertStructure.bind(13, structure.maps);
+        int column = 14;
         for (const core::TissueTerm& term : core::kTissueTerms) {
             m_insertStructure.bind(column++, structure.tissue.*term.member);
         }

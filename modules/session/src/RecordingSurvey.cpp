@@ -109,7 +109,7 @@ class Surveyor
             name = tickRange(check.first, check.last);
             // From the end of the block before: no tick may lie between two blocks.
             status = m_tables.readTicks(m_nextTick, check.last, [&](const servo::TickRecord& tick) {
-                packTick(content, tick);
+                packTick(content, tick, m_tables.version());
                 ++rows;
                 return true;
             });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordingTables.h"
 
+#include "LawText.h"
 #include "Packing.h"
 #include "Schema.h"
 #include "palpate/session/GeometryHash.h"
@@ -63,10 +64,11 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         scene.generation = static_cast<std::uint32_t>(generations.integer(0));
         scene.fingertip_mm = generations.real(1);
     }
-    const Status status = step == Step::Failed ? damaged() : Status();
+    Status status = step == Step::Failed ? damaged() : Status();
     Statement rows = m_database.prepare(
-        ("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable" +
-         tissueColumns(m_version) + " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
+        (std::string("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable") +
+         (m_version >= 3 ? ", law, law_table, maps" : ", NULL, NULL, NULL") + tissueColumns(m_version) +
+         " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
             .c_str());
     for (step = rows.step(); step == Step::Row; step = rows.step()) {
         const auto generation = static_cast<std::uint32_t>(rows.integer(0));
@@ -85,9 +87,18 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.source.X_WM = parsePose(rows.bytes(7));
         structure.layer = static_cast<std::uint32_t>(rows.integer(8));
         structure.palpable = rows.integer(9) != 0;
-        int column = 10;
+        structure.lawTable = rows.bytes(11);
+        structure.maps = rows.bytes(12);
+        int column = 13;
         for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
+        }
+        if (auto law = parseLaw(rows.bytes(10))) {
+            structure.tissue.law = std::move(*law);
+        } else if (status.isOk()) {
+            status = Status(StatusCode::BadFormat, "scene " + std::to_string(generation) + ", structure \"" +
+                                                       oneLine(structure.name) + "\": found the law " +
+                                                       oneLine(rows.bytes(10)) + ", expected one of this version");
         }
     }
     return step == Step::Failed ? damaged() : status;
@@ -120,13 +131,13 @@ Status RecordingTables::readChecks(std::vector<Check>& out) const
 Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
                                   const std::function<bool(const servo::TickRecord&)>& sink) const
 {
-    Statement row = m_database.prepare(selectTicks("WHERE tick BETWEEN ? AND ? ORDER BY tick").c_str());
+    Statement row = m_database.prepare(selectTicks("WHERE tick BETWEEN ? AND ? ORDER BY tick", m_version).c_str());
     row.bind(0, first);
     row.bind(1, last);
     Step step = row.step();
     std::int64_t before = std::numeric_limits<std::int64_t>::min();
     for (; step == Step::Row; step = row.step()) {
-        const servo::TickRecord tick = readTick(row);
+        const servo::TickRecord tick = readTick(row, m_version);
         if (tick.tick <= before) { // a damaged tree gives its rows in any order
             return damaged();
         }
@@ -140,9 +151,9 @@ Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
 
 std::optional<servo::TickRecord> RecordingTables::tickAt(std::int64_t tick) const
 {
-    Statement row = m_database.prepare(selectTicks("WHERE tick <= ? ORDER BY tick DESC LIMIT 1").c_str());
+    Statement row = m_database.prepare(selectTicks("WHERE tick <= ? ORDER BY tick DESC LIMIT 1", m_version).c_str());
     row.bind(0, tick);
-    return row.step() == Step::Row ? std::optional(readTick(row)) : std::nullopt;
+    return row.step() == Step::Row ? std::optional(readTick(row, m_version)) : std::nullopt;
 }
 
 std::vector<std::string> RecordingTables::embeddedHashes() const

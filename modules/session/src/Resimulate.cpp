@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Contacts.h"
 #include "Packing.h"
 #include "palpate/session/Replay.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace palpate::session {
@@ -123,11 +126,12 @@ class Resimulator
         const bool isSameForce = internal::sameBits(was.f_W, is.f_W);
         const bool isSameTouch =
             was.structure == is.structure && was.constraints == is.constraints && was.triangle == is.triangle;
-        if (isSamePlace && isSameForce && isSameTouch) {
+        const bool knowsLayers = m_recording.info().version >= 3;
+        if (isSamePlace && isSameForce && isSameTouch && (!knowsLayers || internal::sameContacts(was, is))) {
             return;
         }
         ++m_result.differing;
-        const double apart_mm = (was.p_WG - is.p_WG).norm();
+        const double apart_mm = std::max((was.p_WG - is.p_WG).norm(), knowsLayers ? layersApart(was, is) : 0.0);
         const double apart_N = (was.f_W - is.f_W).norm();
         m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
         m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
@@ -142,9 +146,15 @@ class Resimulator
         const auto touches = [&] {
             return tick + "structure, triangle and constraints recorded as " + touch(was) + ", now " + touch(is);
         };
+        const auto layers = [&] {
+            return tick + "layers (structure, triangle, friction) recorded as " + touched(was) + ", now " + touched(is);
+        };
         if (!m_result.firstDifference) {
             m_result.firstDifference = row.tick;
-            m_result.difference = !isSamePlace ? places() : !isSameForce ? forces() : touches();
+            m_result.difference = !isSamePlace   ? places()
+                                  : !isSameForce ? forces()
+                                  : !isSameTouch ? touches()
+                                                 : layers();
         }
         // Not comparisons that a NaN passes.
         const bool isNear = apart_mm <= m_rounding_mm;
@@ -155,6 +165,32 @@ class Resimulator
             m_result.firstBeyond = row.tick;
             m_result.beyond = !isNear ? places() : !isAlike ? forces() : touches();
         }
+    }
+
+    /// The largest distance between god-objects of the same layer. One that touches in one of the two alone gives a
+    /// force: that tells.
+    static double layersApart(const haptics::TickResult& was, const haptics::TickResult& is)
+    {
+        double apart_mm = 0.0;
+        for (std::size_t i = 0; i < was.contactCount; ++i) {
+            for (std::size_t j = 0; j < is.contactCount; ++j) {
+                if (was.contacts[i].layer == is.contacts[j].layer) {
+                    apart_mm = std::max(apart_mm, (was.contacts[i].p_WG - is.contacts[j].p_WG).norm());
+                }
+            }
+        }
+        return apart_mm;
+    }
+
+    static std::string touched(const haptics::TickResult& felt)
+    {
+        std::string out;
+        for (std::size_t i = 0; i < felt.contactCount; ++i) {
+            const haptics::Contact& contact = felt.contacts[i];
+            out += (i > 0 ? " (" : "(") + std::to_string(contact.structure) + ' ' + std::to_string(contact.triangle) +
+                   ' ' + std::to_string(static_cast<int>(contact.friction)) + ')';
+        }
+        return out.empty() ? "none" : out;
     }
 
     static std::string apart(double value, const char* unit)
@@ -180,7 +216,9 @@ class Resimulator
             const double layer_mm = kSkinsOfRounding * scene->layer(i).skin_mm;
             double stiffest = 0.0;
             for (const std::uint32_t number : scene->layer(i).structures) {
-                stiffest = std::max(stiffest, scene->structures()[number].tissue.stiffness_N_per_mm);
+                const haptics::HapticStructure& structure = scene->structures()[number];
+                stiffest = std::max(stiffest, structure.law == nullptr ? structure.tissue.stiffness_N_per_mm
+                                                                       : structure.law->greatestSlope_N_per_mm());
             }
             m_rounding_mm = std::max(m_rounding_mm, layer_mm);
             m_rounding_N += stiffest * layer_mm;
@@ -217,6 +255,14 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         out.name = structure.name;
         out.tissue = structure.tissue;
         out.layer = structure.layer;
+        if (!structure.lawTable.empty()) {
+            auto table = haptics::ForceTable::fromBytes(std::as_bytes(std::span(structure.lawTable)));
+            if (!table.isOk()) {
+                return Status(StatusCode::BadFormat, "structure \"" + structure.name +
+                                                         "\" of the recording: law_table: " + table.status().message());
+            }
+            out.law = std::move(table).value();
+        }
         if (!structure.palpable) {
             continue;
         }

@@ -41,22 +41,23 @@ inline std::string tissuePlaces(std::size_t first)
     return places;
 }
 
-/// Makes the tables of resources/docs/recording.md, version 2.
-inline std::string schema()
+/// Makes the tables of resources/docs/recording.md. @param version  2 or 3
+inline std::string schema(int version = kRecordingVersion)
 {
-    return "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;\n" + createTicks() + R"sql(
+    return "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;\n" + createTicks(version) + R"sql(
 CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL, fingertip_mm REAL NOT NULL);
 CREATE TABLE meshes(mesh INTEGER PRIMARY KEY, path TEXT, part TEXT, unit_mm REAL, flipped INTEGER, pose TEXT,
   sha256 TEXT, UNIQUE(path, part, unit_mm, flipped, pose, sha256));
 CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh))sql" +
-           tissueColumns(kRecordingVersion, " REAL") + R"sql(, layer INTEGER, palpable INTEGER,
+           tissueColumns(version, " REAL") + ", layer INTEGER, palpable INTEGER" +
+           (version >= 3 ? ", law TEXT, law_table BLOB, maps TEXT" : "") + R"sql(,
   PRIMARY KEY(generation, number)) WITHOUT ROWID;
 CREATE TABLE events(id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, kind TEXT NOT NULL, json TEXT NOT NULL);
 CREATE TABLE checks(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER, last INTEGER, rows INTEGER NOT NULL,
   sha256 BLOB NOT NULL);
 CREATE TABLE embedded(sha256 TEXT PRIMARY KEY, vertices BLOB NOT NULL, triangles BLOB NOT NULL,
   two_sided BLOB NOT NULL, source BLOB NOT NULL, all_sha256 BLOB NOT NULL);
-)sql" + createTickValues();
+)sql" + createTickValues(version);
 }
 
 /// What a line of `checks` covers, as its column `kind` says it.

@@ -21,8 +21,18 @@ std::vector<std::string> columnNames(const TickColumn& column)
     return names;
 }
 
+core::Vec3 springDirection(const servo::TickRecord& tick)
+{
+    const core::Vec3 spring = tick.felt.p_WG - tick.p_WH;
+    const double length = spring.norm();
+    return tick.felt.structure >= 0 && length > 0.0 ? core::Vec3(spring / length) : core::Vec3::Zero();
+}
+
 core::Vec3 impliedVector(const TickColumn& column, const servo::TickRecord& tick)
 {
+    if (column.stored == Stored::UnlessSpring) {
+        return springDirection(tick);
+    }
     core::Vec3 implied = core::Vec3::Zero();
     if (column.stored == Stored::UnlessSame) {
         const auto same = std::find_if(std::begin(kTickColumns), std::end(kTickColumns),

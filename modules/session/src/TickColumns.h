@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/session/Recording.h"
+
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
@@ -12,21 +14,23 @@
 namespace palpate::session::internal {
 
 /// Where a value stands in a tick.
-using TickMember =
-    std::variant<std::int64_t servo::TickRecord::*, std::uint32_t servo::TickRecord::*,
-                 std::uint16_t servo::TickRecord::*, double servo::TickRecord::*, core::Vec3 servo::TickRecord::*,
-                 core::Vec3 haptics::TickResult::*, std::int32_t haptics::TickResult::*,
-                 std::uint32_t haptics::TickResult::*, std::uint8_t haptics::TickResult::*>;
+using TickMember = std::variant<std::int64_t servo::TickRecord::*, std::uint32_t servo::TickRecord::*,
+                                std::uint16_t servo::TickRecord::*, double servo::TickRecord::*,
+                                core::Vec3 servo::TickRecord::*, haptics::TickResult servo::TickRecord::*,
+                                core::Vec3 haptics::TickResult::*, std::int32_t haptics::TickResult::*,
+                                std::uint32_t haptics::TickResult::*, std::uint8_t haptics::TickResult::*>;
 
 /// When a value is stored in the table `ticks`, which leaves out what can be known without it: where it is not, it is
 /// NULL.
 enum class Stored : std::uint8_t
 {
     Always,
-    InContact,  ///< NULL stands for what the value is in a new TickRecord
-    UnlessZero, ///< NULL stands for a zero vector, all signs positive
-    UnlessSame, ///< NULL stands for the bits of the vector `TickColumn::same`
-    Never       ///< there is no such column, nor is it in the checksum
+    InContact,    ///< NULL stands for what the value is in a new TickRecord
+    UnlessZero,   ///< NULL stands for a zero vector, all signs positive
+    UnlessSame,   ///< NULL stands for the bits of the vector `TickColumn::same`
+    UnlessSpring, ///< NULL stands for the bits of `springDirection`
+    UnlessAlone,  ///< of a TickResult: its contacts; NULL where `ownContact` is all there are
+    Never         ///< there is no such column, nor is it in the checksum
 };
 
 /// One value of a tick: its name in the table `ticks`, in the CSV and in resources/docs/recording.md.
@@ -38,8 +42,12 @@ struct TickColumn
     int csv = 0;              ///< place in the CSV, from 1; 0: not in it
     Stored stored = Stored::Always;
     std::string_view same{}; ///< for Stored::UnlessSame: name of the other column
+    int since = 1;           ///< version of the first recordings that have it
 
-    [[nodiscard]] constexpr bool isStored() const noexcept { return stored != Stored::Never; }
+    [[nodiscard]] constexpr bool isStored(int version = kRecordingVersion) const noexcept
+    {
+        return stored != Stored::Never && version >= since;
+    }
 };
 
 using haptics::TickResult;
@@ -67,9 +75,15 @@ inline constexpr TickColumn kTickColumns[] = {
     {"flags", &TickRecord::flags,
      "sum of: 1 overrun, 2 HIP gated, 4 force gated, 8 iteration bound hit, 16 ticks lost before this one, "
      "32 first tick on another scene, 64 god-object started anew at the HIP, 128 no hand (nothing was "
-     "solved), 256 clutched (the device moved, the HIP stayed, nothing was felt)"},
+     "solved), 256 clutched (the device moved, the HIP stayed, nothing was felt), 512 friction lets the god-object "
+     "slide, "
+     "1024 friction holds it (neither: there is none)"},
     {"normal", &TickResult::n_W,
-     "direction of the contact; a reader gives that of the spring, from the HIP to the god-object", 0, Stored::Never},
+     "unit normal of the contact, from surface to free space; NULL: the direction of the spring, from the HIP to the "
+     "god-object, and zero in free space",
+     8, Stored::UnlessSpring, "", 3},
+    {"layers", &TickRecord::felt, "each contact of the tick, see below; NULL: the columns before say all of it", 0,
+     Stored::UnlessAlone, "", 3},
     {"damping", &TickRecord::fDamping_W, "part of `sent` that the passivity controller asked for", 0, Stored::Never},
     {"energy_mJ", &TickRecord::energy_mJ, "what the hand put in since contact began and has not got back", 0,
      Stored::Never},
@@ -90,9 +104,12 @@ void useValue(const TickColumn& column, Tick& tick, Use&& use)
         column.member);
 }
 
+/// @return the direction of the spring, from the HIP to the god-object; zero in free space and without a length.
+[[nodiscard]] core::Vec3 springDirection(const servo::TickRecord& tick);
+
 /// @return the names of its columns in `ticks` and the CSV: one, or a vector's three.
 [[nodiscard]] std::vector<std::string> columnNames(const TickColumn& column);
-/// The vector that a column's NULLs stand for. @pre `stored` is UnlessZero or UnlessSame
+/// The vector that a column's NULLs stand for. @pre `stored` is UnlessZero, UnlessSame or UnlessSpring
 [[nodiscard]] core::Vec3 impliedVector(const TickColumn& column, const servo::TickRecord& tick);
 
 } // namespace palpate::session::internal

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TickTable.h"
 
+#include "Contacts.h"
 #include "Packing.h"
 #include "TickColumns.h"
 
@@ -12,19 +13,16 @@ namespace palpate::session::internal {
 namespace {
 
 /// @return the names of all columns, as `ticks` has them.
-const std::vector<std::string>& storedNames()
+std::vector<std::string> storedNames(int version)
 {
-    static const std::vector<std::string> kNames = [] {
-        std::vector<std::string> names;
-        for (const TickColumn& column : kTickColumns) {
-            if (column.isStored()) {
-                const std::vector<std::string> own = columnNames(column);
-                names.insert(names.end(), own.begin(), own.end());
-            }
+    std::vector<std::string> names;
+    for (const TickColumn& column : kTickColumns) {
+        if (column.isStored(version)) {
+            const std::vector<std::string> own = columnNames(column);
+            names.insert(names.end(), own.begin(), own.end());
         }
-        return names;
-    }();
-    return kNames;
+    }
+    return names;
 }
 
 std::string joined(const std::vector<std::string>& texts)
@@ -56,18 +54,18 @@ std::string filledIn(const TickColumn& column, const std::string& axis)
 
 } // namespace
 
-std::string createTicks()
+std::string createTicks(int version)
 {
-    std::vector<std::string> columns = storedNames();
+    std::vector<std::string> columns = storedNames(version);
     columns.front() += " INTEGER PRIMARY KEY";
     return "CREATE TABLE ticks(" + joined(columns) + ");\n";
 }
 
-std::string createTickValues()
+std::string createTickValues(int version)
 {
     std::vector<std::string> columns;
     for (const TickColumn& column : kTickColumns) {
-        for (const std::string& name : column.isStored() ? columnNames(column) : std::vector<std::string>()) {
+        for (const std::string& name : column.isStored(version) ? columnNames(column) : std::vector<std::string>()) {
             const std::string value = filledIn(column, name.substr(column.name.size()));
             if (name == "time_ns") {
                 columns.push_back("time_ns * 1e-9 AS time_s");
@@ -85,17 +83,18 @@ std::string createTickValues()
 
 std::string insertTick()
 {
-    return "INSERT INTO ticks VALUES(" + joined(std::vector<std::string>(tickColumnCount(), "?")) + ")";
+    return "INSERT INTO ticks VALUES(" + joined(std::vector<std::string>(tickColumnCount(kRecordingVersion), "?")) +
+           ")";
 }
 
-std::string selectTicks(const std::string& rest)
+std::string selectTicks(const std::string& rest, int version)
 {
-    return "SELECT " + joined(storedNames()) + " FROM ticks " + rest;
+    return "SELECT " + joined(storedNames(version)) + " FROM ticks " + rest;
 }
 
-std::size_t tickColumnCount()
+std::size_t tickColumnCount(int version)
 {
-    return storedNames().size();
+    return storedNames(version).size();
 }
 
 void bindTick(Statement& row, const servo::TickRecord& tick)
@@ -111,6 +110,9 @@ void bindTick(Statement& row, const servo::TickRecord& tick)
                 for (const double number : value) {
                     isNull ? row.bindNull(place++) : row.bind(place++, number);
                 }
+            } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
+                const std::string layers = packLayers(tick);
+                layers.empty() ? row.bindNull(place++) : row.bindBlob(place++, layers);
             } else if constexpr (std::is_same_v<Value, double>) {
                 row.bind(place++, value);
             } else {
@@ -121,12 +123,13 @@ void bindTick(Statement& row, const servo::TickRecord& tick)
     }
 }
 
-servo::TickRecord readTick(const Statement& row)
+servo::TickRecord readTick(const Statement& row, int version)
 {
     servo::TickRecord tick;
+    std::string layers;
     int place = 0;
     for (const TickColumn& column : kTickColumns) {
-        if (!column.isStored()) {
+        if (!column.isStored(version)) {
             continue;
         }
         useValue(column, tick, [&]<class Value>(Value& value) {
@@ -135,6 +138,8 @@ servo::TickRecord readTick(const Statement& row)
                             ? impliedVector(column, tick)
                             : core::Vec3(row.real(place), row.real(place + 1), row.real(place + 2));
                 place += 3;
+            } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
+                layers = row.bytes(place++);
             } else if constexpr (std::is_same_v<Value, double>) {
                 value = row.real(place++);
             } else {
@@ -145,10 +150,10 @@ servo::TickRecord readTick(const Statement& row)
             }
         });
     }
-    const core::Vec3 spring = tick.felt.p_WG - tick.p_WH;
-    if (const double length = spring.norm(); tick.felt.structure >= 0 && length > 0.0) {
-        tick.felt.n_W = spring / length;
+    if (version < 3) {
+        tick.felt.n_W = springDirection(tick);
     }
+    unpackLayers(layers, tick);
     return tick;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Database.h"
+#include "palpate/session/Recording.h"
 
 #include <palpate/servo/TickRecord.h>
 
@@ -10,23 +11,23 @@
 
 namespace palpate::session::internal {
 
-// The table `ticks` and the view `tick_values`, as TickColumns.h lists their columns.
+// The table `ticks` and the view `tick_values`, as TickColumns.h lists their columns; `version` is the recording's.
 
 /// Makes the table. Its columns have no declared type on purpose: a column declared REAL keeps whole numbers as
 /// integers and so loses the sign of a zero.
-[[nodiscard]] std::string createTicks();
-/// Makes the view, which has every value filled in.
-[[nodiscard]] std::string createTickValues();
+[[nodiscard]] std::string createTicks(int version = kRecordingVersion);
+/// Makes the view, which has every value filled in but normals and layers: not every SQLite can take a root.
+[[nodiscard]] std::string createTickValues(int version);
 [[nodiscard]] std::string insertTick();
 /// All columns, for `readTick`. @param rest  what follows "FROM ticks"
-[[nodiscard]] std::string selectTicks(const std::string& rest);
+[[nodiscard]] std::string selectTicks(const std::string& rest, int version);
 /// How many columns the table has.
-[[nodiscard]] std::size_t tickColumnCount();
+[[nodiscard]] std::size_t tickColumnCount(int version = kRecordingVersion);
 
 /// Gives a tick's values to the statement `insertTick`.
 void bindTick(Statement& row, const servo::TickRecord& tick);
-/// Takes a tick from a row of `selectTicks`. What is not stored is as in a new TickRecord, but for the contact's
-/// direction: that is the spring's.
-[[nodiscard]] servo::TickRecord readTick(const Statement& row);
+/// Takes a tick from a row of `selectTicks`. What is not stored is as in a new TickRecord; before version 3 the
+/// contact's normal is the direction of the spring, and the reported layer the only one.
+[[nodiscard]] servo::TickRecord readTick(const Statement& row, int version);
 
 } // namespace palpate::session::internal

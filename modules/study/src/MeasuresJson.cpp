@@ -23,6 +23,7 @@ QJsonValue orNull(const std::optional<double>& value)
 QJsonObject contactJson(const session::ContactMeasures& m)
 {
     return {{"contact_ticks", static_cast<qint64>(m.ticks)},
+            {"contacts", static_cast<qint64>(m.contacts)},
             {"contact_time_s", m.time_s},
             {"peak_force_N", m.peakForce_N},
             {"mean_force_N", m.meanForce_N},
@@ -38,16 +39,20 @@ const char* nameOf(session::Phase::Kind kind)
     return kind == session::Phase::Kind::Search ? "search" : "press";
 }
 
+QJsonObject phaseJson(const session::PhaseSummary& sum)
+{
+    return {{"phases", static_cast<qint64>(sum.phases)},
+            {"time_s", sum.time_s},
+            {"mean_force_N", sum.meanForce_N},
+            {"peak_force_N", sum.peakForce_N}};
+}
+
 QJsonObject phasesJson(const std::vector<session::Phase>& phases)
 {
     QJsonObject out;
     QJsonArray list;
     for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
-        const session::PhaseSummary sum = session::summary(phases, kind);
-        out[nameOf(kind)] = QJsonObject{{"phases", static_cast<qint64>(sum.phases)},
-                                        {"time_s", sum.time_s},
-                                        {"mean_force_N", sum.meanForce_N},
-                                        {"peak_force_N", sum.peakForce_N}};
+        out[nameOf(kind)] = phaseJson(session::summary(phases, kind));
     }
     for (const session::Phase& phase : phases) {
         list.append(QJsonObject{{"kind", nameOf(phase.kind)},
@@ -76,6 +81,12 @@ QJsonArray findingsJson(const std::vector<session::FindingMeasures>& findings)
                         {"peak_force_N", m.peakForce_N},
                         {"peak_depth_mm", m.peakDepth_mm}};
         one["first_touched_s"] = orNull(m.firstTouched_s);
+        QJsonArray layers;
+        for (const core::FeltLayer& layer : m.finding.layers) {
+            layers.append(QJsonObject{
+                {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
+        }
+        one["layers_when_marked"] = layers;
         out.append(one);
     }
     return out;
@@ -94,7 +105,6 @@ QJsonObject sumsJson(const session::Measures& m)
     out["duration_s"] = m.duration_s;
     out["path_length_mm"] = m.pathLength_mm;
     out["contact_path_mm"] = m.contactPath_mm;
-    out["contacts"] = static_cast<qint64>(m.contacts);
     out["structures"] = structures;
     return out;
 }
@@ -103,6 +113,13 @@ std::string measuresJson(const session::SessionMeasures& m)
 {
     QJsonObject out = sumsJson(m.sums);
     QJsonObject structures = out["structures"].toObject();
+    for (const auto& [name, phases] : m.structurePhases) {
+        QJsonObject one = structures[text(name)].toObject();
+        for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
+            one[nameOf(kind)] = phaseJson(session::summary(phases, kind));
+        }
+        structures[text(name)] = one;
+    }
     for (const session::SurfaceMeasures& surface : m.surfaces) {
         QJsonObject one = structures[text(surface.structure)].toObject();
         one["area_mm2"] = surface.area_mm2;

@@ -37,7 +37,7 @@ Status exportTicks(const session::RecordingReader& reader, const std::filesystem
     }
     const Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
         if ((tick.flags & servo::kNoHand) == 0) {
-            csv.value().write(tick, reader.structureName(tick));
+            csv.value().write(tick, [&](std::uint32_t number) { return reader.structureName(tick.scene, number); });
         }
         return true;
     });

@@ -175,21 +175,35 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     state.fingertip_mm = m_live.fingertip_mm();
     state.isInContact = tick.felt.structure >= 0;
     state.isPresent = true;
-    if (!m_shown.isPresent || state.p_WH != m_shown.p_WH || state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {
+    TouchReading reading;
+    if (state.isInContact) {
+        reading.layers = feltLayers(tick, f_W.norm(), [this](std::uint32_t number) {
+            const int row = static_cast<int>(number);
+            return row < m_model.rowCount()
+                       ? LayerLook{readableName(m_model.structure(row).name), colourOf(m_model.structure(row))}
+                       : LayerLook{};
+        });
+        showInner(tick, reading.layers, state);
+    }
+    if (!m_shown.isPresent || state.innerCount != m_shown.innerCount || state.p_WH != m_shown.p_WH ||
+        state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {
         m_shown = state;
         m_viewport.view().cursor().setState(state);
         m_viewport.update();
     }
-    TouchReading reading;
     reading.time_s = seconds(now_ns);
     reading.solveP99_us = m_live.solveP99_us();
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
-        const meshio::SceneStructure& structure = m_model.structure(tick.felt.structure);
-        reading.structure = readableName(structure.name);
+        reading.structure = readableName(m_model.structure(tick.felt.structure).name);
+        for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+            const haptics::Contact& contact = tick.felt.contacts[i];
+            const int row = static_cast<int>(contact.structure);
+            reading.stiffness_N_per_mm +=
+                row < m_model.rowCount() ? haptics::stiffnessAt(m_model.structure(row).tissue, contact.depth_mm) : 0.0;
+        }
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
-        reading.stiffness_N_per_mm = haptics::stiffnessAt(structure.tissue, reading.depth_mm);
         reading.constraints = tick.felt.constraints;
     }
     Q_EMIT touched(reading);

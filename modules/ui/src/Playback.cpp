@@ -12,9 +12,11 @@ constexpr double kChartStep_s = 0.04; // of the past that a seek brings back
 
 } // namespace
 
-Playback::Playback(VtkViewport& viewport, SessionPanel& panel, TouchPanel& touch, QObject* parent)
+Playback::Playback(VtkViewport& viewport, const StructureModel& model, SessionPanel& panel, TouchPanel& touch,
+                   QObject* parent)
     : QObject(parent)
     , m_viewport(viewport)
+    , m_model(model)
     , m_panel(panel)
     , m_touch(touch)
 {
@@ -113,16 +115,33 @@ void Playback::seek(double position_s)
     m_panel.refresh();
 }
 
+LayerLook Playback::lookOf(const servo::TickRecord& tick, std::uint32_t number) const
+{
+    const std::string name = m_recording->structureName(tick, number);
+    if (name.empty()) {
+        return {tr("structure %1").arg(number + 1), QColor(Qt::gray)};
+    }
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (m_model.structure(row).name == name) {
+            return {readableName(name), colourOf(m_model.structure(row))};
+        }
+    }
+    return {readableName(name), QColor(Qt::gray)};
+}
+
+std::vector<FeltLayer> Playback::layersOf(const servo::TickRecord& tick) const
+{
+    return feltLayers(tick, tick.felt.f_W.norm(), [&](std::uint32_t number) { return lookOf(tick, number); });
+}
+
 void Playback::feed(const servo::TickRecord& tick, double time_s)
 {
     TouchReading reading;
     reading.time_s = time_s;
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (tick.felt.structure >= 0) {
-        reading.structure = m_recording->structureName(tick);
-        if (reading.structure.isEmpty()) {
-            reading.structure = tr("structure %1").arg(tick.felt.structure + 1);
-        }
+        reading.layers = layersOf(tick);
+        reading.structure = lookOf(tick, static_cast<std::uint32_t>(tick.felt.structure)).name;
         reading.stiffness_N_per_mm = m_recording->stiffness_N_per_mm(tick);
         reading.force_N = tick.felt.f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
@@ -144,6 +163,7 @@ void Playback::showMoment(double time_s)
     state.fingertip_mm = m_recording->fingertip_mm(*tick);
     state.isInContact = tick->felt.structure >= 0;
     state.isPresent = (tick->flags & servo::kNoHand) == 0;
+    showInner(*tick, layersOf(*tick), state);
     m_viewport.view().cursor().setState(state);
     m_viewport.update();
     feed(*tick, time_s);

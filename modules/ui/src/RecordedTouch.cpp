@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/RecordedTouch.h"
 
-#include "palpate/ui/StructureModel.h"
-
 #include <QLocale>
 
 #include <algorithm>
@@ -49,9 +47,9 @@ std::optional<servo::TickRecord> RecordedTouch::at(double time_s) const
     return m_reader->at(std::min(extent.firstTick + offset, extent.lastTick));
 }
 
-QString RecordedTouch::structureName(const servo::TickRecord& tick) const
+std::string RecordedTouch::structureName(const servo::TickRecord& tick, std::uint32_t number) const
 {
-    return readableName(m_reader->structureName(tick));
+    return std::string(m_reader->structureName(tick.scene, number));
 }
 
 double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
@@ -63,10 +61,12 @@ double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
 double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
-    const auto number = static_cast<std::size_t>(std::max(0, tick.felt.structure));
-    return scene != nullptr && tick.felt.structure >= 0 && number < scene->structures.size()
-               ? scene->structures[number].tissue.stiffness_N_per_mm
-               : 0.0;
+    double stiffness = 0.0;
+    for (std::size_t i = 0; scene != nullptr && i < tick.felt.contactCount; ++i) {
+        const std::size_t number = tick.felt.contacts[i].structure;
+        stiffness += number < scene->structures.size() ? scene->structures[number].tissue.stiffness_N_per_mm : 0.0;
+    }
+    return stiffness;
 }
 
 std::vector<std::pair<double, QString>> RecordedTouch::marks() const

@@ -18,12 +18,6 @@ namespace palpate::ui {
 
 namespace {
 
-QColor colourOf(const meshio::SceneStructure& structure)
-{
-    return QColor::fromRgbF(static_cast<float>(structure.colour[0]), static_cast<float>(structure.colour[1]),
-                            static_cast<float>(structure.colour[2]));
-}
-
 QIcon swatch(const QColor& colour)
 {
     QPixmap pixmap(32, 32);
@@ -40,6 +34,12 @@ QIcon swatch(const QColor& colour)
 }
 
 } // namespace
+
+QColor colourOf(const meshio::SceneStructure& structure)
+{
+    return QColor::fromRgbF(static_cast<float>(structure.colour[0]), static_cast<float>(structure.colour[1]),
+                            static_cast<float>(structure.colour[2]));
+}
 
 /// One edit of one structure. Steps of one drag or one roll of the wheel, which come quickly, undo together.
 class StructureModel::Edit final : public QUndoCommand

@@ -97,15 +97,59 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
     QPainterPath area = line;
     area.lineTo(lane.right(), lane.bottom());
     area.lineTo(line.elementAt(0).x, lane.bottom());
-    QColor wash = colour;
-    wash.setAlpha(36);
-    painter.fillPath(area, wash);
+    if (isForce && m_history.hasLayers()) {
+        paintLayers(painter, lane, top);
+    } else {
+        QColor wash = colour;
+        wash.setAlpha(36);
+        painter.fillPath(area, wash);
+    }
     pen.setStyle(isForce ? Qt::SolidLine : Qt::CustomDashLine);
     if (!isForce) {
         pen.setDashPattern({4.0, 1.5});
     }
     painter.setPen(pen);
     painter.drawPath(line);
+    painter.restore();
+}
+
+/// Stacks the layers' parts of the force, between each moment and the next.
+void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N) const
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false); // no seams between moments
+    const auto& samples = m_history.samples();
+    const double now = samples.back().time_s;
+    const auto x = [&](const TouchSample& sample) {
+        return lane.right() - (now - sample.time_s) / TouchHistory::kLength_s * lane.width();
+    };
+    const auto y = [&](double force_N) {
+        return lane.bottom() - std::clamp(force_N / top_N, 0.0, 1.0) * lane.height();
+    };
+    const QColor edge(24, 30, 36); // reads on the colours of structures, which are light
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const TouchSample& a = samples[i - 1];
+        const TouchSample& b = samples[i];
+        double below_a = 0.0;
+        double below_b = 0.0;
+        for (std::size_t k = 0; k < std::max(a.layers.size(), b.layers.size()); ++k) {
+            const double top_a = below_a + (k < a.layers.size() ? a.layers[k].force_N : 0.0);
+            const double top_b = below_b + (k < b.layers.size() ? b.layers[k].force_N : 0.0);
+            const QColor& colour = k < b.layers.size() ? b.layers[k].colour : a.layers[k].colour;
+            const QPointF corners[4] = {{x(a), y(below_a)}, {x(a), y(top_a)}, {x(b), y(top_b)}, {x(b), y(below_b)}};
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawConvexPolygon(corners, 4);
+            if (k > 0) { // told by more than its colour
+                painter.setBrush(QBrush(edge, Qt::BDiagPattern));
+                painter.drawConvexPolygon(corners, 4);
+                painter.setPen(QPen(edge, 1.0));
+                painter.drawLine(corners[0], corners[3]);
+            }
+            below_a = top_a;
+            below_b = top_b;
+        }
+    }
     painter.restore();
 }
 

@@ -35,6 +35,12 @@ double TouchHistory::peakDepth_mm() const
     return peak;
 }
 
+bool TouchHistory::hasLayers() const
+{
+    return std::any_of(m_samples.begin(), m_samples.end(),
+                       [](const TouchSample& sample) { return sample.layers.size() > 1; });
+}
+
 double axisTop(double value)
 {
     if (!(value > 0.0) || !std::isfinite(value)) {

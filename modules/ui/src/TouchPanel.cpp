@@ -31,6 +31,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_force(new QLabel(this))
     , m_forceUnit(new QLabel(tr("N"), this))
     , m_structure(new QLabel(this))
+    , m_layers(new QLabel(this))
     , m_detail(new QLabel(this))
     , m_solver(new QLabel(this))
     , m_bar(new ForceBar(this))
@@ -52,10 +53,22 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_structure->setTextFormat(Qt::PlainText);
     m_structure->setAccessibleName(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
+    m_layers->setTextFormat(Qt::RichText);
+    m_layers->setAccessibleName(tr("Touched structures, the outermost first, with their forces and depths"));
+    m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its share of the force [N],\n"
+                            "and how deep the hand is in it [mm]"));
+    m_layers->setMinimumWidth(10);
+    m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Room for two, so that nothing jumps when the hand comes upon the second.
+    QFont rows = font();
+    rows.setPointSizeF(font().pointSizeF() * 1.1);
+    m_layers->setFont(rows);
+    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
     medium.setWeight(QFont::Normal);
     m_detail->setFont(medium);
     m_detail->setAccessibleName(tr("Depth and stiffness"));
-    m_detail->setToolTip(tr("Depth: from the surface to the hand [mm]; stiffness as felt [N/mm]"));
+    m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
+                            "that are touched [N/mm]"));
     m_solver->setWordWrap(true);
     m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
                             "Solver: time of one tick, not exceeded by 99 of 100 [µs].\n"
@@ -75,6 +88,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     layout->addSpacing(4);
     layout->addWidget(m_structure);
     layout->addWidget(m_detail);
+    layout->addWidget(m_layers);
     layout->addSpacing(6);
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_solver);
@@ -98,30 +112,52 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
     m_detail->setText(detail);
 }
 
+void TouchPanel::setLayers(std::vector<FeltLayer> layers)
+{
+    if (layers.size() < 2) {
+        m_layers->clear();
+        m_layers->setAccessibleDescription({});
+        return;
+    }
+    m_layers->setAccessibleDescription(layersText(layers));
+    for (FeltLayer& layer : layers) {
+        layer.name = m_layers->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() - 160));
+    }
+    m_layers->setText(layersMarkup(layers));
+}
+
 void TouchPanel::show(const TouchReading& reading)
 {
+    m_reading = reading;
     const bool isTouching = !reading.structure.isEmpty();
     m_force->setText(forceText(reading.force_N));
     m_force->setForegroundRole(QPalette::WindowText);
     m_bar->setForce(reading.force_N);
-    setLine(isTouching ? reading.structure : tr("Free space"),
+    QStringList names{reading.structure};
+    for (std::size_t i = 1; i < reading.layers.size(); ++i) {
+        names << reading.layers[i].name;
+    }
+    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Free space"),
             isTouching ? detailText(reading) : tr("nothing is touched"));
+    setLayers(reading.layers);
     m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
                       : reading.solveP99_us >= 0.0
                           ? tr("constraints %1 · solver %2 µs p99")
                                 .arg(reading.constraints)
                                 .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))
                           : tr("constraints %1").arg(reading.constraints));
-    m_history.add({reading.time_s, reading.force_N, reading.depth_mm});
+    m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers)});
     m_chart->update();
 }
 
 void TouchPanel::showNoHand()
 {
+    m_reading = {};
     m_force->setText(forceText(0.0));
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);
     setLine(tr("No hand"), tr("press on a structure to feel it"));
+    setLayers({});
     m_solver->setText(tr("constraints 0"));
 }
 

@@ -14,6 +14,7 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
+constexpr double kInnerLift_px = 14.0; // inner marks lie over the spring that leads past them
 
 vtkSmartPointer<vtkActor> makeBall()
 {
@@ -51,6 +52,11 @@ TouchCursor::TouchCursor()
     , m_springDark(3.6, kDarkRim)
     , m_spring(1.6, kLight)
 {
+    for (InnerMark& inner : m_inner) {
+        inner.dark = makeRing(4.9, 6.1, kDarkRim, kInnerLift_px);
+        inner.light = makeRing(3.7, 5.0, kLight, kInnerLift_px + 0.2);
+        inner.mark = makeRing(0.0, 3.8, kLight, kInnerLift_px + 0.4);
+    }
     m_ball->GetProperty()->SetAmbient(0.35);
     m_ball->GetProperty()->SetDiffuse(0.7);
     m_ball->GetProperty()->SetSpecular(0.35);
@@ -68,6 +74,11 @@ void TouchCursor::addTo(vtkRenderer& solid, vtkRenderer& overlay)
     for (vtkActor* flat :
          {m_springDark.actor(), m_spring.actor(), m_outlineDark.Get(), m_outline.Get(), m_hipDark.Get(), m_hip.Get()}) {
         overlay.AddActor(flat);
+    }
+    for (const InnerMark& inner : m_inner) {
+        for (vtkActor* flat : {inner.dark.Get(), inner.light.Get(), inner.mark.Get()}) {
+            overlay.AddActor(flat);
+        }
     }
     m_arrow.addTo(solid, overlay);
 }
@@ -94,6 +105,7 @@ void TouchCursor::place(const ViewFrame& frame)
     m_hip->SetVisibility(isThere);
     m_hipDark->SetVisibility(isThere);
     m_arrow.setVisible(false);
+    placeInner(frame, isTouching);
     if (!isThere) {
         return;
     }
@@ -120,6 +132,21 @@ void TouchCursor::place(const ViewFrame& frame)
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
 }
 
+void TouchCursor::placeInner(const ViewFrame& frame, bool isTouching)
+{
+    for (std::size_t i = 0; i < m_inner.size(); ++i) {
+        const TouchState::Inner& inner = m_state.inner[i];
+        const bool isShown = isTouching && i < m_state.innerCount && inner.p_WG.allFinite();
+        for (vtkActor* flat : {m_inner[i].dark.Get(), m_inner[i].light.Get(), m_inner[i].mark.Get()}) {
+            flat->SetVisibility(isShown);
+            if (isShown) {
+                placeBillboard(*flat, inner.p_WG, frame);
+            }
+        }
+        m_inner[i].mark->GetProperty()->SetColor(inner.colour[0], inner.colour[1], inner.colour[2]);
+    }
+}
+
 core::Box TouchCursor::bounds() const
 {
     core::Box box;
@@ -128,6 +155,11 @@ core::Box TouchCursor::bounds() const
     }
     box.extend(m_state.p_WH);
     box.extend(m_state.p_WG);
+    for (std::size_t i = 0; i < std::min(m_state.innerCount, m_state.inner.size()); ++i) {
+        if (m_state.inner[i].p_WG.allFinite()) {
+            box.extend(m_state.inner[i].p_WG);
+        }
+    }
     const double force_N = m_state.f_W.norm();
     if (m_state.isInContact && force_N > 0.0) {
         box.extend(Vec3(m_state.p_WG + m_state.f_W / force_N * (1.2 * m_arrow.length_mm())));

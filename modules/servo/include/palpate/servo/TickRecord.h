@@ -22,8 +22,9 @@ enum TickFlag : std::uint16_t
     kSceneChanged = 32,  ///< first tick on another scene
     kReset = 64,         ///< the god-object started anew at the HIP in this tick (the hand came or the device started)
     kClutched = 256,     ///< the device moved without the HIP: nothing was to be felt
-    kSlides = 512,       ///< friction lets the god-object slide
     kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
+    kSlides = 512,       ///< friction lets the god-object of the reported layer slide
+    kHolds = 1024,       ///< friction holds it
 };
 
 /// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window. What a recording

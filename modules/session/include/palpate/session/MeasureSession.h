@@ -45,7 +45,8 @@ struct SessionMeasures
 {
     double distance_mm = 0.0; ///< that was measured with
     Measures sums;
-    std::vector<Phase> phases;
+    std::vector<Phase> phases;                                 ///< of the hand as a whole
+    std::map<std::string, std::vector<Phase>> structurePhases; ///< of each structure that was touched, by name
     std::vector<FindingMeasures> findings;
     std::vector<SurfaceMeasures> surfaces; ///< of each structure that could be felt and whose mesh is there
     std::vector<std::string> unmeasured;   ///< structures whose mesh is not there

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/session/StructureNames.h"
+
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace palpate::session {
@@ -16,6 +17,7 @@ namespace palpate::session {
 struct ContactMeasures
 {
     std::int64_t ticks = 0;
+    std::int64_t contacts = 0; ///< how often the hand came onto it
     double time_s = 0.0;
     double peakForce_N = 0.0;
     double meanForce_N = 0.0;
@@ -32,10 +34,10 @@ struct Measures
     std::int64_t ticks = 0;
     double duration_s = 0.0;
     double pathLength_mm = 0.0;  ///< of the HIP
-    double contactPath_mm = 0.0; ///< of the god-object while it touches
-    std::int64_t contacts = 0;   ///< how often the hand came onto a surface
-    ContactMeasures contact;
-    std::map<std::string, ContactMeasures, std::less<>> structures; ///< by name
+    double contactPath_mm = 0.0; ///< of the reported god-object while it touches
+    ContactMeasures contact;     ///< of the whole force; the depth is that of the outermost layer that is touched
+    /// By name, of each layer's own share of the force and own depth.
+    std::map<std::string, ContactMeasures, std::less<>> structures;
 };
 
 /// @return true when `now` goes on where `before` was: no loss, restart or absent hand between them.
@@ -47,14 +49,16 @@ class MeasureAccumulator
   public:
     /// @param dt_s  what a tick lasts [s]
     explicit MeasureAccumulator(double dt_s);
-    /// @param structure  name of the touched structure, empty in free space
-    void add(const servo::TickRecord& tick, std::string_view structure);
+    void add(const servo::TickRecord& tick, const StructureNames& names);
     [[nodiscard]] Measures result() const;
 
   private:
     struct Samples
     {
+        void add(std::int64_t tick, bool goesOn, double force_N, double depth_mm);
         std::vector<double> forces_N, depths_mm; ///< of contact ticks
+        std::int64_t contacts = 0;
+        std::optional<std::int64_t> last; ///< tick in contact
     };
     [[nodiscard]] ContactMeasures summary(const Samples& samples) const;
 

@@ -46,8 +46,12 @@ struct PhaseSummary
 class PhaseAccumulator
 {
   public:
-    explicit PhaseAccumulator(double dt_s);
+    /// @param firstTick  of the session; none: the first that is added
+    explicit PhaseAccumulator(double dt_s, std::optional<std::int64_t> firstTick = {});
+    /// Takes what the hand did as a whole: the reported god-object and all of the force.
     void add(const servo::TickRecord& tick);
+    /// Takes what it did on one structure. @param touched  its contact in this tick, null: none
+    void add(const servo::TickRecord& tick, const haptics::Contact* touched);
     [[nodiscard]] std::vector<Phase> result() const;
 
   private:
@@ -59,12 +63,19 @@ class PhaseAccumulator
         double sumForce_N = 0.0;
         bool goesOn = false; ///< the contact was there before it
     };
+    struct Touch
+    {
+        core::Vec3 p_WG;
+        double force_N;
+    };
+    void take(const servo::TickRecord& tick, const std::optional<Touch>& touch);
     void close(std::vector<Phase>& phases, bool& isOpen) const;
 
     double m_dt_s;
     std::int64_t m_blockTicks;
     std::optional<std::int64_t> m_firstTick; ///< of the session
     std::optional<servo::TickRecord> m_previous;
+    bool m_wasTouching = false;
     std::optional<Block> m_block;
     std::vector<Phase> m_phases;
     bool m_isOpen = false; ///< the contact has lasted since the last phase

@@ -49,6 +49,8 @@ struct StructureRecord
     haptics::Tissue tissue;
     std::uint32_t layer = 0;
     bool palpable = true; ///< false: it had no haptic surface then
+    std::string lawTable; ///< bytes of the table that a law other than a linear one was felt by; empty: none
+    std::string maps;     ///< what varied over the surface, as JSON; empty: nothing
 };
 
 /// What was felt: the structures by the numbers that ticks refer to.

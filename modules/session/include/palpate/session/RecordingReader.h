@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palpate::session {
@@ -47,11 +48,15 @@ class RecordingReader
     [[nodiscard]] const std::vector<RecordingEvent>& events() const noexcept; ///< by tick
     /// @return the scene of a generation, null when it was not described.
     [[nodiscard]] const SceneRecord* scene(std::uint32_t generation) const noexcept;
+    /// @return name of a structure by its number in the scene of a generation, empty when it was not described; valid
+    /// as long as the reader.
+    [[nodiscard]] std::string_view structureName(std::uint32_t generation, std::uint32_t number) const noexcept;
     /// @return name of the structure that a tick touches, empty in free space.
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick) const;
 
-    /// Gives the ticks first … last in order, until `sink` returns false. `n_W` comes as the direction of the spring,
-    /// `time_ns` counts from the first tick.
+    /// Gives the ticks first … last in order, until `sink` returns false. `time_ns` counts from the first tick.
+    /// Recordings before version 3 held no layers and no normal: what comes is one contact with all of the force, and
+    /// the direction of the spring.
     core::Status forEach(std::int64_t first, std::int64_t last,
                          const std::function<bool(const servo::TickRecord&)>& sink) const;
     /// @return the newest tick at or before `tick`, nothing before the first one or when the file cannot be read.

@@ -2,23 +2,22 @@
 #pragma once
 
 #include "palpate/session/AtomicFile.h"
+#include "palpate/session/StructureNames.h"
 
 #include <palpate/servo/TickRecord.h>
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace palpate::session {
 
-/// Writes ticks as CSV, the columns of session/src/TickColumns.h that have a place in it, with 17 significant digits,
-/// which give the same doubles back. Atomic as AtomicFile is.
+/// Writes ticks as CSV, the columns of session/src/TickColumns.h that have a place in it, then `slides` and `layers`;
+/// with 17 significant digits, which give the same doubles back. Atomic as AtomicFile is.
 class TickCsv
 {
   public:
     [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path);
-    /// @param structure  name of the touched structure, empty in free space
-    void write(const servo::TickRecord& tick, std::string_view structure);
+    void write(const servo::TickRecord& tick, const StructureNames& names);
     [[nodiscard]] core::Status finish();
 
   private:

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/RecordedTouch.h"
 #include "palpate/ui/SessionPanel.h"
+#include "palpate/ui/StructureModel.h"
 #include "palpate/ui/TouchPanel.h"
 #include "palpate/ui/VtkViewport.h"
 
@@ -19,7 +20,10 @@ class Playback : public QObject
 {
     Q_OBJECT
   public:
-    Playback(VtkViewport& viewport, SessionPanel& panel, TouchPanel& touch, QObject* parent = nullptr);
+    /// @param model  of the open scene: gives structures of the recording their colours, by name. All must outlive
+    /// this.
+    Playback(VtkViewport& viewport, const StructureModel& model, SessionPanel& panel, TouchPanel& touch,
+             QObject* parent = nullptr);
 
     /// Takes a recording and shows its first moment; null takes it away.
     void setRecording(std::unique_ptr<RecordedTouch> recording);
@@ -41,8 +45,11 @@ class Playback : public QObject
     void step();
     void showMoment(double time_s);
     void feed(const servo::TickRecord& tick, double time_s);
+    [[nodiscard]] LayerLook lookOf(const servo::TickRecord& tick, std::uint32_t number) const;
+    [[nodiscard]] std::vector<FeltLayer> layersOf(const servo::TickRecord& tick) const;
 
     VtkViewport& m_viewport;
+    const StructureModel& m_model;
     SessionPanel& m_panel;
     TouchPanel& m_touch;
     std::unique_ptr<RecordedTouch> m_recording;

@@ -30,9 +30,11 @@ class RecordedTouch : public QObject
     [[nodiscard]] double duration_s() const;
     /// @return the newest tick at `time_s` since the first.
     [[nodiscard]] std::optional<servo::TickRecord> at(double time_s) const;
-    [[nodiscard]] QString structureName(const servo::TickRecord& tick) const;
+    /// Name of a structure by its number in the scene that a tick felt, as the scene has it; empty when it has none.
+    [[nodiscard]] std::string structureName(const servo::TickRecord& tick, std::uint32_t number) const;
     /// Radius of the ball that touched, 0 = a point. [mm]
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
+    /// Of all layers that a tick touches together.
     [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.

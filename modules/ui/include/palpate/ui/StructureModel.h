@@ -8,6 +8,7 @@
 #include <palpate/view/StructureActor.h>
 
 #include <QAbstractTableModel>
+#include <QColor>
 #include <QUndoStack>
 
 #include <memory>
@@ -106,6 +107,8 @@ class StructureModel : public QAbstractTableModel
     QUndoStack m_undo;
 };
 
+/// The colour that a structure is drawn in.
+[[nodiscard]] QColor colourOf(const meshio::SceneStructure& structure);
 /// "VH_F_liver_capsule" or "liver_capsule" as a person writes it: "liver capsule".
 [[nodiscard]] QString readableName(const std::string& name);
 

@@ -7,7 +7,8 @@
 
 namespace palpate::ui {
 
-/// Force and depth over the last ten seconds, one above the other on the same time.
+/// Force and depth over the last ten seconds, one above the other on the same time. Where several layers are felt, the
+/// area below the force is theirs, the outermost at the bottom, in the structures' colours; inner ones are hatched.
 class TouchChart : public QWidget
 {
     Q_OBJECT
@@ -20,6 +21,7 @@ class TouchChart : public QWidget
 
   private:
     void paintLane(QPainter& painter, const QRectF& lane, bool isForce) const;
+    void paintLayers(QPainter& painter, const QRectF& lane, double top_N) const;
     const TouchHistory& m_history;
 };
 

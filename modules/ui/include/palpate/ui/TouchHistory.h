@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QColor>
+
 #include <deque>
+#include <vector>
 
 namespace palpate::ui {
+
+/// A layer's part of the force in the running chart.
+struct LayerForce
+{
+    QColor colour; ///< the structure's
+    double force_N = 0.0;
+};
 
 /// One point of the running chart.
 struct TouchSample
@@ -11,6 +21,7 @@ struct TouchSample
     double time_s = 0.0;
     double force_N = 0.0;
     double depth_mm = 0.0;
+    std::vector<LayerForce> layers{}; ///< outermost first; they add up to the force
 };
 
 /// The last seconds of force and depth.
@@ -25,6 +36,8 @@ class TouchHistory
     [[nodiscard]] const std::deque<TouchSample>& samples() const noexcept { return m_samples; }
     [[nodiscard]] double peakForce_N() const;
     [[nodiscard]] double peakDepth_mm() const;
+    /// @return true when several layers were felt at once.
+    [[nodiscard]] bool hasLayers() const;
 
   private:
     std::deque<TouchSample> m_samples;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/FeltLayers.h"
 #include "palpate/ui/TouchHistory.h"
 
 #include <QString>
@@ -19,11 +20,12 @@ struct TouchReading
     double time_s = 0.0;
     double force_N = 0.0; ///< on the hand; of the model where the device does not push
     double depth_mm = 0.0;
-    QString structure; ///< empty in free space
-    double stiffness_N_per_mm = 0.0;
+    QString structure;               ///< of the outermost layer; empty in free space
+    double stiffness_N_per_mm = 0.0; ///< of all layers that are touched together
     int constraints = 0;
-    double solveP99_us = -1.0; ///< < 0: not known
-    bool isAtBound = false;    ///< the solver stopped at its bound: the force is that of where it got to
+    double solveP99_us = -1.0;       ///< < 0: not known
+    bool isAtBound = false;          ///< the solver stopped at its bound: the force is that of where it got to
+    std::vector<FeltLayer> layers{}; ///< outermost first
 };
 
 /// What the hand feels, in numbers large enough for arm's length, and its last ten seconds.
@@ -36,17 +38,22 @@ class TouchPanel : public QWidget
     /// @param force_N  the device's limit: the end of the bar
     void setForceLimit(double force_N);
     void show(const TouchReading& reading);
+    /// What was shown last; that of free space without a hand.
+    [[nodiscard]] const TouchReading& reading() const noexcept { return m_reading; }
     /// No hand: numbers go to a dash, the chart stays.
     void showNoHand();
     void clearHistory();
 
   private:
     void setLine(const QString& structure, const QString& detail);
+    void setLayers(std::vector<FeltLayer> layers);
 
+    TouchReading m_reading;
     TouchHistory m_history;
     QLabel* m_force = nullptr;
     QLabel* m_forceUnit = nullptr;
     QLabel* m_structure = nullptr;
+    QLabel* m_layers = nullptr;
     QLabel* m_detail = nullptr;
     QLabel* m_solver = nullptr;
     ForceBar* m_bar = nullptr;

@@ -4,6 +4,9 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/ForceArrow.h"
 
+#include <array>
+#include <cstddef>
+
 namespace palpate::view {
 
 /// What the cursor shows of one tick.
@@ -15,10 +18,21 @@ struct TouchState
     double fingertip_mm = 0.0; ///< radius of the ball that touches, 0 = a point
     bool isInContact = false;
     bool isPresent = false; ///< false: no hand, nothing is drawn
+
+    /// A god-object that a layer below the outermost one holds.
+    struct Inner
+    {
+        Vec3 p_WG = Vec3::Zero(); ///< [mm]
+        Colour colour{};          ///< of its structure
+    };
+    static constexpr std::size_t kMostInner = 3;
+    std::array<Inner, kMostInner> inner{};
+    std::size_t innerCount = 0; ///< how many of them are valid, the outermost first
 };
 
 /// The hand in the view: the god-object as a ball on the surface, the HIP as a small ring, the spring between them and
-/// the force. Sizes are of the screen, so it reads the same on a vessel and on a body.
+/// the force; god-objects of inner layers are discs in their structures' colours. Sizes are of the screen, so it reads
+/// the same on a vessel and on a body.
 class TouchCursor
 {
   public:
@@ -43,9 +57,13 @@ class TouchCursor
     [[nodiscard]] vtkActor* ball() const noexcept { return m_ball; }
     [[nodiscard]] vtkActor* hipRing() const noexcept { return m_hip; }
     [[nodiscard]] vtkActor* springLine() const noexcept { return m_spring.actor(); }
+    /// @param i  < TouchState::kMostInner
+    [[nodiscard]] vtkActor* innerMark(std::size_t i) const noexcept { return m_inner[i].mark; }
     [[nodiscard]] const ForceArrow& arrow() const noexcept { return m_arrow; }
 
   private:
+    void placeInner(const ViewFrame& frame, bool isTouching);
+
     vtkSmartPointer<vtkActor> m_ball;
     vtkSmartPointer<vtkActor> m_rim;
     vtkSmartPointer<vtkActor> m_outlineDark;
@@ -55,6 +73,12 @@ class TouchCursor
     BillboardLine m_springDark;
     BillboardLine m_spring;
     ForceArrow m_arrow;
+    /// A disc in its structure's colour with a light and a dark edge: seen through what covers it.
+    struct InnerMark
+    {
+        vtkSmartPointer<vtkActor> dark, light, mark;
+    };
+    std::array<InnerMark, TouchState::kMostInner> m_inner;
     TouchState m_state;
     double m_limit_N = 10.0;
 };

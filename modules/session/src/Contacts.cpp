@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contacts.h"
+
+#include "Bytes.h"
+#include "Packing.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace palpate::session::internal {
+
+namespace {
+
+using haptics::Contact;
+using haptics::Friction;
+
+constexpr std::size_t kContactBytes = 4 * sizeof(std::uint32_t) + 9 * sizeof(double);
+
+bool isSame(const Contact& a, const Contact& b)
+{
+    const core::Vec3 zero = core::Vec3::Zero();
+    return a.structure == b.structure && a.triangle == b.triangle && a.layer == b.layer && a.friction == b.friction &&
+           sameBits(a.p_WG, b.p_WG) && sameBits(a.n_W, b.n_W) && sameBits(a.f_W + zero, b.f_W + zero);
+}
+
+double depth(const Contact& contact, const servo::TickRecord& tick)
+{
+    return (contact.p_WG - tick.p_WH).norm();
+}
+
+} // namespace
+
+Contact ownContact(const servo::TickRecord& tick)
+{
+    Contact contact;
+    contact.p_WG = tick.felt.p_WG;
+    contact.n_W = tick.felt.n_W;
+    contact.f_W = tick.felt.f_W;
+    contact.depth_mm = depth(contact, tick);
+    contact.structure = static_cast<std::uint32_t>(tick.felt.structure);
+    contact.triangle = tick.felt.triangle;
+    contact.layer = 0;
+    contact.friction = (tick.flags & servo::kSlides) != 0  ? Friction::Slides
+                       : (tick.flags & servo::kHolds) != 0 ? Friction::Holds
+                                                           : Friction::None;
+    return contact;
+}
+
+std::string packLayers(const servo::TickRecord& tick)
+{
+    std::string out;
+    const std::size_t count = std::min<std::size_t>(tick.felt.contactCount, tick.felt.contacts.size());
+    if (tick.felt.structure < 0 || count == 0 || (count == 1 && isSame(tick.felt.contacts[0], ownContact(tick)))) {
+        return out;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const Contact& contact = tick.felt.contacts[i];
+        put(out, contact.layer);
+        put(out, contact.structure);
+        put(out, contact.triangle);
+        put(out, static_cast<std::uint32_t>(contact.friction));
+        put(out, contact.p_WG);
+        put(out, contact.n_W);
+        put(out, contact.f_W);
+    }
+    return out;
+}
+
+void unpackLayers(std::string_view layers, servo::TickRecord& tick)
+{
+    haptics::TickResult& felt = tick.felt;
+    felt.contactCount = 0;
+    if (felt.structure < 0) {
+        return;
+    }
+    felt.contacts[felt.contactCount++] = ownContact(tick);
+    if (layers.empty() || layers.size() % kContactBytes != 0 || layers.size() / kContactBytes > felt.contacts.size()) {
+        return;
+    }
+    felt.contactCount = static_cast<std::uint8_t>(layers.size() / kContactBytes);
+    for (std::size_t i = 0; i < felt.contactCount; ++i) {
+        Contact& contact = felt.contacts[i];
+        std::uint32_t friction = 0;
+        take(layers, contact.layer);
+        take(layers, contact.structure);
+        take(layers, contact.triangle);
+        take(layers, friction);
+        take(layers, contact.p_WG);
+        take(layers, contact.n_W);
+        take(layers, contact.f_W);
+        contact.depth_mm = depth(contact, tick);
+        contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
+    }
+}
+
+bool sameContacts(const haptics::TickResult& a, const haptics::TickResult& b)
+{
+    return a.contactCount == b.contactCount &&
+           std::equal(a.contacts.begin(), a.contacts.begin() + a.contactCount, b.contacts.begin(), isSame);
+}
+
+} // namespace palpate::session::internal

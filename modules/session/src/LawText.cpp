@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LawText.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace palpate::session::internal {
+
+namespace {
+
+QString text(std::string_view utf8)
+{
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+/// @return nothing unless they are pairs of numbers that start at (0, 0), depth and force ascending.
+std::optional<std::vector<core::ForceLaw::Point>> parsePoints(const QJsonArray& array)
+{
+    std::vector<core::ForceLaw::Point> points;
+    for (const QJsonValue& value : array) {
+        const QJsonArray pair = value.toArray();
+        const core::ForceLaw::Point point{pair[0].toDouble(-1.0), pair[1].toDouble(-1.0)};
+        const bool isNext = points.empty() ? point == core::ForceLaw::Point{0.0, 0.0}
+                                           : point[0] > points.back()[0] && point[1] >= points.back()[1];
+        if (pair.size() != 2 || !isNext) {
+            return std::nullopt;
+        }
+        points.push_back(point);
+    }
+    return points.size() < 2 || points.size() > core::ForceLaw::kMostPoints ? std::nullopt : std::optional(points);
+}
+
+} // namespace
+
+std::string lawText(const core::ForceLaw& law)
+{
+    if (law.kind == core::LawKind::Linear) {
+        return {};
+    }
+    QJsonObject json{{QStringLiteral("kind"), text(core::lawName(law.kind))}};
+    const auto terms = core::lawTerms(law.kind);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        json[text(terms[i].key)] = law.numbers[i];
+    }
+    if (law.kind == core::LawKind::Points) {
+        QJsonArray points;
+        for (const core::ForceLaw::Point& point : law.points) {
+            points.append(QJsonArray{point[0], point[1]});
+        }
+        json[QStringLiteral("points")] = points;
+    }
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::optional<core::ForceLaw> parseLaw(std::string_view utf8)
+{
+    core::ForceLaw law;
+    if (utf8.empty()) {
+        return law;
+    }
+    const QJsonObject json =
+        QJsonDocument::fromJson(QByteArray(utf8.data(), static_cast<qsizetype>(utf8.size()))).object();
+    const QString name = json[QStringLiteral("kind")].toString();
+    const auto kind = std::find_if(core::kLawKinds.begin(), core::kLawKinds.end(),
+                                   [&](core::LawKind k) { return text(core::lawName(k)) == name; });
+    if (kind == core::kLawKinds.end() || *kind == core::LawKind::Linear) {
+        return std::nullopt;
+    }
+    law.kind = *kind;
+    const auto terms = core::lawTerms(law.kind);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const QJsonValue number = json[text(terms[i].key)];
+        law.numbers[i] = number.toDouble();
+        if (!number.isDouble() || !(law.numbers[i] >= terms[i].least && law.numbers[i] <= terms[i].most)) {
+            return std::nullopt;
+        }
+    }
+    if (law.kind == core::LawKind::Points) {
+        auto points = parsePoints(json[QStringLiteral("points")].toArray());
+        if (!points) {
+            return std::nullopt;
+        }
+        law.points = std::move(*points);
+    }
+    return law;
+}
+
+} // namespace palpate::session::internal

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/TouchHistory.h"
+
+#include <palpate/servo/TickRecord.h>
+#include <palpate/view/TouchCursor.h>
+
+#include <QColor>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace palpate::ui {
+
+/// One layer that is touched, as panel and chart show it.
+struct FeltLayer
+{
+    QString name;
+    QColor colour;
+    double force_N = 0.0; ///< length of its share of the force
+    double along_N = 0.0; ///< its share along the whole force: these add up to it
+    double depth_mm = 0.0;
+};
+
+/// What a structure is called and how it is drawn.
+struct LayerLook
+{
+    QString name;
+    QColor colour;
+};
+/// @param structure  number in the scene that was felt
+using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
+
+/// The layers that a tick touches, outermost first.
+/// @param shown_N  length of the force that the hand gets [N]: shares are those of the model, in proportion
+[[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
+/// "liver 2.5 N · lump 20 mm 3.5 N, 5.8 mm in"; of a single layer its name.
+[[nodiscard]] QString layersText(const std::vector<FeltLayer>& layers);
+/// The same as rich text, a line a layer, each behind a mark in the structure's colour.
+[[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);
+/// What the chart keeps of them.
+[[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers);
+/// Puts the god-objects below the reported one into the cursor.
+void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state);
+
+} // namespace palpate::ui

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/FeltLayers.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+/// @param isInner  how deep the outermost layer is pressed in stands elsewhere
+QString shareText(const FeltLayer& layer, bool isInner)
+{
+    const auto number = [](double value) { return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1); };
+    return isInner ? QCoreApplication::translate("FeltLayers", "%1 N, %2 mm in")
+                         .arg(number(layer.force_N), number(layer.depth_mm))
+                   : QCoreApplication::translate("FeltLayers", "%1 N").arg(number(layer.force_N));
+}
+
+} // namespace
+
+std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks)
+{
+    const double model_N = tick.felt.f_W.norm();
+    const double scale = model_N > 0.0 ? shown_N / model_N : 0.0;
+    const core::Vec3 direction = model_N > 0.0 ? core::Vec3(tick.felt.f_W / model_N) : core::Vec3::Zero();
+    std::vector<FeltLayer> layers;
+    for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+        const haptics::Contact& contact = tick.felt.contacts[i];
+        LayerLook look = looks(contact.structure);
+        layers.push_back({std::move(look.name), look.colour, scale * contact.f_W.norm(),
+                          scale * contact.f_W.dot(direction), contact.depth_mm});
+    }
+    return layers;
+}
+
+QString layersText(const std::vector<FeltLayer>& layers)
+{
+    if (layers.size() == 1) {
+        return layers.front().name;
+    }
+    QStringList parts;
+    for (const FeltLayer& layer : layers) {
+        parts << layer.name + QLatin1Char(' ') + shareText(layer, !parts.isEmpty());
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString layersMarkup(const std::vector<FeltLayer>& layers)
+{
+    QStringList parts;
+    for (const FeltLayer& layer : layers) {
+        const bool isInner = !parts.isEmpty();
+        const QString text = QStringLiteral("<b>%1</b> %2").arg(layer.name.toHtmlEscaped(), shareText(layer, isInner));
+        parts << QStringLiteral("<span style='color:%1'>■</span> %2").arg(layer.colour.name(), text);
+    }
+    return QStringLiteral("<p style='white-space:pre'>%1</p>").arg(parts.join(QStringLiteral("<br>")));
+}
+
+std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers)
+{
+    std::vector<LayerForce> forces;
+    for (const FeltLayer& layer : layers) {
+        forces.push_back({layer.colour, layer.along_N});
+    }
+    return forces;
+}
+
+void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state)
+{
+    state.innerCount = 0;
+    for (std::size_t i = 1; i < std::min<std::size_t>(layers.size(), tick.felt.contactCount); ++i) {
+        const QColor& colour = layers[i].colour;
+        state.inner[state.innerCount++] = {tick.felt.contacts[i].p_WG,
+                                           {colour.redF(), colour.greenF(), colour.blueF()}};
+    }
+}
+
+} // namespace palpate::ui
