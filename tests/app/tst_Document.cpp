@@ -52,7 +52,7 @@ class Document : public QObject
         QDir(copies()).removeRecursively();
         QFile file(m_folder.filePath("a.palpate.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(R"({"version": 1, "author": "A", "structures": [{"mesh": "a.stl", "friction": 1}],
+        file.write(R"({"version": 1, "author": "A", "structures": [{"mesh": "a.stl", "breathing": 1}],
                        "findings": [{"name": "old", "position": [1, 2, 3], "size": 4}]})");
         QFile mesh(m_folder.filePath("a.stl"));
         QVERIFY(mesh.open(QIODevice::WriteOnly));
@@ -100,7 +100,7 @@ class Document : public QObject
         const QJsonArray structures = saved["structures"].toArray();
         QCOMPARE(structures.size(), 2); // with the one that is not there
         QCOMPARE(structures.at(0).toObject().value("mesh").toString(), QString("../a.stl"));
-        QCOMPARE(structures.at(0).toObject().value("friction").toInt(), 1);
+        QCOMPARE(structures.at(0).toObject().value("breathing").toInt(), 1);
         QCOMPARE(structures.at(0).toObject().value("sha256").toString().toStdString(), meshio::fileHash(path("a.stl")));
         QCOMPARE(structures.at(1).toObject().value("mesh").toString(), QString("../gone.stl"));
         QCOMPARE(saved["findings"].toArray().size(), 2);

@@ -29,7 +29,7 @@ class PuckView : public QObject
         ui::VtkViewport viewport;
         ui::SessionPanel session;
         ui::TouchPanel touch;
-        ui::Playback playback{viewport, session, touch};
+        ui::Playback playback{viewport, model, session, touch};
         ui::DeviceChoice devices{live, viewport, playback};
         QMenu menu;
         QAction* movesView = nullptr;

@@ -57,13 +57,29 @@ class RecordedLayers : public QObject
         return out;
     }
 
-    static session::SceneRecord described()
+    static session::SceneRecord described(const haptics::HapticScene& felt)
     {
         std::vector<session::StructureSource> sources;
-        for (const auto& structure : scene()->structures()) {
+        for (const auto& structure : felt.structures()) {
             sources.emplace_back().sha256 = structure.name;
         }
-        return session::describeScene(1, *scene(), sources);
+        return session::describeScene(1, felt, sources);
+    }
+    static session::SceneRecord described() { return described(*scene()); }
+
+    /// The scene with a stiffness and a damping that vary over the outer block.
+    static std::shared_ptr<const haptics::HapticScene> mapped()
+    {
+        std::vector<haptics::HapticStructure> structures = scene()->structures();
+        const auto& block = *structures[0].surface;
+        std::vector<std::array<float, 3>> stiffness(block.triangleCount());
+        for (std::size_t i = 0; i < stiffness.size(); ++i) {
+            stiffness[i] = {1.0F + 0.1F * static_cast<float>(i), 1.5F, 0.7F};
+        }
+        structures[0].maps.stiffness = {std::make_shared<const std::vector<std::array<float, 3>>>(stiffness), 1.25};
+        structures[0].maps.damping =
+            haptics::TissueMap::atTriangles(block, std::vector<float>(stiffness.size(), 0.002F));
+        return std::make_shared<const haptics::HapticScene>(structures);
     }
 
     /// Presses over the lump and beside it, then on what lies bare.
@@ -269,12 +285,11 @@ class RecordedLayers : public QObject
     void recoveryKeepsLayersAndTissue()
     {
         const auto ticks = pressing();
-        session::SceneRecord scene = described();
+        session::SceneRecord scene = described(*mapped());
         scene.structures[0].tissue.friction_static = 0.3;
         scene.structures[0].tissue.law.kind = core::LawKind::Hertz;
         scene.structures[0].tissue.law.numbers = {12.5, 8.0};
         scene.structures[0].lawTable = std::string("\0table\xff", 7);
-        scene.structures[0].maps = "[{\"quantity\": \"stiffness\"}]";
         QVERIFY(write("g.palpate", ticks, scene));
         QFile file(m_folder.filePath("g.palpate"));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -298,6 +313,7 @@ class RecordedLayers : public QObject
             QVERIFY(is.tissue == was.tissue);
             QCOMPARE(is.lawTable, was.lawTable);
             QCOMPARE(is.maps, was.maps);
+            QVERIFY(*is.tissueMaps.stiffness.corners == *was.tissueMaps.stiffness.corners);
             bytes.replace(0, 4096, QByteArray(4096, 'x'));
         }
         for (const char* sql : {"UPDATE structures SET law = NULL", "UPDATE structures SET law_table = NULL",
@@ -308,6 +324,44 @@ class RecordedLayers : public QObject
             const auto status = RecordingReader::open(path("j.palpate")).value()->verify();
             QVERIFY2(status.message().find("scene 1: found other bits") != std::string::npos, sql);
         }
+    }
+
+    void mapsAreFeltAgain()
+    {
+        const auto felt = mapped();
+        const session::SceneRecord record = described(*felt);
+        session::SceneRecord plain = described();
+        const auto ticks = pressing(*felt, 0, nullptr);
+        QVERIFY(write("m.palpate", ticks, record));
+        const auto reader = RecordingReader::open(path("m.palpate"));
+        QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
+        const auto again = session::resimulate(*reader.value(), surfaces());
+        QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
+        // The map bites: without it the same ticks are felt otherwise.
+        QVERIFY(write("n.palpate", ticks, plain));
+        QVERIFY(!session::resimulate(*RecordingReader::open(path("n.palpate")).value(), surfaces()).value().isSame());
+
+        for (const char* sql : {"DELETE FROM maps", "UPDATE maps SET corners = zeroblob(length(corners))",
+                                "UPDATE maps SET corners = x'0011'"}) {
+            QFile::remove(m_folder.filePath("o.palpate"));
+            QVERIFY(QFile::copy(m_folder.filePath("m.palpate"), m_folder.filePath("o.palpate")));
+            QVERIFY(test::runSql(path("o.palpate"), sql));
+            const auto hurt = RecordingReader::open(path("o.palpate"));
+            QVERIFY2(hurt.value()->verify().message().find("a map of its tissue is not there, or damaged") !=
+                         std::string::npos,
+                     sql);
+            const auto refused = session::resimulate(*hurt.value(), surfaces());
+            QVERIFY(!refused.isOk());
+            QVERIFY2(refused.status().message().find("structure \"block\" of the recording: a map of its tissue") !=
+                         std::string::npos,
+                     refused.status().message().c_str());
+        }
+        // One of another surface.
+        session::SurfacesByHash others = surfaces();
+        others["block"] = others["lump"] = test::indexed(test::box(Vec3(-20, -20, -20), Vec3(20, 20, 0), 2));
+        const auto other = session::resimulate(*reader.value(), others);
+        QVERIFY2(!other.isOk() && other.status().message().find("triangles, expected") != std::string::npos,
+                 other.status().message().c_str());
     }
 
     /// What was felt is the table that the recording keeps, whatever this build would make of the law's numbers.

@@ -161,7 +161,7 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid, int version)
     case 4:
         return is<std::int64_t>(row[1]) && is<std::string>(row[2]) && is<std::string>(row[3]) ? "events" : nullptr;
     case 3:
-        return "scenes";
+        return is<std::string>(row[1]) && is<Blob>(row[2]) ? "maps" : "scenes";
     default:
         return nullptr;
     }
@@ -360,7 +360,7 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
     // Thrown away in the end: nothing need survive a crash.
     if (Status status = database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id=" +
                                          std::to_string(kRecordingApplicationId) + "; PRAGMA user_version=" +
-                                         std::to_string(version) + "; BEGIN;" + schema(version));
+                                         std::to_string(version) + "; BEGIN;" + schema(version) + kCreateMaps);
         !status.isOk()) {
         return status;
     }

@@ -2,6 +2,7 @@
 #include "palpate/session/Recording.h"
 
 #include "BuildId.h"
+#include "MapRows.h"
 
 #include <palpate/haptics/ForceTable.h>
 
@@ -37,6 +38,8 @@ SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& 
         out.tissue = structure.tissue;
         out.layer = structure.layer;
         out.palpable = structure.surface != nullptr;
+        out.tissueMaps = structure.maps;
+        out.maps = internal::mapsText(structure.maps);
         if (structure.law != nullptr) {
             const std::vector<std::byte> table = structure.law->bytes();
             out.lawTable.assign(reinterpret_cast<const char*>(table.data()), table.size());

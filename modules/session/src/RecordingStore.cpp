@@ -2,6 +2,7 @@
 #include "RecordingStore.h"
 
 #include "LawText.h"
+#include "MapRows.h"
 #include "Packing.h"
 #include "Schema.h"
 
@@ -130,6 +131,25 @@ Status RecordingStore::storeScenes(const RecordingBatch& batch, std::string& has
     return {};
 }
 
+Status RecordingStore::storeMaps(const haptics::TissueMaps& maps)
+{
+    if (maps.isEmpty()) {
+        return {};
+    }
+    Status status = m_database.execute(kCreateMaps);
+    if (!m_insertMap.isPrepared()) {
+        m_insertMap = m_database.prepare("INSERT OR IGNORE INTO maps(sha256, corners) VALUES(?, ?)");
+    }
+    forEachMap(maps, [&](const std::string& hash, std::string_view bytes) {
+        m_insertMap.bind(0, std::string_view(hash));
+        m_insertMap.bindBlob(1, bytes);
+        if (m_insertMap.step() != Statement::Step::Done) {
+            status = failed();
+        }
+    });
+    return status;
+}
+
 Status RecordingStore::storeEmbedded(const StructureSource& source)
 {
     const geometry::RepairedMesh& surface = *source.embed;
@@ -196,6 +216,9 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
         }
         if (m_insertMesh.step() != Statement::Step::Done || m_insertStructure.step() != Statement::Step::Done) {
             return failed();
+        }
+        if (Status status = storeMaps(structure.tissueMaps); !status.isOk()) {
+            return status;
         }
         if (source.embed != nullptr) {
             if (Status status = storeEmbedded(source); !status.isOk()) {

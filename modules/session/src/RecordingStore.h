@@ -49,6 +49,7 @@ class RecordingStore
     explicit RecordingStore(Database database);
     core::Status storeScenes(const RecordingBatch& batch, std::string& hash);
     core::Status storeScene(const SceneRecord& scene);
+    core::Status storeMaps(const haptics::TissueMaps& maps);
     core::Status storeEmbedded(const StructureSource& source);
     core::Status storeEvents(const RecordingBatch& batch, std::string& hash);
     core::Status storeTicks(const RecordingBatch& batch, std::string& hash);
@@ -58,7 +59,7 @@ class RecordingStore
 
     Database m_database;
     Statement m_insertTick, m_insertCheck, m_insertEvent, m_insertScene, m_insertMesh, m_insertStructure,
-        m_insertEmbedded;
+        m_insertEmbedded, m_insertMap;
     std::size_t m_ticksPerCheck = 250;
     std::string m_chain; ///< hash of the last stored check
     std::int64_t m_firstTime_ns = 0;

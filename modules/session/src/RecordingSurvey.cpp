@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordingSurvey.h"
 
+#include "MapRows.h"
 #include "Packing.h"
 #include "Schema.h"
 
@@ -40,6 +41,12 @@ class Surveyor
         note(m_tables.readScenes(scenes));
         note(m_tables.readEvents(events));
         for (SceneRecord& scene : scenes) {
+            for (const StructureRecord& structure : scene.structures) {
+                if (mapsText(structure.tissueMaps) != structure.maps) {
+                    m_result.faults.push_back("structure \"" + structure.name +
+                                              "\": a map of its tissue is not there, or damaged");
+                }
+            }
             const auto generation = scene.generation;
             m_scenes.emplace(generation, std::move(scene));
         }

@@ -2,6 +2,7 @@
 #include "RecordingTables.h"
 
 #include "LawText.h"
+#include "MapRows.h"
 #include "Packing.h"
 #include "Schema.h"
 #include "palpate/session/GeometryHash.h"
@@ -89,6 +90,11 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.palpable = rows.integer(9) != 0;
         structure.lawTable = rows.bytes(11);
         structure.maps = rows.bytes(12);
+        if (!structure.maps.empty()) {
+            std::string wrong; // said by who needs them
+            structure.tissueMaps = mapsOf(
+                structure.maps, [this](const std::string& hash) { return mapBytes(hash); }, wrong);
+        }
         int column = 13;
         for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
@@ -102,6 +108,16 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         }
     }
     return step == Step::Failed ? damaged() : status;
+}
+
+std::optional<std::string> RecordingTables::mapBytes(const std::string& hash) const
+{
+    Statement row = m_version < 3 ? Statement() : m_database.prepare("SELECT corners FROM maps WHERE sha256 = ?");
+    if (!row.isPrepared()) {
+        return std::nullopt;
+    }
+    row.bind(0, std::string_view(hash));
+    return row.step() == Step::Row ? std::optional(row.bytes(0)) : std::nullopt;
 }
 
 Status RecordingTables::readEvents(std::vector<std::pair<std::int64_t, RecordingEvent>>& out) const

@@ -57,6 +57,7 @@ class RecordingTables
     [[nodiscard]] core::Result<geometry::RepairedMesh> readEmbedded(const std::string& sha256) const;
 
   private:
+    [[nodiscard]] std::optional<std::string> mapBytes(const std::string& hash) const;
     [[nodiscard]] core::Status damaged() const { return m_database.error("cannot be read"); }
 
     const Database& m_database;

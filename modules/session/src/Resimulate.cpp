@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contacts.h"
+#include "MapRows.h"
 #include "Packing.h"
 #include "palpate/session/Replay.h"
 
@@ -246,6 +247,26 @@ class Resimulator
 
 } // namespace
 
+namespace {
+
+/// @return why the maps of a structure can't be felt on a surface; empty where they can
+std::string faultOfMaps(const StructureRecord& structure, const geometry::SurfaceIndex& surface)
+{
+    const haptics::TissueMaps& maps = structure.tissueMaps;
+    if (internal::mapsText(maps) != structure.maps) {
+        return "a map of its tissue is not in the recording, or damaged";
+    }
+    for (const haptics::TissueMap* map : {&maps.stiffness, &maps.damping, &maps.friction}) {
+        if (!map->isEmpty() && map->corners->size() != surface.triangleCount()) {
+            return "a map of its tissue has " + std::to_string(map->corners->size()) + " triangles, expected " +
+                   std::to_string(surface.triangleCount());
+        }
+    }
+    return {};
+}
+
+} // namespace
+
 core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const SceneRecord& record,
                                                                        const SurfacesByHash& surfaces)
 {
@@ -273,6 +294,10 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
                                                     structure.source.sha256.substr(0, 12) + "...) is not in the scene");
         }
         out.surface = found->second;
+        out.maps = structure.tissueMaps;
+        if (const std::string wrong = faultOfMaps(structure, *out.surface); !wrong.empty()) {
+            return Status(StatusCode::Mismatch, "structure \"" + structure.name + "\" of the recording: " + wrong);
+        }
     }
     if (!(record.fingertip_mm >= 0.0 && record.fingertip_mm <= haptics::HapticScene::kMostFingertip_mm)) {
         return Status(StatusCode::BadFormat, "found a fingertip radius of " + std::to_string(record.fingertip_mm) +

@@ -60,6 +60,10 @@ CREATE TABLE embedded(sha256 TEXT PRIMARY KEY, vertices BLOB NOT NULL, triangles
 )sql" + createTickValues(version);
 }
 
+/// Makes the table of the numbers that vary over surfaces, which only a recording with such has.
+inline constexpr const char* kCreateMaps =
+    "CREATE TABLE IF NOT EXISTS maps(id INTEGER PRIMARY KEY, sha256 TEXT UNIQUE, corners BLOB NOT NULL)";
+
 /// What a line of `checks` covers, as its column `kind` says it.
 inline constexpr const char* kMetaCheck = "meta";
 inline constexpr const char* kSceneCheck = "scene";

@@ -48,9 +48,10 @@ struct StructureRecord
     StructureSource source;
     haptics::Tissue tissue;
     std::uint32_t layer = 0;
-    bool palpable = true; ///< false: it had no haptic surface then
-    std::string lawTable; ///< bytes of the table that a law other than a linear one was felt by; empty: none
-    std::string maps;     ///< what varied over the surface, as JSON; empty: nothing
+    bool palpable = true;           ///< false: it had no haptic surface then
+    std::string lawTable;           ///< bytes of the table that a law other than a linear one was felt by; empty: none
+    std::string maps;               ///< what varied over the surface, as JSON with the maps' hashes; empty: nothing
+    haptics::TissueMaps tissueMaps; ///< the maps themselves; empty also where the recording has lost them
 };
 
 /// What was felt: the structures by the numbers that ticks refer to.
