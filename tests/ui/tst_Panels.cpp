@@ -91,6 +91,36 @@ class Panels : public QObject
         QVERIFY(!says(panel, QStringLiteral("liver · lump <20 mm>")));
         QCOMPARE(panel.findChild<ui::TouchChart*>()->height(), height); // nothing jumps
     }
+
+    void frictionIsSaidAndShown()
+    {
+        servo::TickRecord tick;
+        tick.p_WH = {0, 0, -3};
+        tick.felt.p_WG = {-0.6, 0, 0};
+        tick.felt.n_W = {0, 0, 1};
+        tick.felt.f_W = {-0.3, 0, 1.5};
+        tick.felt.structure = 0;
+        tick.felt.constraints = tick.felt.contactCount = 1;
+        tick.felt.contacts[0] = {tick.felt.p_WG,           tick.felt.n_W, tick.felt.f_W, 3.06, 0, 0, 0,
+                                 haptics::Friction::Slides};
+        const auto look = [](std::uint32_t) { return ui::LayerLook{QStringLiteral("liver"), Qt::red}; };
+        const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), look);
+        QCOMPARE(ui::layersText(layers), QStringLiteral("liver 1.5 N, slides 0.30 N"));
+        core::Tissue tissue;
+        tissue.friction_static = 0.5;
+        tissue.friction_dynamic = 0.2;
+        view::TouchState state;
+        ui::showFriction(tick, tissue, state);
+        QVERIFY(state.friction.p_W.isApprox(core::Vec3(0, 0, 0)) || state.friction.p_W.norm() < 1e-12);
+        QVERIFY(std::abs(state.friction.radius_mm - 0.6) < 1e-12);
+        tick.felt.contacts[0].friction = haptics::Friction::Holds;
+        ui::showFriction(tick, tissue, state);
+        QVERIFY(std::abs(state.friction.radius_mm - 1.5) < 1e-12);
+        tick.felt.contacts[0].friction = haptics::Friction::None;
+        ui::showFriction(tick, tissue, state);
+        QCOMPARE(state.friction.radius_mm, 0.0);
+        QCOMPARE(ui::layersText(ui::feltLayers(tick, tick.felt.f_W.norm(), look)), QStringLiteral("liver"));
+    }
     /// Each layer's area is as high as its part of the force, in its structure's colour.
     void chartStacksTheLayers()
     {

@@ -118,6 +118,23 @@ class TouchCursor : public QObject
         cursor.place(frameAt(300));
         QVERIFY(!cursor.innerMark(0)->GetVisibility());
     }
+    void frictionHoldsWithinADiscOnTheSurface()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state = contact(Vec3(0, 0, 2));
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(!cursor.frictionDisc()->GetVisibility());
+        state.friction = {Vec3(3, 4, 5), Vec3::UnitX(), 1.5};
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(cursor.frictionDisc()->GetVisibility());
+        const double* b = cursor.frictionDisc()->GetBounds();
+        QVERIFY(std::abs(b[0] - 3.0) < 1e-6 && std::abs(b[1] - 3.0) < 1e-6); // flat along the normal
+        QVERIFY(std::abs(b[3] - b[2] - 3.0) < 0.02 && std::abs(b[5] - b[4] - 3.0) < 0.02);
+        QVERIFY(cursor.bounds().contains(Vec3(3, 5.4, 5)));
+    }
+
     void nonFiniteTickIsNotDrawn()
     {
         view::TouchCursor cursor;

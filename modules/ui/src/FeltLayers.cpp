@@ -11,16 +11,34 @@ namespace palpate::ui {
 
 namespace {
 
+QString number(double value)
+{
+    return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1);
+}
+
 /// @param isInner  how deep the outermost layer is pressed in stands elsewhere
 QString shareText(const FeltLayer& layer, bool isInner)
 {
-    const auto number = [](double value) { return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1); };
-    return isInner ? QCoreApplication::translate("FeltLayers", "%1 N, %2 mm in")
-                         .arg(number(layer.force_N), number(layer.depth_mm))
-                   : QCoreApplication::translate("FeltLayers", "%1 N").arg(number(layer.force_N));
+    const QString share = isInner ? QCoreApplication::translate("FeltLayers", "%1 N, %2 mm in")
+                                        .arg(number(layer.force_N), number(layer.depth_mm))
+                                  : QCoreApplication::translate("FeltLayers", "%1 N").arg(number(layer.force_N));
+    return layer.friction == haptics::Friction::None ? share : share + QStringLiteral(", ") + frictionText(layer);
 }
 
 } // namespace
+
+QString frictionText(const FeltLayer& layer)
+{
+    switch (layer.friction) {
+    case haptics::Friction::Holds:
+        return QCoreApplication::translate("FeltLayers", "holds %1 N").arg(number(layer.sideways_N));
+    case haptics::Friction::Slides:
+        return QCoreApplication::translate("FeltLayers", "slides %1 N").arg(number(layer.sideways_N));
+    case haptics::Friction::None:
+        break;
+    }
+    return {};
+}
 
 std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks)
 {
@@ -31,15 +49,17 @@ std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N,
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
         LayerLook look = looks(contact.structure);
+        const core::Vec3 sideways = contact.f_W - contact.f_W.dot(contact.n_W) * contact.n_W;
         layers.push_back({std::move(look.name), look.colour, scale * contact.f_W.norm(),
-                          scale * contact.f_W.dot(direction), contact.depth_mm});
+                          scale * contact.f_W.dot(direction), contact.depth_mm, contact.friction,
+                          scale * sideways.norm()});
     }
     return layers;
 }
 
 QString layersText(const std::vector<FeltLayer>& layers)
 {
-    if (layers.size() == 1) {
+    if (layers.size() == 1 && layers.front().friction == haptics::Friction::None) {
         return layers.front().name;
     }
     QStringList parts;
@@ -67,6 +87,19 @@ std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers)
         forces.push_back({layer.colour, layer.along_N});
     }
     return forces;
+}
+
+void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state)
+{
+    state.friction = {};
+    const haptics::TickResult& felt = tick.felt;
+    if (felt.friction() == haptics::Friction::None || felt.constraints != 1) {
+        return;
+    }
+    const double depth_mm = (felt.p_WG - tick.p_WH).dot(felt.n_W);
+    const bool slides = felt.friction() == haptics::Friction::Slides;
+    state.friction = {tick.p_WH + depth_mm * felt.n_W, felt.n_W,
+                      depth_mm * (slides ? tissue.friction_dynamic : tissue.friction_static)};
 }
 
 void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state)

@@ -184,6 +184,9 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
                        : LayerLook{};
         });
         showInner(tick, reading.layers, state);
+        if (tick.felt.structure < m_model.rowCount()) {
+            showFriction(tick, m_model.structure(tick.felt.structure).tissue, state);
+        }
     }
     if (!m_shown.isPresent || state.innerCount != m_shown.innerCount || state.p_WH != m_shown.p_WH ||
         state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {

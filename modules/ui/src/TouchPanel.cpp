@@ -114,7 +114,8 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
 
 void TouchPanel::setLayers(std::vector<FeltLayer> layers)
 {
-    if (layers.size() < 2) {
+    const bool hasFriction = !layers.empty() && layers.front().friction != haptics::Friction::None;
+    if (layers.size() < 2 && !hasFriction) { // name and force stand above
         m_layers->clear();
         m_layers->setAccessibleDescription({});
         return;

@@ -49,6 +49,8 @@ TouchCursor::TouchCursor()
     , m_outline(makeRing(0.5 * kBall_px + 0.4, 0.5 * kBall_px + 1.8, kLight, 0.5))
     , m_hipDark(makeRing(1.6, 5.4, kDarkRim, 0.0))
     , m_hip(makeRing(2.5, 4.5, kLight, 0.5))
+    , m_disc(makeRing(0.0, 1.0, kLight, 0.0))
+    , m_discRim(makeRing(0.96, 1.0, kLight, 0.0))
     , m_springDark(3.6, kDarkRim)
     , m_spring(1.6, kLight)
 {
@@ -57,6 +59,8 @@ TouchCursor::TouchCursor()
         inner.light = makeRing(3.7, 5.0, kLight, kInnerLift_px + 0.2);
         inner.mark = makeRing(0.0, 3.8, kLight, kInnerLift_px + 0.4);
     }
+    m_disc->GetProperty()->SetOpacity(0.16);
+    m_discRim->GetProperty()->SetOpacity(0.6);
     m_ball->GetProperty()->SetAmbient(0.35);
     m_ball->GetProperty()->SetDiffuse(0.7);
     m_ball->GetProperty()->SetSpecular(0.35);
@@ -75,6 +79,8 @@ void TouchCursor::addTo(vtkRenderer& solid, vtkRenderer& overlay)
          {m_springDark.actor(), m_spring.actor(), m_outlineDark.Get(), m_outline.Get(), m_hipDark.Get(), m_hip.Get()}) {
         overlay.AddActor(flat);
     }
+    overlay.AddActor(m_disc);
+    overlay.AddActor(m_discRim);
     for (const InnerMark& inner : m_inner) {
         for (vtkActor* flat : {inner.dark.Get(), inner.light.Get(), inner.mark.Get()}) {
             overlay.AddActor(flat);
@@ -106,6 +112,7 @@ void TouchCursor::place(const ViewFrame& frame)
     m_hipDark->SetVisibility(isThere);
     m_arrow.setVisible(false);
     placeInner(frame, isTouching);
+    placeFriction(isTouching);
     if (!isThere) {
         return;
     }
@@ -132,6 +139,24 @@ void TouchCursor::place(const ViewFrame& frame)
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
 }
 
+void TouchCursor::placeFriction(bool isTouching)
+{
+    const TouchState::FrictionDisc& disc = m_state.friction;
+    const bool isShown = isTouching && disc.radius_mm > 0.0 && disc.p_W.allFinite() && disc.n_W.allFinite();
+    const Vec3 u = disc.n_W.unitOrthogonal(), v = disc.n_W.cross(u);
+    for (vtkActor* flat : {m_disc.Get(), m_discRim.Get()}) {
+        flat->SetVisibility(isShown);
+        vtkNew<vtkMatrix4x4> X;
+        for (int i = 0; i < 3; ++i) {
+            X->SetElement(i, 0, disc.radius_mm * u[i]);
+            X->SetElement(i, 1, disc.radius_mm * v[i]);
+            X->SetElement(i, 2, disc.n_W[i]);
+            X->SetElement(i, 3, disc.p_W[i]);
+        }
+        flat->SetUserMatrix(X);
+    }
+}
+
 void TouchCursor::placeInner(const ViewFrame& frame, bool isTouching)
 {
     for (std::size_t i = 0; i < m_inner.size(); ++i) {
@@ -155,6 +180,11 @@ core::Box TouchCursor::bounds() const
     }
     box.extend(m_state.p_WH);
     box.extend(m_state.p_WG);
+    if (m_state.isInContact && m_state.friction.radius_mm > 0.0 && m_state.friction.p_W.allFinite()) {
+        const Vec3 half = Vec3::Constant(m_state.friction.radius_mm);
+        box.extend(Vec3(m_state.friction.p_W - half));
+        box.extend(Vec3(m_state.friction.p_W + half));
+    }
     for (std::size_t i = 0; i < std::min(m_state.innerCount, m_state.inner.size()); ++i) {
         if (m_state.inner[i].p_WG.allFinite()) {
             box.extend(m_state.inner[i].p_WG);

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/TouchHistory.h"
 
+#include <palpate/core/Tissue.h>
 #include <palpate/servo/TickRecord.h>
 #include <palpate/view/TouchCursor.h>
 
@@ -23,6 +24,8 @@ struct FeltLayer
     double force_N = 0.0; ///< length of its share of the force
     double along_N = 0.0; ///< its share along the whole force: these add up to it
     double depth_mm = 0.0;
+    haptics::Friction friction = haptics::Friction::None;
+    double sideways_N = 0.0; ///< part of its share along the surface
 };
 
 /// What a structure is called and how it is drawn.
@@ -34,6 +37,9 @@ struct LayerLook
 /// @param structure  number in the scene that was felt
 using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 
+/// "holds 0.4 N" or "slides 0.4 N": what friction does to a layer; empty without it.
+[[nodiscard]] QString frictionText(const FeltLayer& layer);
+
 /// The layers that a tick touches, outermost first.
 /// @param shown_N  length of the force that the hand gets [N]: shares are those of the model, in proportion
 [[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
@@ -43,6 +49,9 @@ using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 [[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);
 /// What the chart keeps of them.
 [[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers);
+/// Puts the disc within which friction holds the god-object into the cursor: for the outermost layer, on a face.
+/// @param tissue  of the structure that is reported
+void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state);
 /// Puts the god-objects below the reported one into the cursor.
 void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state);
 

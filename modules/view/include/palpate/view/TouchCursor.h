@@ -19,6 +19,15 @@ struct TouchState
     bool isInContact = false;
     bool isPresent = false; ///< false: no hand, nothing is drawn
 
+    /// Where friction holds the god-object: a disc about where it would stand without.
+    struct FrictionDisc
+    {
+        Vec3 p_W = Vec3::Zero();  ///< [mm]
+        Vec3 n_W = Vec3::UnitZ(); ///< unit normal of the surface
+        double radius_mm = 0.0;   ///< 0: none
+    };
+    FrictionDisc friction{};
+
     /// A god-object that a layer below the outermost one holds.
     struct Inner
     {
@@ -31,7 +40,8 @@ struct TouchState
 };
 
 /// The hand in the view: the god-object as a ball on the surface, the HIP as a small ring, the spring between them and
-/// the force; god-objects of inner layers are discs in their structures' colours. Sizes are of the screen, so it reads
+/// the force; god-objects of inner layers are discs in their structures' colours, and a faint disc on the surface shows
+/// where friction holds. Sizes are of the screen, so it reads
 /// the same on a vessel and on a body.
 class TouchCursor
 {
@@ -57,11 +67,13 @@ class TouchCursor
     [[nodiscard]] vtkActor* ball() const noexcept { return m_ball; }
     [[nodiscard]] vtkActor* hipRing() const noexcept { return m_hip; }
     [[nodiscard]] vtkActor* springLine() const noexcept { return m_spring.actor(); }
+    [[nodiscard]] vtkActor* frictionDisc() const noexcept { return m_disc; }
     /// @param i  < TouchState::kMostInner
     [[nodiscard]] vtkActor* innerMark(std::size_t i) const noexcept { return m_inner[i].mark; }
     [[nodiscard]] const ForceArrow& arrow() const noexcept { return m_arrow; }
 
   private:
+    void placeFriction(bool isTouching);
     void placeInner(const ViewFrame& frame, bool isTouching);
 
     vtkSmartPointer<vtkActor> m_ball;
@@ -70,6 +82,7 @@ class TouchCursor
     vtkSmartPointer<vtkActor> m_outline;
     vtkSmartPointer<vtkActor> m_hipDark;
     vtkSmartPointer<vtkActor> m_hip;
+    vtkSmartPointer<vtkActor> m_disc, m_discRim; ///< of friction
     BillboardLine m_springDark;
     BillboardLine m_spring;
     ForceArrow m_arrow;
