@@ -81,7 +81,7 @@ class SurfaceColours : public QObject
                 ++v;
             }
             const view::Colour expected =
-                v == 2 ? view::kUnknownColour : view::cividis((values[v] - range.low) / (range.high - range.low));
+                v == 2 ? view::kUnknownColour : view::surfaceColour((values[v] - range.low) / (range.high - range.low));
             QVERIFY(isNear(colourAt(colours, i), expected));
             grey += v == 2 ? 1 : 0;
         }
@@ -97,7 +97,8 @@ class SurfaceColours : public QObject
         const auto coloured = view::coloured(*picture, cube, values, true, view::colourRange(values));
         vtkDataArray* colours = coloured->GetCellData()->GetScalars();
         QVERIFY(colours != nullptr && coloured->GetPointData()->GetScalars() == nullptr);
-        QVERIFY(isNear(colourAt(colours, 2), view::cividis(0.0)) && isNear(colourAt(colours, 3), view::cividis(1.0)));
+        QVERIFY(isNear(colourAt(colours, 2), view::surfaceColour(0.0)) &&
+                isNear(colourAt(colours, 3), view::surfaceColour(1.0)));
     }
     void valuesOfAnotherSurfaceAreLeftOut()
     {

@@ -85,7 +85,7 @@ std::string number(double value, const char* before)
 } // namespace
 
 ColourLegend::ColourLegend()
-    : m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return cividis(t); })))
+    : m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
     , m_grey(makeColumn(2, colourRows(2, [](double) { return kUnknownColour; })))
 {
     for (auto& text : m_texts) {

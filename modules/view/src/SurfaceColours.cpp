@@ -15,13 +15,14 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kCutShare = 0.02; // at each end
+constexpr double kCutShare = 0.02;  // at each end
+constexpr double kLightened = 0.18; // of the way to white
 
 std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range)
 {
     const double width = range.high - range.low;
     const Colour colour =
-        !std::isfinite(value) ? kUnknownColour : cividis(width > 0.0 ? (double{value} - range.low) / width : 0.5);
+        !std::isfinite(value) ? kUnknownColour : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5);
     std::array<unsigned char, 3> bytes{};
     for (std::size_t c = 0; c < bytes.size(); ++c) {
         bytes[c] = static_cast<unsigned char>(std::lround(255.0 * colour[c]));
@@ -30,6 +31,15 @@ std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range)
 }
 
 } // namespace
+
+Colour surfaceColour(double t) noexcept
+{
+    Colour colour = cividis(t);
+    for (double& c : colour) {
+        c += kLightened * (1.0 - c);
+    }
+    return colour;
+}
 
 ColourRange colourRange(std::span<const float> values)
 {

@@ -13,7 +13,11 @@
 namespace palpate::view {
 
 /// Of what the colours do not tell.
-inline constexpr Colour kUnknownColour{0.62, 0.62, 0.62};
+inline constexpr Colour kUnknownColour{0.88, 0.88, 0.88};
+
+/// The colour of a number: cividis, lightened so that the shape of a surface still reads where it is dark.
+/// @param t  0 … 1, clamped
+[[nodiscard]] Colour surfaceColour(double t) noexcept;
 
 /// The numbers at the ends of a colour map.
 struct ColourRange
@@ -27,7 +31,7 @@ struct ColourRange
 /// these are one number, from the least to the largest; {0, 1} without any number.
 [[nodiscard]] ColourRange colourRange(std::span<const float> values);
 
-/// Colours a picture by numbers, with cividis; unknown ones are grey.
+/// Colours a picture by numbers, with `surfaceColour`; unknown ones are light grey.
 /// @param picture  made of `surface` by `makeSurface`; its points and triangles are shared, not copied
 /// @param values  one for each vertex of the surface, or each triangle; else the colours are left out
 /// @return a picture with colours at its points or triangles. @par Cost O(triangles). @par Thread Any.
