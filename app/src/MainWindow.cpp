@@ -255,6 +255,7 @@ void MainWindow::connectLoading()
 
     connect(&m_loader, &SceneLoader::progressed, this, [this](const QString& what, double share) {
         m_hint->setText(what);
+        m_progress->setRange(0, 1000);
         m_progress->setValue(static_cast<int>(share * 1000.0));
         m_progress->show();
         m_cancel->show();
@@ -284,10 +285,13 @@ void MainWindow::connectLoading()
     connect(&m_model, &StructureModel::edited, this, &MainWindow::followModel);
     connect(&m_model, &StructureModel::mapsWanted, this, [this](int row) {
         say(tr("Reading what varies over %1…").arg(readableName(m_model.structure(row).name)), 60000);
+        m_progress->setRange(0, 0); // how long it takes isn't known
+        m_progress->show();
         m_loader.buildMaps(row, m_model.rows()[static_cast<std::size_t>(row)].loaded);
     });
     connect(&m_loader, &SceneLoader::mapsBuilt, this,
             [this](int row, const std::shared_ptr<meshio::LoadedStructure>& found, const QStringList& problems) {
+                m_progress->setVisible(m_loader.isBusy());
                 m_model.setMaps(row, found->description.maps, found->maps, problems);
                 say(problems.isEmpty() ? tr("The map of %1 is felt.").arg(readableName(found->description.name))
                                        : problems.join(QLatin1Char(' ')));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/ColourLegend.h"
 
+#include "palpate/view/Billboard.h"
+
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkNew.h>
@@ -12,6 +14,7 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -49,13 +52,14 @@ vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsign
     return actor;
 }
 
-void placeColumn(vtkActor2D& column, int rows, double low_px, double height_px, double ratio)
+/// @param box  left, right, low, high in device pixels
+void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box)
 {
     auto* shape = vtkPolyDataMapper2D::SafeDownCast(column.GetMapper())->GetInput();
     for (vtkIdType row = 0; row < rows; ++row) {
-        const double y = ratio * (low_px + height_px * static_cast<double>(row) / (rows - 1));
-        shape->GetPoints()->SetPoint(2 * row, ratio * kBarLeft_px, y, 0.0);
-        shape->GetPoints()->SetPoint(2 * row + 1, ratio * (kBarLeft_px + kBarWidth_px), y, 0.0);
+        const double y = box[2] + (box[3] - box[2]) * static_cast<double>(row) / (rows - 1);
+        shape->GetPoints()->SetPoint(2 * row, box[0], y, 0.0);
+        shape->GetPoints()->SetPoint(2 * row + 1, box[1], y, 0.0);
     }
     shape->GetPoints()->Modified();
     shape->Modified();
@@ -85,20 +89,23 @@ std::string number(double value, const char* before)
 } // namespace
 
 ColourLegend::ColourLegend()
-    : m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
+    : m_back(makeColumn(2, colourRows(2, [](double) { return kDarkRim; })))
+    , m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
     , m_grey(makeColumn(2, colourRows(2, [](double) { return kUnknownColour; })))
 {
     for (auto& text : m_texts) {
         text = vtkSmartPointer<vtkTextActor>::New();
         text->GetTextProperty()->SetVerticalJustificationToCentered();
+        text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
         text->VisibilityOff();
     }
+    m_back->GetProperty()->SetOpacity(0.5);
     m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
-    setColour({1.0, 1.0, 1.0});
 }
 
 void ColourLegend::addTo(vtkRenderer& renderer)
 {
+    renderer.AddActor2D(m_back);
     renderer.AddActor2D(m_bar);
     renderer.AddActor2D(m_grey);
     for (const auto& text : m_texts) {
@@ -116,6 +123,7 @@ void ColourLegend::show(const Content& content)
     m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "").c_str());
     m_texts[4]->SetInput(content.unknown.c_str());
     m_hasUnknown = range.hasUnknown;
+    m_back->VisibilityOn();
     m_bar->VisibilityOn();
     m_grey->SetVisibility(m_hasUnknown);
     for (const auto& text : m_texts) {
@@ -126,6 +134,7 @@ void ColourLegend::show(const Content& content)
 
 void ColourLegend::hide()
 {
+    m_back->VisibilityOff();
     m_bar->VisibilityOff();
     m_grey->VisibilityOff();
     for (const auto& text : m_texts) {
@@ -142,27 +151,35 @@ std::array<std::string, 5> ColourLegend::texts() const
     return texts;
 }
 
-void ColourLegend::place(double pixelRatio)
+void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
 {
+    if (!isShown()) {
+        return;
+    }
     const double r = pixelRatio;
-    placeColumn(*m_bar, kColourRows, kBarLow_px, kBarHeight_px, r);
-    placeColumn(*m_grey, 2, kGreyLow_px, kGreyHeight_px, r);
-    const double beside = r * (kBarLeft_px + kBarWidth_px + kBeside_px);
-    m_texts[0]->SetPosition(r * kBarLeft_px, r * (kBarLow_px + kBarHeight_px + 12.0));
-    m_texts[1]->SetPosition(beside, r * (kBarLow_px + kBarHeight_px));
-    m_texts[2]->SetPosition(beside, r * (kBarLow_px + 0.5 * kBarHeight_px));
-    m_texts[3]->SetPosition(beside, r * kBarLow_px);
-    m_texts[4]->SetPosition(beside, r * (kGreyLow_px + 0.5 * kGreyHeight_px));
+    const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
+    const double low = r * kBarLow_px, high = r * (kBarLow_px + kBarHeight_px);
+    const double greyLow = r * kGreyLow_px, greyHigh = r * (kGreyLow_px + kGreyHeight_px);
+    placeColumn(*m_bar, kColourRows, {left, right, low, high});
+    placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
+    const double beside = right + r * kBeside_px;
+    m_texts[0]->SetPosition(left, high + 12.0 * r);
+    m_texts[1]->SetPosition(beside, high);
+    m_texts[2]->SetPosition(beside, 0.5 * (low + high));
+    m_texts[3]->SetPosition(beside, low);
+    m_texts[4]->SetPosition(beside, 0.5 * (greyLow + greyHigh));
+    double end = right, top = high;
     for (const auto& text : m_texts) {
         text->GetTextProperty()->SetFontSize(static_cast<int>(14.0 * r));
+        if (text->GetVisibility() != 0) {
+            double size[2] = {0.0, 0.0};
+            text->GetSize(&renderer, size);
+            end = std::max(end, text->GetPosition()[0] + size[0]);
+            top = std::max(top, text->GetPosition()[1] + (text == m_texts[0] ? size[1] : 0.0));
+        }
     }
-}
-
-void ColourLegend::setColour(const Colour& colour)
-{
-    for (const auto& text : m_texts) {
-        text->GetTextProperty()->SetColor(colour[0], colour[1], colour[2]);
-    }
+    const double room = r * kBeside_px;
+    placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});
 }
 
 } // namespace palpate::view

@@ -106,7 +106,6 @@ void SceneView::setBackground(const Colour& bottom, const Colour& top, const Col
     m_solid->SetBackground(bottom[0], bottom[1], bottom[2]);
     m_solid->SetBackground2(top[0], top[1], top[2]);
     m_scaleBar.setColour(text);
-    m_legend.setColour(text);
 }
 
 double SceneView::aspect() const
@@ -193,7 +192,7 @@ void SceneView::prepareFrame(double pixelRatio)
     }
     const int* size = m_solid->GetSize();
     m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, size[0]);
-    m_legend.place(pixelRatio);
+    m_legend.place(*m_overlay, pixelRatio);
     if (m_window != nullptr) {
         m_cube.place(camera(), m_window->GetSize(), pixelRatio);
     }

@@ -32,11 +32,11 @@ class ColourLegend
     [[nodiscard]] bool isShown() const { return m_bar->GetVisibility() != 0; }
     /// Its words from the top: title, largest, middle, least number, and what grey means where it is there.
     [[nodiscard]] std::array<std::string, 5> texts() const;
-    /// @param pixelRatio  device pixels of one logical pixel
-    void place(double pixelRatio);
-    void setColour(const Colour& colour);
+    /// @param renderer  that it was added to; @param pixelRatio  device pixels of one logical pixel
+    void place(vtkRenderer& renderer, double pixelRatio);
 
   private:
+    vtkSmartPointer<vtkActor2D> m_back; ///< behind it all, so that it reads on bright tissue
     vtkSmartPointer<vtkActor2D> m_bar;
     vtkSmartPointer<vtkActor2D> m_grey;
     std::array<vtkSmartPointer<vtkTextActor>, 5> m_texts;
