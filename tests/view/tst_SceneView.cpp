@@ -195,6 +195,7 @@ class SceneView : public QObject
         const std::pair<const char*, view::ViewFrom> views[] = {
             {"front", view::ViewFrom::Front}, {"back", view::ViewFrom::Back}, {"left", view::ViewFrom::Left},
             {"right", view::ViewFrom::Right}, {"head", view::ViewFrom::Head}, {"feet", view::ViewFrom::Feet}};
+        m_view->legend().show({"ball\ndamping felt, N·s/mm", "nothing said", {0.001, 0.02, true, true, true}});
         for (const auto& [name, from] : views) {
             m_view->look(from);
             (void)pixel(0, 0);

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kColourRows = 10; // of colours; between them it is even
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
+constexpr double kLeastHeight_px = 50.0, kTitle_px = 60.0;
 constexpr double kBarLow_px = 150.0; // above the orientation cube and what grey means
 constexpr double kGreyLow_px = 122.0, kGreyHeight_px = 16.0, kBeside_px = 8.0;
 
@@ -158,11 +159,14 @@ void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
     }
     const double r = pixelRatio;
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
-    const double low = r * kBarLow_px, high = r * (kBarLow_px + kBarHeight_px);
+    const double room = r * kBeside_px;
+    const double low = r * kBarLow_px;
+    const double above = renderer.GetSize()[1] - low - r * kTitle_px - room; // a low view has a shorter bar
+    const double high = low + std::clamp(above, r * kLeastHeight_px, r * kBarHeight_px);
     const double greyLow = r * kGreyLow_px, greyHigh = r * (kGreyLow_px + kGreyHeight_px);
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
-    const double beside = right + r * kBeside_px;
+    const double beside = right + room;
     m_texts[0]->SetPosition(left, high + 12.0 * r);
     m_texts[1]->SetPosition(beside, high);
     m_texts[2]->SetPosition(beside, 0.5 * (low + high));
@@ -178,7 +182,6 @@ void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
             top = std::max(top, text->GetPosition()[1] + (text == m_texts[0] ? size[1] : 0.0));
         }
     }
-    const double room = r * kBeside_px;
     placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});
 }
 
