@@ -2,6 +2,7 @@
 #include "InfoReport.h"
 
 #include "Console.h"
+#include "MapReport.h"
 #include "QtText.h"
 
 #include <palpate/haptics/ForceTable.h>
@@ -150,6 +151,9 @@ void printReport(const FileReport& report)
         if (const std::string law = lawLine(structure.description.tissue); !law.empty()) {
             print("    law: %s\n", law.c_str());
         }
+        for (const std::string& line : mapLines(structure)) {
+            print("    %s\n", line.c_str());
+        }
         if (const auto& e = report.examined[i]) {
             print("    %s\n", crossings(*e, r.triangles).c_str());
             if (const std::string line = wall(*e); !line.empty()) {
@@ -268,6 +272,7 @@ QJsonObject toJson(const meshio::LoadedStructure& structure, const session::Stru
     if (structure.description.tissue.law.kind != core::LawKind::Linear) {
         object["law"] = lawObject(structure.description.tissue);
     }
+    addMaps(structure, object);
     add(examined, r.triangles, object, sentences);
     object["findings"] = sentences;
     if (!r.bounds.isEmpty()) {

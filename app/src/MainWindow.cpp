@@ -156,6 +156,8 @@ void MainWindow::makeDocks()
     };
     m_structures = new StructurePanel(m_model, this);
     m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
+    m_maps = new MapDisplay(*m_viewport, m_model, this);
+    m_maps->setGreatest(m_live.greatestTissue());
     m_touch = new TouchPanel(this);
     m_touch->setForceLimit(m_live.deviceInfo().maxForce_N);
     m_session = new SessionPanel(this);
@@ -253,6 +255,7 @@ void MainWindow::connectLoading()
 
     connect(&m_loader, &SceneLoader::progressed, this, [this](const QString& what, double share) {
         m_hint->setText(what);
+        m_progress->setRange(0, 1000);
         m_progress->setValue(static_cast<int>(share * 1000.0));
         m_progress->show();
         m_cancel->show();
@@ -280,6 +283,20 @@ void MainWindow::connectLoading()
                 m_model.setTouch(row, touch, sha256.toStdString());
             });
     connect(&m_model, &StructureModel::edited, this, &MainWindow::followModel);
+    connect(&m_model, &StructureModel::mapsWanted, this, [this](int row) {
+        say(tr("Reading what varies over %1…").arg(readableName(m_model.structure(row).name)), 60000);
+        m_progress->setRange(0, 0); // how long it takes isn't known
+        m_progress->show();
+        m_loader.buildMaps(row, m_model.rows()[static_cast<std::size_t>(row)].loaded);
+    });
+    connect(&m_loader, &SceneLoader::mapsBuilt, this,
+            [this](int row, const std::shared_ptr<meshio::LoadedStructure>& found, const QStringList& problems) {
+                m_progress->setVisible(m_loader.isBusy());
+                m_model.setMaps(row, found->description.maps, found->maps, problems);
+                say(problems.isEmpty() ? tr("The map of %1 is felt.").arg(readableName(found->description.name))
+                                       : problems.join(QLatin1Char(' ')));
+            });
+    connect(m_structures, &StructurePanel::colourChosen, m_maps, &MapDisplay::show);
 }
 
 void MainWindow::connectTouch()
@@ -305,8 +322,10 @@ void MainWindow::connectTouch()
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
-    connect(&m_live, &LiveTouch::greatestChanged, this,
-            [this] { m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText()); });
+    connect(&m_live, &LiveTouch::greatestChanged, this, [this] {
+        m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
+        m_maps->setGreatest(m_live.greatestTissue());
+    });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
     connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
     connect(m_fitSceneAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Scene); });

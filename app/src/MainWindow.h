@@ -7,6 +7,7 @@
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
 #include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/MapDisplay.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
@@ -119,6 +120,7 @@ class MainWindow : public QMainWindow
     palpate::ui::TouchPanel* m_touch = nullptr;
     palpate::ui::SessionPanel* m_session = nullptr;
     palpate::ui::HandPanel* m_hand = nullptr;
+    palpate::ui::MapDisplay* m_maps = nullptr;
     palpate::ui::HandControl* m_handControl = nullptr;
     palpate::ui::PalpationController* m_palpation = nullptr;
     palpate::ui::Playback* m_playback = nullptr;

@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 using namespace palpate;
 using core::Vec3;
@@ -93,6 +94,37 @@ class CommandLine : public QObject
             bytes.append(2, '\0');
         }
         write(name, bytes);
+    }
+
+    /// The box of the other tests as VTP, with a stiffness that rises with x: 2 + x / 20 times its own; it is not
+    /// known at a corner of the bottom.
+    void writeMappedBox(const char* name) const
+    {
+        const geometry::TriangleMesh box = test::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3);
+        QByteArray scale, points, corners, ends;
+        for (const Vec3& p : box.vertices) {
+            scale += p.maxCoeff() < -9.0 ? "nan " : QByteArray::number(2.0 + p.x() / 20.0, 'g', 17) + ' ';
+            for (const double x : p) {
+                points += QByteArray::number(x, 'g', 17) + ' ';
+            }
+        }
+        for (std::size_t i = 0; i < box.triangles.size(); ++i) {
+            for (const std::uint32_t corner : box.triangles[i]) {
+                corners += QByteArray::number(corner) + ' ';
+            }
+            ends += QByteArray::number(3 * i + 3) + ' ';
+        }
+        const auto array = [](const char* attributes, const QByteArray& values) {
+            return "<DataArray " + QByteArray(attributes) + " format=\"ascii\">" + values + "</DataArray>";
+        };
+        write(name, "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">"
+                    "<PolyData><Piece NumberOfPoints=\"" +
+                        QByteArray::number(box.vertices.size()) + "\" NumberOfPolys=\"" +
+                        QByteArray::number(box.triangles.size()) + "\"><PointData>" +
+                        array("type=\"Float64\" Name=\"StiffnessScale\"", scale) + "</PointData><Points>" +
+                        array("type=\"Float64\" NumberOfComponents=\"3\"", points) + "</Points><Polys>" +
+                        array("type=\"Int64\" Name=\"connectivity\"", corners) +
+                        array("type=\"Int64\" Name=\"offsets\"", ends) + "</Polys></Piece></PolyData></VTKFile>");
     }
 
     Outcome run(const QStringList& arguments) const
@@ -313,6 +345,64 @@ class CommandLine : public QObject
         QVERIFY(summary["solve_ns"].toObject().contains("p99.9"));
         QVERIFY(outcome.out.contains("ticks 1,000"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 4);
+    }
+
+    void anArrayOfTheMeshIsFelt()
+    {
+        writeMappedBox("mapped.vtp");
+        const auto check = [this](const QStringList& more, const std::function<Vec3(const Row&)>& expected) {
+            const Outcome outcome =
+                run(QStringList{"replay", "mapped.vtp", "--motion", "m.csv", "--out", "t.csv"} + more);
+            QVERIFY2(outcome.exitCode == 0, outcome.error.constData());
+            int contacts = 0;
+            for (const Row& row : rows("t.csv")) {
+                if (row.constraints == 1) {
+                    ++contacts;
+                    QVERIFY((row.force - expected(row)).norm() <= 2e-6); // the scale is a float
+                }
+            }
+            QVERIFY(contacts > 300);
+        };
+        // f = s F(d) n - W(d) grad s, with F = k d and W = k d^2 / 2.
+        check({}, [](const Row& row) {
+            const double d = row.god.z() - row.hip.z(), s = 2.0 + row.god.x() / 20.0;
+            return Vec3(-0.25 * d * d / 20.0, 0.0, s * 0.5 * d);
+        });
+        check({"--stiffness", "0.5"}, [](const Row& row) { return Vec3(0.5 * (row.god - row.hip)); });
+    }
+
+    void infoNamesArraysAndWhatIsFeltOfThem()
+    {
+        writeMappedBox("mapped.vtp");
+        const Outcome told = run({"info", "mapped.vtp"});
+        QCOMPARE(told.exitCode, 0);
+        QVERIFY2(told.out.contains("    array \"StiffnessScale\" (point): 1.5 to 2.5; 1 of 56 not known\n"),
+                 told.out.constData());
+        QVERIFY2(told.out.contains("    map: stiffness by the array \"StiffnessScale\" (scale): felt as 0.75 to 1.25 "
+                                   "N/mm; 1 of 56 places say nothing: 0.5 is felt there\n"),
+                 told.out.constData());
+        const QJsonObject json = QJsonDocument::fromJson(run({"info", "mapped.vtp", "--json"}).out)
+                                     .array()[0]
+                                     .toObject()["structures"]
+                                     .toArray()[0]
+                                     .toObject();
+        const QJsonObject array = json["arrays"].toArray()[0].toObject();
+        QCOMPARE(array["name"].toString(), QString("StiffnessScale"));
+        QCOMPARE(array["of"].toString(), QString("point"));
+        QCOMPARE(array["least"].toDouble(), 1.5);
+        QCOMPARE(array["greatest"].toDouble(), 2.5);
+        QCOMPARE(array["missing"].toInt(), 1);
+        const QJsonObject map = json["maps"].toArray()[0].toObject();
+        QCOMPARE(map["quantity"].toString(), QString("stiffness"));
+        QCOMPARE(map["array"].toString(), QString("StiffnessScale"));
+        QCOMPARE(map["unit"].toString(), QString("scale"));
+        QCOMPARE(map["felt_least"].toDouble(), 0.75);
+        QCOMPARE(map["felt_greatest"].toDouble(), 1.25);
+        QCOMPARE(map["felt_unit"].toString(), QString("N/mm"));
+        QCOMPARE(map["felt_where_missing"].toDouble(), 0.5);
+        QCOMPARE(map["missing"].toInt(), 1);
+        const QByteArray plain = run({"info", "box.stl", "--json"}).out;
+        QVERIFY(!plain.contains("\"arrays\"") && !plain.contains("\"maps\""));
     }
 
     void tissueIsOverridden()

@@ -129,6 +129,41 @@ class SceneView : public QObject
         QCOMPARE(view::roundScaleLength(50.0), 50.0);
         QCOMPARE(view::roundScaleLength(0.0123), 0.01);
     }
+    void aMapColoursTheStructureAndTheLegendSaysIt()
+    {
+        const auto ball = geometry::repair(test::ball(20.0, 4));
+        std::vector<float> values;
+        for (const Vec3& p : ball.mesh.vertices) {
+            values.push_back(p.x() < 0.0 ? 1.0F : 4.0F);
+        }
+        const view::ColourRange range = view::colourRange(values);
+        const auto plain = view::makeSurface(ball);
+        QVERIFY(!m_view->legend().isShown());
+        const auto before = pixel(28, 155); // where its bar will be
+        m_view->setPicture(0, view::coloured(*plain, ball, values, false, range));
+        m_view->legend().show({"ball: felt, N/mm", "not said", range});
+        const auto soft = pixel(160, 150), stiff = pixel(240, 150), bar = pixel(28, 155);
+        QVERIFY2(soft[2] > soft[0] + 15, "dark blue"); // 1
+        QVERIFY2(stiff[0] > stiff[2] + 60 && stiff[1] > stiff[2] + 40, "yellow");
+        QVERIFY2(std::abs(bar[0] - 46) < 8 && std::abs(bar[1] - 72) < 8 && bar[2] > bar[0] + 50 && bar != before,
+                 "dark blue");
+        const auto texts = m_view->legend().texts();
+        QVERIFY(texts[0] == "ball: felt, N/mm" && texts[1] == "4" && texts[2] == "2.5" && texts[3] == "1");
+        QVERIFY(texts[4].empty()); // nothing is grey
+        const auto pick = m_view->pick(m_view->rayThrough(200, 150));
+        QVERIFY(pick && pick->structure == 0);
+        // Translucent it keeps its colours and lets the inner one through.
+        m_view->setAppearance(0, {{0.9, 0.1, 0.1}, 0.4, true});
+        const auto through = pixel(200, 150), side = pixel(252, 150);
+        QVERIFY(through[2] > stiff[2]);
+        QVERIFY(side[0] > side[2]);
+        m_view->setAppearance(0, {{0.9, 0.1, 0.1}, 1.0, true});
+        m_view->setPicture(0, plain);
+        m_view->legend().hide();
+        const auto red = pixel(240, 150);
+        QVERIFY(red[0] > 2 * red[1]);
+        QVERIFY(pixel(28, 155) == before);
+    }
     void occlusionAndSmoothEdgesKeepThePicture()
     {
         m_view->setAmbientOcclusion(true);
@@ -160,6 +195,7 @@ class SceneView : public QObject
         const std::pair<const char*, view::ViewFrom> views[] = {
             {"front", view::ViewFrom::Front}, {"back", view::ViewFrom::Back}, {"left", view::ViewFrom::Left},
             {"right", view::ViewFrom::Right}, {"head", view::ViewFrom::Head}, {"feet", view::ViewFrom::Feet}};
+        m_view->legend().show({"ball\ndamping felt, N·s/mm", "nothing said", {0.001, 0.02, true, true, true}});
         for (const auto& [name, from] : views) {
             m_view->look(from);
             (void)pixel(0, 0);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/LoadScene.h"
 #include "palpate/meshio/MeshFormats.h"
+#include "palpate/meshio/SurfaceMaps.h"
 
 #include "AnatomyColours.h"
 #include "Fault.h"
-#include "ResolveMaps.h"
 
 #include <palpate/core/Parallel.h>
 

@@ -213,11 +213,14 @@ void LiveTouch::tellRefused()
     const haptics::Tissue greatest = greatestTissue();
     const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(greatest);
     const auto number = [](double stiffness_N_per_mm) { return QLocale().toString(stiffness_N_per_mm, 'g', 3); };
+    const auto wanted = [this] { return m_model.feltStructures(core::unbounded()); };
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
-        const double asked = haptics::greatestStiffness(one.tissue);
-        const double is = study::greatestStiffness(felt[static_cast<std::size_t>(row)]);
+        const auto at = static_cast<std::size_t>(row);
+        const double asked = felt[at].maps.stiffness.isEmpty() ? haptics::greatestStiffness(one.tissue)
+                                                               : study::greatestStiffness(wanted()[at]);
+        const double is = study::greatestStiffness(felt[at]);
         if (one.palpable && asked > is * (1.0 + kRounding)) {
             // Short enough for a line below the picture; the field of the stiffness says why.
             line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.")

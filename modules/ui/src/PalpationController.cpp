@@ -3,6 +3,7 @@
 
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
+#include <palpate/study/FeltMap.h>
 
 namespace palpate::ui {
 
@@ -202,8 +203,11 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
             const haptics::Contact& contact = tick.felt.contacts[i];
             const int row = static_cast<int>(contact.structure);
-            reading.stiffness_N_per_mm +=
-                row < m_model.rowCount() ? haptics::stiffnessAt(m_model.structure(row).tissue, contact.depth_mm) : 0.0;
+            if (row < m_model.rowCount()) {
+                const meshio::LoadedStructure& touched = m_model.rows()[contact.structure].loaded;
+                reading.stiffness_N_per_mm += study::stiffnessScaleAt(touched, contact.triangle, contact.p_WG) *
+                                              haptics::stiffnessAt(touched.description.tissue, contact.depth_mm);
+            }
         }
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/SceneLoader.h"
 
+#include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
@@ -242,6 +243,26 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
             [this, row, touch, hash, job] {
                 if (job == m_job) { // the row is of the scene that is still open
                     Q_EMIT touchBuilt(row, touch, hash);
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
+{
+    m_builders.emplace_back([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), job = m_job] {
+        std::vector<std::string> warnings, losses;
+        meshio::resolveMaps(*made, warnings, losses);
+        QStringList problems;
+        for (const std::string& line : losses) {
+            problems << QString::fromStdString(line);
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, row, made, problems, job] {
+                if (job == m_job) {
+                    Q_EMIT mapsBuilt(row, made, problems);
                 }
             },
             Qt::QueuedConnection);

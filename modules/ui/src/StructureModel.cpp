@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/StructureSources.h>
@@ -132,6 +133,9 @@ void StructureModel::setRows(std::vector<StructureRow> rows)
     beginResetModel();
     m_undo.clear();
     m_rows = std::move(rows);
+    for (StructureRow& row : m_rows) {
+        refreshFelt(row);
+    }
     endResetModel();
 }
 
@@ -167,13 +171,57 @@ void StructureModel::apply(int row, const meshio::SceneStructure& description)
     meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(row)].loaded.description;
     const meshio::SceneStructure before = now;
     now = description;
+    const bool hasOtherMaps = before.maps != now.maps;
+    if (hasOtherMaps) {
+        resolveMaps(row);
+    } else if (before.tissue != now.tissue) {
+        refreshFelt(m_rows[static_cast<std::size_t>(row)]);
+    }
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
         Q_EMIT edited(row, Change::Look);
     }
-    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer) {
+    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer || hasOtherMaps) {
         Q_EMIT edited(row, Change::Touch);
     }
+}
+
+void StructureModel::resolveMaps(int row)
+{
+    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+    const auto& mappings = one.loaded.description.maps;
+    if (mappings && std::any_of(mappings->begin(), mappings->end(), [](const auto& m) { return m.array.empty(); })) {
+        Q_EMIT mapsWanted(row);
+        return;
+    }
+    std::vector<std::string> warnings, losses;
+    meshio::resolveMaps(one.loaded, warnings, losses);
+    one.mapProblems.clear();
+    for (const std::string& line : losses) {
+        one.mapProblems << QString::fromStdString(line);
+    }
+    refreshFelt(one);
+}
+
+void StructureModel::setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
+                             std::vector<meshio::SurfaceMap> maps, const QStringList& problems)
+{
+    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+    if (one.loaded.description.maps != of) {
+        return;
+    }
+    one.loaded.maps = std::move(maps);
+    one.mapProblems = problems;
+    refreshFelt(one);
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    Q_EMIT edited(row, Change::Touch);
+}
+
+/// Lays the maps out for the tick. @par Cost O(triangles) for each map
+void StructureModel::refreshFelt(StructureRow& row)
+{
+    row.felt = row.touch != nullptr && !row.loaded.maps.empty() ? study::tissueMaps(row.loaded, *row.touch)
+                                                                : haptics::TissueMaps();
 }
 
 void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
@@ -181,6 +229,7 @@ void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIn
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     one.touch = std::move(touch);
     one.sha256 = std::move(sha256);
+    refreshFelt(one);
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT edited(row, Change::Touch);
 }
@@ -226,8 +275,8 @@ std::vector<haptics::HapticStructure> StructureModel::feltStructures(const hapti
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
         structures.push_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr));
-        if (structures.back().surface != nullptr && !row.loaded.maps.empty()) {
-            structures.back().maps = study::tissueMaps(row.loaded, *row.touch);
+        if (structures.back().surface != nullptr) {
+            structures.back().maps = row.felt;
         }
     }
     study::boundBy(greatest, structures);

@@ -2,6 +2,7 @@
 #include "palpate/ui/StructurePanel.h"
 
 #include "palpate/ui/LawEditor.h"
+#include "palpate/ui/MapEditor.h"
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchPanel.h"
 
@@ -163,6 +164,7 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     });
     connect(&model, &QAbstractItemModel::dataChanged, this, &StructurePanel::showSelection);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        m_colouredRow = -1;
         bool isAnyDefective = false;
         for (int row = 0; row < m_model.rowCount(); ++row) {
             isAnyDefective = isAnyDefective || m_model.isDefective(row);
@@ -281,6 +283,25 @@ void StructurePanel::addLaw(QFormLayout& form, QWidget* box)
     connect(m_law, &LawEditor::refused, this, &StructurePanel::refuse);
 }
 
+void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
+{
+    m_map = new MapEditor(box);
+    form.insertRow(place, m_map);
+    connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
+        if (!m_isShowing && currentRow() >= 0) {
+            meshio::SceneStructure changed = m_model.structure(currentRow());
+            changed.maps = maps;
+            m_refusal->hide();
+            m_model.edit(currentRow(), changed);
+        }
+    });
+    connect(m_map, &MapEditor::colourChosen, this, [this](const QString& what) {
+        m_colouredRow = currentRow();
+        m_coloured = what;
+        Q_EMIT colourChosen(m_colouredRow, what);
+    });
+}
+
 void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
 {
     m_friction = new QComboBox(box);
@@ -344,6 +365,7 @@ QWidget* StructurePanel::makeTissueBox()
     addPresets(*form, box);
     addTerms(*form, box);
     addLaw(*form, box);
+    addMap(*form, layerRow, box);
     addLayer(*form, layerRow, box);
     m_form = form;
 
@@ -418,6 +440,7 @@ void StructurePanel::showSelection()
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         showTissue(one.tissue);
+        m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
         showLayer(row);
         showBound(row);
     } else {
@@ -484,12 +507,16 @@ QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& fe
 void StructurePanel::showBound(int row)
 {
     const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
-    const double own = haptics::greatestStiffness(m_model.structure(row).tissue);
-    const double is = study::greatestStiffness(felt[static_cast<std::size_t>(row)]);
+    const auto at = static_cast<std::size_t>(row);
+    const bool isMapped = !felt[at].maps.stiffness.isEmpty();
+    const double own = isMapped ? study::greatestStiffness(m_model.feltStructures(core::unbounded())[at])
+                                : haptics::greatestStiffness(m_model.structure(row).tissue);
+    const double is = study::greatestStiffness(felt[at]);
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
     const QLocale locale;
     const QString takers = whoTakes(felt, row);
-    m_bound->setText(tr("felt as %1 N/mm: the device holds %2 N/mm in all%3")
+    m_bound->setText((isMapped ? tr("felt as at most %1 N/mm: the device holds %2 N/mm in all%3")
+                               : tr("felt as %1 N/mm: the device holds %2 N/mm in all%3"))
                          .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }

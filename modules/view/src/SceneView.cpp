@@ -48,6 +48,7 @@ SceneView::SceneView()
     m_cursor.addTo(*m_solid, *m_overlay);
     m_findings.addTo(*m_overlay);
     m_scaleBar.addTo(*m_overlay);
+    m_legend.addTo(*m_overlay);
 }
 
 SceneView::~SceneView()
@@ -84,6 +85,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
         m_solid->RemoveActor(old.picture.actor());
     }
     m_structures = std::move(structures);
+    m_legend.hide();
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
     }
@@ -190,6 +192,7 @@ void SceneView::prepareFrame(double pixelRatio)
     }
     const int* size = m_solid->GetSize();
     m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, size[0]);
+    m_legend.place(*m_overlay, pixelRatio);
     if (m_window != nullptr) {
         m_cube.place(camera(), m_window->GetSize(), pixelRatio);
     }

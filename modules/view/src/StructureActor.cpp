@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/StructureActor.h"
 
+#include <vtkCellData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
@@ -13,9 +15,8 @@ StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearanc
     : m_actor(vtkSmartPointer<vtkActor>::New())
 {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(surface);
-    mapper->ScalarVisibilityOff();
     m_actor->SetMapper(mapper);
+    setPicture(surface);
     vtkProperty* look = m_actor->GetProperty();
     look->SetInterpolationToPhong();
     look->SetAmbient(0.06);
@@ -25,6 +26,16 @@ StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearanc
     vtkNew<vtkProperty> inside;
     m_actor->SetBackfaceProperty(inside);
     setAppearance(appearance);
+}
+
+void StructureActor::setPicture(vtkPolyData* surface)
+{
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(m_actor->GetMapper());
+    mapper->SetInputData(surface);
+    const bool hasColours =
+        surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
+    mapper->SetScalarVisibility(hasColours);
+    mapper->SetColorModeToDirectScalars();
 }
 
 void StructureActor::setAppearance(const Appearance& appearance)

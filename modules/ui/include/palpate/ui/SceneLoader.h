@@ -50,6 +50,8 @@ class SceneLoader : public QObject
     void open(std::vector<std::filesystem::path> files, double unit_mm);
     /// Builds the haptic copy of one structure.
     void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
+    /// Finds what varies over a structure: reads and samples its volumes.
+    void buildMaps(int row, const meshio::LoadedStructure& structure);
     /// Stops as soon as the present step allows; `cancelled` follows.
     void cancel();
     [[nodiscard]] bool isBusy() const noexcept { return m_isBusy; }
@@ -63,6 +65,9 @@ class SceneLoader : public QObject
     void cancelled();
     void touchBuilt(int row, const std::shared_ptr<const palpate::geometry::SurfaceIndex>& touch,
                     const QString& sha256);
+    /// @param structure  with its maps, and the mappings that they were found by; @param problems  one line each
+    void mapsBuilt(int row, const std::shared_ptr<palpate::meshio::LoadedStructure>& structure,
+                   const QStringList& problems);
 
   private:
     struct Job;

@@ -25,6 +25,8 @@ struct StructureRow
     std::shared_ptr<const geometry::SurfaceIndex> touch; ///< null until it is palpable and built
     std::string sha256;                                  ///< geometryHash, where `touch` is
     std::optional<int> in{};                             ///< row of the smallest structure that it lies in
+    haptics::TissueMaps felt{};                          ///< `loaded.maps` for the tick, where `touch` is
+    QStringList mapProblems{};                           ///< why a map can't be had, one sentence an entry
 };
 
 /// The open scene's structures as a table: shown, name and colour, health, felt. One place holds what view, hand, panel
@@ -68,6 +70,10 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
     /// Gives a structure its haptic copy, or takes it back with null.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
+    /// Takes what varies over a structure, as `meshio::resolveMaps` found it on another thread.
+    /// @param of  the mappings that it was found for: nothing happens when the structure has others by now
+    void setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
+                 std::vector<meshio::SurfaceMap> maps, const QStringList& problems);
     /// What was found in the structure's mesh, one sentence an entry, empty when it is clean.
     [[nodiscard]] QStringList findings(int row) const;
 
@@ -97,11 +103,16 @@ class StructureModel : public QAbstractTableModel
 
   Q_SIGNALS:
     void edited(int row, palpate::ui::StructureModel::Change change);
+    /// A structure's maps are of volumes, which take time to read: `setMaps` brings them. Until then the old ones are
+    /// felt.
+    void mapsWanted(int row);
 
   private:
     class Edit;
     class Relayer;
     void apply(int row, const meshio::SceneStructure& description);
+    void resolveMaps(int row);
+    void refreshFelt(StructureRow& row);
 
     std::vector<StructureRow> m_rows;
     QUndoStack m_undo;

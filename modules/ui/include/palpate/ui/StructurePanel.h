@@ -19,6 +19,7 @@ class QTreeView;
 namespace palpate::ui {
 
 class LawEditor;
+class MapEditor;
 struct TouchReading;
 
 /// The list of structures, and look and feel of the selected one.
@@ -35,6 +36,10 @@ class StructurePanel : public QWidget
     void select(int row);
     /// Shows in the curve of the selected structure's law how deep the hand is in it.
     void showTouch(const TouchReading& reading);
+
+  Q_SIGNALS:
+    /// A structure is to be coloured by numbers, and no other. @param what  a `SurfaceNumbers::what`; empty: by none
+    void colourChosen(int row, const QString& what);
 
   protected:
     /// In the list: V shows or hides the selected structure, H makes it felt or not, Ctrl+Down and Ctrl+Up have it felt
@@ -61,6 +66,7 @@ class StructurePanel : public QWidget
     void addTerms(QFormLayout& form, QWidget* box);
     void addPresets(QFormLayout& form, QWidget* box);
     void addLaw(QFormLayout& form, QWidget* box);
+    void addMap(QFormLayout& form, int place, QWidget* box);
     void addFriction(QFormLayout& form, QWidget* box);
     void showTissue(const haptics::Tissue& tissue);
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
@@ -75,6 +81,9 @@ class StructurePanel : public QWidget
     QComboBox* m_preset = nullptr;
     QLabel* m_source = nullptr; ///< of the preset's numbers
     LawEditor* m_law = nullptr;
+    MapEditor* m_map = nullptr;
+    int m_colouredRow = -1;
+    QString m_coloured; ///< by which numbers
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/view/CameraPresets.h"
+#include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
 #include "palpate/view/OrientationCube.h"
 #include "palpate/view/ScaleBar.h"
@@ -30,8 +31,8 @@ struct ScenePick
     RayHit hit;
 };
 
-/// The picture: tissue under a three-point light that moves with the camera, the cursor over it, the patient's axes and
-/// a scale. It draws into a render window that somebody else owns and asks to render.
+/// The picture: tissue under a three-point light that moves with the camera, the cursor over it, the patient's axes,
+/// a scale and a legend of colours. It draws into a render window that somebody else owns and asks to render.
 /// @par Thread One, that of the render window.
 class SceneView
 {
@@ -49,11 +50,14 @@ class SceneView
     [[nodiscard]] std::size_t structureCount() const noexcept { return m_structures.size(); }
     [[nodiscard]] const ViewStructure& structure(std::size_t i) const { return m_structures[i]; }
     void setAppearance(std::size_t i, const Appearance& appearance);
+    /// Shows the same surface with other colours: see `coloured`. What they say is the legend's to tell.
+    void setPicture(std::size_t i, vtkPolyData* surface) { m_structures[i].picture.setPicture(surface); }
     void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
 
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
+    [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
     [[nodiscard]] vtkCamera& camera() noexcept { return *m_solid->GetActiveCamera(); }
@@ -89,6 +93,7 @@ class SceneView
     vtkSmartPointer<vtkRenderer> m_overlay;
     OrientationCube m_cube;
     ScaleBar m_scaleBar;
+    ColourLegend m_legend;
     TouchCursor m_cursor;
     FindingMarkers m_findings;
     std::vector<ViewStructure> m_structures;

@@ -26,6 +26,9 @@ class StructureActor
     explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {});
 
     void setAppearance(const Appearance& appearance);
+    /// Shows the same surface with other colours: those that `coloured` gave it, where it has some, instead of the
+    /// structure's own.
+    void setPicture(vtkPolyData* surface);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 

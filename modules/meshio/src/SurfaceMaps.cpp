@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ResolveMaps.h"
+#include "palpate/meshio/SurfaceMaps.h"
 
 #include "Fault.h"
 #include "SampleVolume.h"
@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate::meshio::internal {
+namespace palpate::meshio {
+
+using namespace internal;
 
 namespace {
 
@@ -18,21 +20,6 @@ using geometry::MeshArray;
 
 constexpr float kNotFelt = std::numeric_limits<float>::quiet_NaN();
 constexpr double kManyMissing = 0.2; ///< share of the values
-
-std::vector<TissueMapping> knownMappings(const geometry::TriangleMesh& mesh)
-{
-    std::vector<TissueMapping> found;
-    for (const core::KnownMap& known : core::kKnownMaps) {
-        if (std::any_of(mesh.arrays.begin(), mesh.arrays.end(),
-                        [&](const MeshArray& a) { return a.name == known.array; })) {
-            TissueMapping& mapping = found.emplace_back();
-            mapping.quantity = known.quantity;
-            mapping.unit = known.unit;
-            mapping.array = known.array;
-        }
-    }
-    return found;
-}
 
 std::string namesOf(const geometry::TriangleMesh& mesh)
 {
@@ -58,8 +45,7 @@ float feltValue(const TissueMapping& mapping, float value)
 
 void noteMissing(const SurfaceMap& map, const std::string& name, std::vector<std::string>& warnings)
 {
-    const auto missing = static_cast<std::size_t>(
-        std::count_if(map.values.begin(), map.values.end(), [](float v) { return std::isnan(v); }));
+    const std::size_t missing = missingValues(map);
     if (missing == 0) {
         return;
     }
@@ -72,10 +58,32 @@ void noteMissing(const SurfaceMap& map, const std::string& name, std::vector<std
 
 } // namespace
 
+std::vector<TissueMapping> knownMappings(const geometry::TriangleMesh& mesh)
+{
+    std::vector<TissueMapping> found;
+    for (const core::KnownMap& known : core::kKnownMaps) {
+        if (std::any_of(mesh.arrays.begin(), mesh.arrays.end(),
+                        [&](const MeshArray& a) { return a.name == known.array; })) {
+            TissueMapping& mapping = found.emplace_back();
+            mapping.quantity = known.quantity;
+            mapping.unit = known.unit;
+            mapping.array = known.array;
+        }
+    }
+    return found;
+}
+
+std::size_t missingValues(const SurfaceMap& map) noexcept
+{
+    return static_cast<std::size_t>(
+        std::count_if(map.values.begin(), map.values.end(), [](float v) { return std::isnan(v); }));
+}
+
 void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses)
 {
     const geometry::TriangleMesh& mesh = structure.surface->mesh;
     const std::string& name = structure.description.name;
+    structure.maps.clear();
     for (const TissueMapping& mapping : structure.description.maps.value_or(knownMappings(mesh))) {
         SurfaceMap map{mapping, false, {}};
         if (mapping.array.empty()) {
@@ -105,4 +113,4 @@ void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
     }
 }
 
-} // namespace palpate::meshio::internal
+} // namespace palpate::meshio

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Tissue.h>
+#include <palpate/meshio/LoadScene.h>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace palpate::study {
+
+/// A map's numbers as a hand feels them.
+struct FeltMap
+{
+    std::string unit; ///< "N/mm", "N·s/mm"; "times the tissue's own" where the tissue's law or friction is scaled
+    std::vector<float> values; ///< one for each of the map's; NaN: the map says nothing there, the tissue's own is felt
+    double own = 1.0;          ///< what is felt there
+    double least = 0.0, greatest = 0.0; ///< of the known values; 0 without any
+};
+
+/// @param most  in the unit of `FeltMap`, what the device holds; values above it are felt as it
+[[nodiscard]] FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue,
+                              double most = std::numeric_limits<double>::infinity());
+
+/// By how much a structure's map of stiffness scales its law at a place [1]; 1 without one, and where it says nothing.
+/// @param triangle  of the mesh as given to `geometry::repair`, as a haptics::Contact says it
+/// @param p_W  a place on it [mm]
+/// @par Cost O(log triangles).
+[[nodiscard]] double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t triangle,
+                                      const core::Vec3& p_W);
+
+} // namespace palpate::study

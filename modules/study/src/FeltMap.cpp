@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/FeltMap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::study {
+
+using core::MappedQuantity;
+
+FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue, double most)
+{
+    const bool isScale = map.mapping.unit == core::MapUnit::Scale;
+    const bool isLinear = tissue.law.kind == core::LawKind::Linear;
+    FeltMap felt{"times the tissue's own", map.values};
+    double factor = 1.0;
+    if (map.mapping.quantity == MappedQuantity::Damping) {
+        felt.unit = "N·s/mm";
+        felt.own = tissue.damping_Ns_per_mm;
+    } else if (map.mapping.quantity == MappedQuantity::Stiffness) {
+        const double stiffness = tissue.stiffness_N_per_mm;
+        if (isLinear) { // its stiffness is one number
+            felt.unit = "N/mm";
+            felt.own = stiffness;
+            factor = isScale ? stiffness : 1.0;
+        } else if (!isScale && stiffness > 0.0) {
+            factor = 1.0 / stiffness;
+        }
+    }
+    bool isAny = false;
+    for (float& value : felt.values) {
+        if (std::isnan(value)) {
+            continue;
+        }
+        value = static_cast<float>(std::min(most, factor * double{value}));
+        felt.least = isAny ? std::min(felt.least, double{value}) : value;
+        felt.greatest = isAny ? std::max(felt.greatest, double{value}) : value;
+        isAny = true;
+    }
+    return felt;
+}
+
+double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t triangle, const core::Vec3& p_W)
+{
+    const geometry::RepairedMesh& surface = *structure.surface;
+    const auto map = std::find_if(structure.maps.begin(), structure.maps.end(), [](const meshio::SurfaceMap& one) {
+        return one.mapping.quantity == MappedQuantity::Stiffness;
+    });
+    const auto source = std::lower_bound(surface.source.begin(), surface.source.end(), triangle);
+    if (map == structure.maps.end() || source == surface.source.end() || *source != triangle) {
+        return 1.0;
+    }
+    const double own =
+        map->mapping.unit == core::MapUnit::Scale ? 1.0 : structure.description.tissue.stiffness_N_per_mm;
+    const auto scale = [&](std::size_t i) {
+        const double value = map->values[i];
+        return std::isnan(value) || !(own > 0.0) ? 1.0 : value / own;
+    };
+    const auto t = static_cast<std::size_t>(source - surface.source.begin());
+    if (map->isPerTriangle) {
+        return scale(t);
+    }
+    const geometry::Triangle& corners = surface.mesh.triangles[t];
+    const core::Vec3& a = surface.mesh.vertices[corners[0]];
+    const core::Vec3 u = surface.mesh.vertices[corners[1]] - a, v = surface.mesh.vertices[corners[2]] - a;
+    const core::Vec3 n = u.cross(v);
+    const double area = n.squaredNorm(); // > 0 after repair
+    const double second = std::clamp((p_W - a).cross(v).dot(n) / area, 0.0, 1.0);
+    const double third = std::clamp(u.cross(p_W - a).dot(n) / area, 0.0, 1.0 - second);
+    return (1.0 - second - third) * scale(corners[0]) + second * scale(corners[1]) + third * scale(corners[2]);
+}
+
+} // namespace palpate::study

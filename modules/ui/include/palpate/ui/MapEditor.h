@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/StructureModel.h"
+
+#include <QWidget>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+
+namespace palpate::ui {
+
+/// Which array of its mesh, or which volume, varies a tissue over the surface, and by which of them the structure is
+/// coloured.
+class MapEditor : public QWidget
+{
+    Q_OBJECT
+  public:
+    /// Nothing: by the arrays whose names say it.
+    using Maps = std::optional<std::vector<core::TissueMapping>>;
+
+    explicit MapEditor(QWidget* parent = nullptr);
+
+    /// @param coloured  what the structure is coloured by: a `SurfaceNumbers::what`, empty: by nothing
+    void show(const StructureRow& row, const QString& coloured);
+    /// Takes a volume for the quantity that is shown.
+    void load(const std::filesystem::path& volume);
+
+  Q_SIGNALS:
+    void edited(const palpate::ui::MapEditor::Maps& maps);
+    void colourChosen(const QString& what);
+
+  private:
+    void makeFields();
+    void connectFields();
+    void chooseHow(int how);
+    void chooseSource(int source);
+    void editNumbers();
+    void put(const core::TissueMapping& mapping);
+    void setUnit(core::MapUnit unit);
+    void change(const core::TissueMapping& mapping);
+    void askForVolume();
+    void refresh();
+    void refreshSources(const core::TissueMapping* now);
+    void refreshNumbers(const core::TissueMapping* now);
+    void refreshColours(const QString& coloured);
+    [[nodiscard]] QString note() const;
+    [[nodiscard]] std::vector<core::TissueMapping> mappings() const;
+    [[nodiscard]] const core::TissueMapping* current() const;
+    [[nodiscard]] core::MappedQuantity quantity() const;
+
+    meshio::LoadedStructure m_structure; ///< as it is now
+    std::vector<core::TissueMapping> m_mappings;
+    QStringList m_problems;
+    bool m_isByHand = false;                         ///< chosen, though it says nothing yet
+    std::optional<core::TissueMapping> m_unitless{}; ///< a source is chosen; what its numbers are isn't said yet
+    bool m_isShowing = false;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_how = nullptr;
+    QComboBox* m_quantity = nullptr;
+    QComboBox* m_source = nullptr;
+    QComboBox* m_unit = nullptr;
+    QDoubleSpinBox* m_radius = nullptr;
+    QCheckBox* m_clamp = nullptr;
+    QDoubleSpinBox* m_low = nullptr;
+    QDoubleSpinBox* m_high = nullptr;
+    QComboBox* m_colours = nullptr;
+    QLabel* m_note = nullptr;
+};
+
+} // namespace palpate::ui

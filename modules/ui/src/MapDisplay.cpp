@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/MapDisplay.h"
+
+#include "palpate/ui/VtkViewport.h"
+
+#include <palpate/study/DeviceLimit.h>
+#include <palpate/study/FeltMap.h>
+#include <palpate/view/SurfaceColours.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::ui {
+
+namespace {
+
+const QString kFelt = QStringLiteral("felt:");
+const QString kArray = QStringLiteral("array:");
+
+QString keyOf(const meshio::SurfaceMap& map)
+{
+    const std::string_view name = core::kQuantityNames[static_cast<std::size_t>(map.mapping.quantity)];
+    return kFelt + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+/// What an array's numbers are, where a map says it.
+QString unitOf(const meshio::LoadedStructure& structure, const std::string& array)
+{
+    for (const meshio::SurfaceMap& map : structure.maps) {
+        if (map.mapping.array == array && map.mapping.quantity == core::MappedQuantity::Stiffness) {
+            switch (map.mapping.unit) {
+            case core::MapUnit::YoungKPa:
+                return MapDisplay::tr("Young's modulus, kPa");
+            case core::MapUnit::ShearKPa:
+                return MapDisplay::tr("shear modulus, kPa");
+            default:
+                break;
+            }
+        }
+    }
+    return {};
+}
+
+QString feltTitle(const meshio::SurfaceMap& map, const core::Tissue& tissue)
+{
+    switch (map.mapping.quantity) {
+    case core::MappedQuantity::Damping:
+        return MapDisplay::tr("damping felt, N·s/mm");
+    case core::MappedQuantity::Friction:
+        return MapDisplay::tr("friction, times the tissue's own");
+    case core::MappedQuantity::Stiffness:
+        break;
+    }
+    return tissue.law.kind == core::LawKind::Linear ? MapDisplay::tr("stiffness felt, N/mm")
+                                                    : MapDisplay::tr("stiffness felt, times the law");
+}
+
+/// In the unit of study::feltMap.
+double mostOf(const meshio::SurfaceMap& map, const core::Tissue& tissue, const haptics::HapticStructure& felt)
+{
+    switch (map.mapping.quantity) {
+    case core::MappedQuantity::Damping:
+        return study::greatestDamping(felt);
+    case core::MappedQuantity::Stiffness:
+        if (felt.maps.stiffness.isEmpty()) {
+            break; // it isn't touched now
+        }
+        return tissue.law.kind == core::LawKind::Linear ? study::greatestStiffness(felt)
+                                                        : felt.maps.stiffness.greatest();
+    case core::MappedQuantity::Friction:
+        break;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+std::vector<SurfaceNumbers> numbersOf(const meshio::LoadedStructure& structure)
+{
+    std::vector<SurfaceNumbers> numbers;
+    for (const meshio::SurfaceMap& map : structure.maps) {
+        numbers.push_back({keyOf(map), feltTitle(map, structure.description.tissue), map.isPerTriangle});
+    }
+    if (structure.surface != nullptr) {
+        for (const geometry::MeshArray& array : structure.surface->mesh.arrays) {
+            const QString name = QString::fromStdString(array.name), unit = unitOf(structure, array.name);
+            numbers.push_back({kArray + name,
+                               unit.isEmpty() || name.endsWith(QLatin1String("Modulus_kPa"))
+                                   ? (unit.isEmpty() ? name : unit)
+                                   : MapDisplay::tr("%1: %2").arg(name, unit),
+                               array.isPerTriangle});
+        }
+    }
+    return numbers;
+}
+
+SurfaceNumbers numbersOf(const meshio::LoadedStructure& structure, const QString& what,
+                         const haptics::HapticStructure& felt)
+{
+    for (SurfaceNumbers& numbers : numbersOf(structure)) {
+        if (numbers.what != what) {
+            continue;
+        }
+        for (const meshio::SurfaceMap& map : structure.maps) {
+            if (keyOf(map) == what) {
+                const core::Tissue& tissue = structure.description.tissue;
+                numbers.values = study::feltMap(map, tissue, mostOf(map, tissue, felt)).values;
+            }
+        }
+        for (const geometry::MeshArray& array : structure.surface->mesh.arrays) {
+            if (kArray + QString::fromStdString(array.name) == what) {
+                numbers.values = array.values;
+            }
+        }
+        return numbers;
+    }
+    return {};
+}
+
+MapDisplay::MapDisplay(VtkViewport& viewport, StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_model(model)
+{
+    connect(&model, &StructureModel::edited, this, [this](int, StructureModel::Change change) {
+        if (change == StructureModel::Change::Touch) {
+            refresh();
+        }
+    });
+    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        m_row = -1; // the view has new pictures
+        m_what.clear();
+    });
+}
+
+void MapDisplay::show(int row, const QString& what)
+{
+    if (row != m_row) {
+        restore();
+    }
+    m_row = row;
+    m_what = what;
+    refresh();
+}
+
+void MapDisplay::setGreatest(const haptics::Tissue& greatest)
+{
+    m_greatest = greatest;
+    refresh();
+}
+
+/// The structure in its own colour.
+void MapDisplay::restore()
+{
+    if (m_row >= 0 && m_row < m_model.rowCount()) {
+        m_viewport.view().setPicture(static_cast<std::size_t>(m_row),
+                                     m_model.rows()[static_cast<std::size_t>(m_row)].picture);
+    }
+    m_viewport.view().legend().hide();
+    m_viewport.update();
+}
+
+void MapDisplay::refresh()
+{
+    if (m_row < 0 || m_row >= m_model.rowCount()) {
+        return;
+    }
+    const auto i = static_cast<std::size_t>(m_row);
+    const StructureRow& row = m_model.rows()[i];
+    const SurfaceNumbers numbers =
+        m_what.isEmpty() ? SurfaceNumbers() : numbersOf(row.loaded, m_what, m_model.feltStructures(m_greatest)[i]);
+    if (numbers.values.empty()) { // also where a map is no more
+        restore();
+        return;
+    }
+    const view::ColourRange range = view::colourRange(numbers.values);
+    m_viewport.view().setPicture(
+        i, view::coloured(*row.picture, *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
+    const QString title = readableName(row.loaded.description.name) + QLatin1Char('\n') + numbers.title;
+    m_viewport.view().legend().show({title.toStdString(), tr("nothing said").toStdString(), range});
+    m_viewport.update();
+}
+
+} // namespace palpate::ui

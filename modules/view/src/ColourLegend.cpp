@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/ColourLegend.h"
+
+#include "palpate/view/Billboard.h"
+
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate::view {
+
+namespace {
+
+constexpr int kColourRows = 10; // of colours; between them it is even
+constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
+constexpr double kLeastHeight_px = 50.0, kTitle_px = 60.0;
+constexpr double kBarLow_px = 150.0; // above the orientation cube and what grey means
+constexpr double kGreyLow_px = 122.0, kGreyHeight_px = 16.0, kBeside_px = 8.0;
+
+/// A column of quads, coloured at its rows' ends.
+vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
+{
+    vtkNew<vtkPoints> points;
+    points->SetNumberOfPoints(2 * rows);
+    vtkNew<vtkCellArray> quads;
+    for (vtkIdType row = 0; row + 1 < rows; ++row) {
+        const vtkIdType quad[4] = {2 * row, 2 * row + 1, 2 * row + 3, 2 * row + 2};
+        quads->InsertNextCell(4, quad);
+    }
+    vtkNew<vtkPolyData> shape;
+    shape->SetPoints(points);
+    shape->SetPolys(quads);
+    shape->GetPointData()->SetScalars(colours);
+    vtkNew<vtkCoordinate> pixels;
+    pixels->SetCoordinateSystemToViewport();
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    mapper->SetTransformCoordinate(pixels);
+    auto actor = vtkSmartPointer<vtkActor2D>::New();
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+    return actor;
+}
+
+/// @param box  left, right, low, high in device pixels
+void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box)
+{
+    auto* shape = vtkPolyDataMapper2D::SafeDownCast(column.GetMapper())->GetInput();
+    for (vtkIdType row = 0; row < rows; ++row) {
+        const double y = box[2] + (box[3] - box[2]) * static_cast<double>(row) / (rows - 1);
+        shape->GetPoints()->SetPoint(2 * row, box[0], y, 0.0);
+        shape->GetPoints()->SetPoint(2 * row + 1, box[1], y, 0.0);
+    }
+    shape->GetPoints()->Modified();
+    shape->Modified();
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> colourRows(int rows, Colour (*colourAt)(double))
+{
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colours->SetNumberOfComponents(3);
+    for (int row = 0; row < rows; ++row) {
+        const Colour colour = colourAt(static_cast<double>(row) / (rows - 1));
+        for (int side = 0; side < 2; ++side) {
+            colours->InsertNextTuple3(std::round(255.0 * colour[0]), std::round(255.0 * colour[1]),
+                                      std::round(255.0 * colour[2]));
+        }
+    }
+    return colours;
+}
+
+std::string number(double value, const char* before)
+{
+    char text[48];
+    std::snprintf(text, sizeof text, "%s%.3g", before, value);
+    return text;
+}
+
+} // namespace
+
+ColourLegend::ColourLegend()
+    : m_back(makeColumn(2, colourRows(2, [](double) { return kDarkRim; })))
+    , m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
+    , m_grey(makeColumn(2, colourRows(2, [](double) { return kUnknownColour; })))
+{
+    for (auto& text : m_texts) {
+        text = vtkSmartPointer<vtkTextActor>::New();
+        text->GetTextProperty()->SetVerticalJustificationToCentered();
+        text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
+        text->VisibilityOff();
+    }
+    m_back->GetProperty()->SetOpacity(0.5);
+    m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
+}
+
+void ColourLegend::addTo(vtkRenderer& renderer)
+{
+    renderer.AddActor2D(m_back);
+    renderer.AddActor2D(m_bar);
+    renderer.AddActor2D(m_grey);
+    for (const auto& text : m_texts) {
+        renderer.AddActor2D(text);
+    }
+}
+
+void ColourLegend::show(const Content& content)
+{
+    const ColourRange& range = content.range;
+    const bool isOne = !(range.high > range.low);
+    m_texts[0]->SetInput(content.title.c_str());
+    m_texts[1]->SetInput(isOne ? "" : number(range.high, range.isHighCut ? "\u2265 " : "").c_str());
+    m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "").c_str());
+    m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "").c_str());
+    m_texts[4]->SetInput(content.unknown.c_str());
+    m_hasUnknown = range.hasUnknown;
+    m_back->VisibilityOn();
+    m_bar->VisibilityOn();
+    m_grey->SetVisibility(m_hasUnknown);
+    for (const auto& text : m_texts) {
+        text->VisibilityOn();
+    }
+    m_texts[4]->SetVisibility(m_hasUnknown);
+}
+
+void ColourLegend::hide()
+{
+    m_back->VisibilityOff();
+    m_bar->VisibilityOff();
+    m_grey->VisibilityOff();
+    for (const auto& text : m_texts) {
+        text->VisibilityOff();
+    }
+}
+
+std::array<std::string, 5> ColourLegend::texts() const
+{
+    std::array<std::string, 5> texts;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        texts[i] = m_texts[i]->GetVisibility() != 0 && m_texts[i]->GetInput() != nullptr ? m_texts[i]->GetInput() : "";
+    }
+    return texts;
+}
+
+void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
+{
+    if (!isShown()) {
+        return;
+    }
+    const double r = pixelRatio;
+    const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
+    const double room = r * kBeside_px;
+    const double low = r * kBarLow_px;
+    const double above = renderer.GetSize()[1] - low - r * kTitle_px - room; // a low view has a shorter bar
+    const double high = low + std::clamp(above, r * kLeastHeight_px, r * kBarHeight_px);
+    const double greyLow = r * kGreyLow_px, greyHigh = r * (kGreyLow_px + kGreyHeight_px);
+    placeColumn(*m_bar, kColourRows, {left, right, low, high});
+    placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
+    const double beside = right + room;
+    m_texts[0]->SetPosition(left, high + 12.0 * r);
+    m_texts[1]->SetPosition(beside, high);
+    m_texts[2]->SetPosition(beside, 0.5 * (low + high));
+    m_texts[3]->SetPosition(beside, low);
+    m_texts[4]->SetPosition(beside, 0.5 * (greyLow + greyHigh));
+    double end = right, top = high;
+    for (const auto& text : m_texts) {
+        text->GetTextProperty()->SetFontSize(static_cast<int>(14.0 * r));
+        if (text->GetVisibility() != 0) {
+            double size[2] = {0.0, 0.0};
+            text->GetSize(&renderer, size);
+            end = std::max(end, text->GetPosition()[0] + size[0]);
+            top = std::max(top, text->GetPosition()[1] + (text == m_texts[0] ? size[1] : 0.0));
+        }
+    }
+    placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});
+}
+
+} // namespace palpate::view

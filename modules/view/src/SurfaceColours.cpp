@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/SurfaceColours.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace palpate::view {
+
+namespace {
+
+constexpr double kCutShare = 0.02;  // at each end
+constexpr double kLightened = 0.18; // of the way to white
+
+std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range)
+{
+    const double width = range.high - range.low;
+    const Colour colour =
+        !std::isfinite(value) ? kUnknownColour : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5);
+    std::array<unsigned char, 3> bytes{};
+    for (std::size_t c = 0; c < bytes.size(); ++c) {
+        bytes[c] = static_cast<unsigned char>(std::lround(255.0 * colour[c]));
+    }
+    return bytes;
+}
+
+} // namespace
+
+Colour surfaceColour(double t) noexcept
+{
+    Colour colour = cividis(t);
+    for (double& c : colour) {
+        c += kLightened * (1.0 - c);
+    }
+    return colour;
+}
+
+ColourRange colourRange(std::span<const float> values)
+{
+    std::vector<float> known;
+    known.reserve(values.size());
+    std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](float v) { return std::isfinite(v); });
+    ColourRange range;
+    range.hasUnknown = known.size() < values.size();
+    if (known.empty()) {
+        return range;
+    }
+    const auto [least, largest] = std::minmax_element(known.begin(), known.end());
+    const double low = *least, high = *largest;
+    const auto at = [&known](double share) {
+        const auto place =
+            known.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(known.size() - 1) + 0.5);
+        std::nth_element(known.begin(), place, known.end());
+        return double{*place};
+    };
+    range.low = at(kCutShare);
+    range.high = at(1.0 - kCutShare);
+    if (!(range.high > range.low)) {
+        range.low = low;
+        range.high = high;
+    }
+    range.isLowCut = low < range.low;
+    range.isHighCut = high > range.high;
+    return range;
+}
+
+vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface,
+                                      std::span<const float> values, bool isPerTriangle, const ColourRange& range)
+{
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->ShallowCopy(&picture);
+    const std::vector<geometry::Triangle>& triangles = surface.mesh.triangles;
+    if (values.size() != (isPerTriangle ? triangles.size() : surface.mesh.vertices.size())) {
+        return data;
+    }
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colours->SetName("Colours");
+    colours->SetNumberOfComponents(3);
+    const auto set = [&](vtkIdType at, float value) { colours->SetTypedTuple(at, bytesOf(value, range).data()); };
+    if (isPerTriangle) {
+        colours->SetNumberOfTuples(static_cast<vtkIdType>(triangles.size()));
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            set(static_cast<vtkIdType>(t), values[t]);
+        }
+        data->GetCellData()->SetScalars(colours);
+        return data;
+    }
+    // A vertex has several points where a feature edge runs through it: each corner names its own.
+    colours->SetNumberOfTuples(picture.GetNumberOfPoints());
+    vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto corner = static_cast<vtkIdType>(3 * t + c);
+            set(static_cast<vtkIdType>(points->GetComponent(corner, 0)), values[triangles[t][c]]);
+        }
+    }
+    data->GetPointData()->SetScalars(colours);
+    return data;
+}
+
+} // namespace palpate::view

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MainWindow.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/MeshFile.h>
+
+#include <QComboBox>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+
+/// A real liver whose right half is soft and whose left is stiff by an array of its file, opened in the window,
+/// coloured and pressed. On a real display.
+class MappedLiver : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    double m_force_N = 0.0, m_depth_mm = 0.0, m_said_N_per_mm = 0.0;
+
+    /// Writes the mesh with an array that steps from 0.5 to 2 where x passes the middle; every 50th vertex of the stiff
+    /// half says nothing.
+    void writeMapped(const geometry::TriangleMesh& mesh, const char* name) const
+    {
+        const double middle = mesh.bounds().center().x();
+        std::ofstream out(m_folder.filePath(name).toStdString());
+        out.precision(12);
+        out << R"(<?xml version="1.0"?><VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">)"
+            << "<PolyData><Piece NumberOfPoints=\"" << mesh.vertices.size() << "\" NumberOfPolys=\""
+            << mesh.triangles.size() << "\"><PointData>"
+            << R"(<DataArray type="Float64" Name="StiffnessScale" format="ascii">)";
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            const bool isSoft = mesh.vertices[i].x() < middle;
+            out << (isSoft ? "0.5 " : i % 50 == 0 ? "nan " : "2 ");
+        }
+        out << R"(</DataArray></PointData><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">)";
+        for (const Vec3& p : mesh.vertices) {
+            out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+        }
+        out << R"(</DataArray></Points><Polys><DataArray type="Int64" Name="connectivity" format="ascii">)";
+        for (const geometry::Triangle& t : mesh.triangles) {
+            out << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+        }
+        out << R"(</DataArray><DataArray type="Int64" Name="offsets" format="ascii">)";
+        for (std::size_t i = 1; i <= mesh.triangles.size(); ++i) {
+            out << 3 * i << ' ';
+        }
+        out << "</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+    }
+
+    QComboBox* box(const QString& name) const
+    {
+        for (QComboBox* one : m_window->findChildren<QComboBox*>()) {
+            if (one->accessibleName() == name) {
+                return one;
+            }
+        }
+        qFatal("no such box");
+    }
+
+    void choose(const QString& name, const QString& text) const
+    {
+        QComboBox* one = box(name);
+        const int at = one->findText(text);
+        QVERIFY2(at >= 0, qPrintable(name + ": " + text));
+        one->setCurrentIndex(at);
+        Q_EMIT one->activated(at);
+    }
+
+    void keep(const char* name) const
+    {
+        if (const QByteArray to = qgetenv("PALPATE_MAP_PICTURES"); !to.isEmpty()) {
+            QTest::qWait(300);
+            m_window->grab().save(QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // to be looked at
+        }
+    }
+
+    /// Presses at a share of the view's width. @return what is felt there [N/mm]
+    double stiffnessAt(double share, const char* picture)
+    {
+        ui::VtkViewport& viewport = m_window->viewport();
+        ui::PalpationController& hand = m_window->palpation();
+        m_window->setPalpating(true);
+        QTest::qWait(200);
+        const double before_mm = hand.depth_mm();
+        Q_EMIT viewport.depthTurned(1.0);
+        const double notch_mm = hand.depth_mm() - before_mm;
+        Q_EMIT viewport.depthTurned((6.0 - hand.depth_mm()) / notch_mm);
+        m_depth_mm = m_force_N = 0.0;
+        hand.pressAt({share * viewport.width(), 0.5 * viewport.height()});
+        (void)QTest::qWaitFor([this] { return m_depth_mm > 2.0; }, 20000);
+        QTest::qWait(600); // eased in
+        keep(picture);
+        const double felt = m_depth_mm > 2.0 ? m_force_N / m_depth_mm : -1.0;
+        if (!(std::abs(m_said_N_per_mm / felt - 1.0) < 0.02)) {
+            qWarning("said %g, felt %g N/mm", m_said_N_per_mm, felt);
+            return -1.0;
+        }
+        hand.letGo();
+        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, 20000);
+        return felt;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (QGuiApplication::platformName() != QStringLiteral("xcb")) {
+            QSKIP("no OpenGL without a display: run under xvfb-run with QT_QPA_PLATFORM=xcb");
+        }
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+        QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
+    }
+    void cleanup() { m_window.reset(); }
+
+    void softAndStiffHalvesAreSeenAndFelt()
+    {
+        PALPATE_SHARED_OR_SKIP(anatomy, "anatomy");
+        meshio::ReadOptions options;
+        options.unit_mm = 25.0; // as large as a liver
+        const auto liver = meshio::readMesh(anatomy / "liver-smooth.obj", options);
+        QVERIFY2(liver.isOk(), liver.status().message().c_str());
+        writeMapped(liver.value().structures[0].mesh, "liver.vtp");
+
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        connect(&m_window->palpation(), &ui::PalpationController::touched, this, [this](const ui::TouchReading& touch) {
+            m_force_N = touch.force_N;
+            m_depth_mm = touch.depth_mm;
+            m_said_N_per_mm = touch.stiffness_N_per_mm;
+        });
+        QSignalSpy ready(m_window.get(), &MainWindow::ready);
+        m_window->open({m_folder.filePath("liver.vtp").toStdString()});
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        view::SceneView& view = m_window->viewport().view();
+        view.look(view::ViewFrom::Front);
+        QVERIFY(!view.legend().isShown());
+
+        choose(QStringLiteral("Show"), QStringLiteral("stiffness felt, N/mm"));
+        QVERIFY(view.legend().isShown());
+        const auto texts = view.legend().texts();
+        QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nstiffness felt, N/mm"));
+        QCOMPARE(QString::fromStdString(texts[1]), QStringLiteral("1"));
+        QCOMPARE(QString::fromStdString(texts[3]), QStringLiteral("0.25"));
+        QVERIFY(!texts[4].empty()); // grey is there and named
+
+        // From the front x grows to the right.
+        const double soft = stiffnessAt(0.40, "soft"), stiff = stiffnessAt(0.60, "stiff");
+        QVERIFY2(std::abs(soft / 0.25 - 1.0) < 0.02, qPrintable(QString::number(soft)));
+        QVERIFY2(std::abs(stiff / 1.0 - 1.0) < 0.02, qPrintable(QString::number(stiff)));
+
+        choose(QStringLiteral("Map"), QStringLiteral("None"));
+        QVERIFY(!view.legend().isShown()); // nothing of it is felt any more
+        const double plain = stiffnessAt(0.40, "none");
+        QVERIFY2(std::abs(plain / 0.5 - 1.0) < 0.02, qPrintable(QString::number(plain)));
+        for (QAction* one : m_window->actions()) {
+            if (one->text().startsWith(QLatin1String("Undo"))) {
+                one->trigger();
+            }
+        }
+        QVERIFY(view.legend().isShown());
+        QVERIFY(std::abs(stiffnessAt(0.40, "undone") / 0.25 - 1.0) < 0.02);
+    }
+};
+
+PALPATE_TEST(MappedLiver)
+#include "tst_MappedLiver.moc"
