@@ -121,7 +121,7 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     m_list->setAlternatingRowColors(true);
     m_list->setAccessibleName(tr("Structures"));
     m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setMinimumHeight(4 * fontMetrics().height());
+    m_list->setMinimumHeight(9 * fontMetrics().height()); // six rows; what is below scrolls
     m_list->setIconSize(QSize(18, 18));
     m_list->setIndentation(0);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -319,7 +319,19 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
                 frictionPresets()[static_cast<std::size_t>(chosen)].coefficient;
             setTissue(tissue);
         }
+        showFrictionTerms();
     });
+}
+
+/// The numbers of friction, for who chose to set them.
+void StructurePanel::showFrictionTerms()
+{
+    const bool isOwn = m_friction->currentIndex() == m_friction->count() - 1;
+    for (std::size_t i = 0; i < m_terms.size(); ++i) {
+        if (core::kTissueTerms[i].group == "friction") {
+            m_form->setRowVisible(m_terms[i], isOwn);
+        }
+    }
 }
 
 void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
@@ -464,6 +476,7 @@ void StructurePanel::showTissue(const haptics::Tissue& tissue)
     m_source->setText(preset < 0 ? QString()
                                  : tr("Source: %1").arg(tr(tissuePresets()[static_cast<std::size_t>(preset)].source)));
     m_friction->setCurrentIndex(friction < 0 ? m_friction->count() - 1 : friction);
+    showFrictionTerms();
 }
 
 void StructurePanel::showTouch(const TouchReading& reading)

@@ -67,6 +67,7 @@ class StructurePanel : public QWidget
     void addPresets(QFormLayout& form, QWidget* box);
     void addLaw(QFormLayout& form, QWidget* box);
     void addMap(QFormLayout& form, int place, QWidget* box);
+    void showFrictionTerms();
     void addFriction(QFormLayout& form, QWidget* box);
     void showTissue(const haptics::Tissue& tissue);
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
