@@ -139,10 +139,10 @@ class SceneView : public QObject
         const view::ColourRange range = view::colourRange(values);
         const auto plain = view::makeSurface(ball);
         QVERIFY(!m_view->legend().isShown());
-        const auto before = pixel(28, 155); // where its bar will be
+        const auto before = pixel(28, 151); // where its bar will be
         m_view->setPicture(0, view::coloured(*plain, ball, values, false, range));
         m_view->legend().show({"ball: felt, N/mm", "not said", range});
-        const auto soft = pixel(160, 150), stiff = pixel(240, 150), bar = pixel(28, 155);
+        const auto soft = pixel(160, 150), stiff = pixel(240, 150), bar = pixel(28, 151);
         QVERIFY2(soft[2] > soft[0] + 15, "dark blue"); // 1
         QVERIFY2(stiff[0] > stiff[2] + 60 && stiff[1] > stiff[2] + 40, "yellow");
         QVERIFY2(std::abs(bar[0] - 46) < 8 && std::abs(bar[1] - 72) < 8 && bar[2] > bar[0] + 50 && bar != before,
@@ -162,7 +162,7 @@ class SceneView : public QObject
         m_view->legend().hide();
         const auto red = pixel(240, 150);
         QVERIFY(red[0] > 2 * red[1]);
-        QVERIFY(pixel(28, 155) == before);
+        QVERIFY(pixel(28, 151) == before);
     }
     void occlusionAndSmoothEdgesKeepThePicture()
     {
