@@ -27,7 +27,8 @@ void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
     qInfo("%s", tally.summary().c_str());
     QVERIFY(tally.inContact > tally.ticks / 5); // the hand does feel something
     QVERIFY2(tally.lines.empty(), tally.summary().c_str());
-    const double most = family == Family::Balls ? kMostOfBallsAtBound : kMostAtBound;
+    const bool isBall = family == Family::Balls || family == Family::RoughBalls;
+    const double most = isBall ? kMostOfBallsAtBound : kMostAtBound;
     QVERIFY2(static_cast<double>(tally.atBound) < most * static_cast<double>(tally.ticks), tally.summary().c_str());
 }
 
@@ -43,6 +44,8 @@ class Adversary : public QObject
     void open() { checkFamily(Family::Open, 1, 300000); }
     void layers() { checkFamily(Family::Layers, 1, 200000); }
     void balls() { checkFamily(Family::Balls, 1, 200000); }
+    void rough() { checkFamily(Family::Rough, 1, 160000); }
+    void roughballs() { checkFamily(Family::RoughBalls, 1, 80000); }
 };
 
 /// A hundred millions, of other seeds.
@@ -55,6 +58,8 @@ class LongAdversary : public QObject
     void open() { checkFamily(Family::Open, 1000001, 30000000); }
     void layers() { checkFamily(Family::Layers, 1000001, 20000000); }
     void balls() { checkFamily(Family::Balls, 1000001, 20000000); }
+    void rough() { checkFamily(Family::Rough, 1000001, 20000000); }
+    void roughballs() { checkFamily(Family::RoughBalls, 1000001, 10000000); }
 };
 
 /// So few that the sanitizers take no longer than for other tests; what is asked of the engine is asked by the others.

@@ -165,7 +165,8 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
         return u; // it was put there, and nothing holds it
     }
     // A facet that it has rolled on to, but not reached, holds nothing yet: straight down to it.
-    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm;
+    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
+               std::all_of(m_active.begin(), m_active.end(), [this](const BallContact& c) { return isTouched(c); });
     return m_isHeld ? Vec3::Zero() : Vec3(down + share * slide);
 }
 

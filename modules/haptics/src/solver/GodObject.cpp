@@ -51,6 +51,9 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     m_state.slides = result.slides ? 1 : 0;
     std::array<HalfSpace, 3> planes;
     const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    for (std::size_t i = 0; i < result.constraints && layer.fingertip_mm > 0.0; ++i) {
+        result.active[i].n_W = planes[i].n; // of what holds, too
+    }
     result.push_W.setZero();
     for (int i = 0; i < point.count; ++i) {
         result.push_W +=
@@ -88,7 +91,11 @@ bool GodObject::isHeld(const Vec3& p_WH, const HapticLayer& layer, CoulombFricti
     const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
     friction.lift();
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
-        friction.press(m_facets[point.active[i]], m_state.p_WG, point.lambda_mm[i]);
+        const std::size_t on = point.active[i];
+        if (layer.fingertip_mm == 0.0 && !PointContact{m_facets[on], m_state.side[on]}.isBelow(m_state.p_WG)) {
+            return false;
+        }
+        friction.press(m_facets[on], m_state.p_WG, point.lambda_mm[i]);
     }
     std::array<Vec3, 3> normals;
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
@@ -136,7 +143,9 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
     bool isClear = false;
     const bool isInCrease =
         m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] && m_state.side[0] == m_state.side[1];
-    if (m_state.constraints == 1 || isInCrease) {
+    const bool isBeside = friction != nullptr && m_state.constraints > 0 &&
+                          !PointContact{m_facets[0], m_state.side[0]}.isBelow(m_state.p_WG);
+    if ((m_state.constraints == 1 || isInCrease) && !isBeside) {
         // Most ticks: all there is to do is to walk on over the surface.
         Walk walk(p_WH, layer, m_near, friction, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
         ended = walk.run(isInCrease    ? Walk::Start::InCrease
