@@ -463,12 +463,15 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
         return hasMoved || isLong || !isKept(true);
     }
     touch(crossing.facet, crossing.side);
-    if (m_friction != nullptr && !hasMoved) {
-        // A facet rolled on to can't be reached from here, and holds nothing.
-        m_active.release([this](const BallContact& c) { return !isTouched(c); });
-    }
     m_known = m_active[m_active.count() - 1];
     m_isKnown = true;
+    if (m_friction != nullptr && !hasMoved) {
+        // A facet rolled on to can't be reached from here, and holds nothing. What is in the way does.
+        m_active.release([this](const BallContact& c) { return !isTouched(c); });
+        if (m_active.isEmpty()) {
+            m_active.add() = m_known;
+        }
+    }
     return true;
 }
 
