@@ -92,7 +92,8 @@ bool ForceOfTissue::is(const Vec3& f_W, const Vec3& v_WH) const
     // Without maps it is a number times a difference; with one, it depends on where on a triangle, that may be a
     // sliver, a god-object some skins above it stands.
     const double rounding = m_on.maps.isEmpty() ? 16.0 * kUlp : 1e-6;
-    const double place = 128.0 * m_on.surface->skin_mm() * (m_slope_per_mm * law.force_N + m_dampingSlope * v_WH.norm());
+    const double place =
+        128.0 * m_on.surface->skin_mm() * (m_slope_per_mm * law.force_N + m_dampingSlope * v_WH.norm());
     return (f_W - elastic + viscous).norm() <=
            (1.0 + 1e-6) * beside + place + rounding * (elastic.norm() + viscous.norm());
 }
