@@ -12,6 +12,8 @@
 // crowd/T   the slide on one of 300 spheres of T triangles each, 125 mm apart: the others should cost nothing
 // bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
 // ballR/T   a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s
+// tissue/W/R/T  the slide with a point (R 0) or a ball of R mm on W: plain, friction (slides), stuck (1 mm to and fro
+//           within the cone), law, map, all (friction, law and map)
 // worst/N/R a ball of R mm where a tick is bounded by its work: N = fan, the apex of 10,000 facets; pile, a million
 //           triangles within 1e-9 mm; crowd, 300 spheres of 2,000 triangles through each other
 //
@@ -156,6 +158,59 @@ void add(const char* name, int n, double bump, double distance_mm, double speed_
         ->Unit(benchmark::kNanosecond);
 }
 
+/// The sphere with what a row is named after.
+haptics::HapticScene tissueScene(const std::string& what, int n, double fingertip_mm)
+{
+    haptics::HapticStructure on{"sphere", test::indexed(test::bumpySphere(n, kRadius_mm, 0.0)), {0.5, 0.0}, 0};
+    if (what == "friction" || what == "stuck" || what == "all") {
+        on.tissue.friction_static = what == "stuck" ? 1.0 : 0.15;
+        on.tissue.friction_dynamic = what == "stuck" ? 1.0 : 0.1;
+    }
+    if (what == "law" || what == "all") {
+        on.tissue.law = core::usualLaw(core::LawKind::Exponential);
+    }
+    if (what == "map" || what == "all") {
+        auto corners = std::make_shared<std::vector<std::array<float, 3>>>(on.surface->triangleCount());
+        for (std::uint32_t i = 0; i < corners->size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& p = on.surface->vertex(on.surface->triangle(i)[k]);
+                (*corners)[i][k] = static_cast<float>(1.0 + 0.01 * p.x());
+            }
+        }
+        on.maps.stiffness.corners = std::move(corners);
+    }
+    return haptics::HapticScene({std::move(on)}, fingertip_mm);
+}
+
+void addTissue(const std::string& what, double fingertip_mm)
+{
+    constexpr int kN = 32;
+    const auto run = [=](benchmark::State& state) {
+        const haptics::HapticScene scene = tissueScene(what, kN, fingertip_mm);
+        haptics::Palpator palpator;
+        palpator.setScene(&scene);
+        const double deep = kRadius_mm + fingertip_mm - 5.0;
+        for (int i = 0; i <= 100; ++i) { // arrive
+            (void)palpator.step(direction(0.0) * (deep + 0.1 * (100 - i)), 1e-3);
+        }
+        Ticks ticks;
+        int i = 0;
+        for (auto _ : state) {
+            ++i;
+            const double arc = what == "stuck" ? 0.5 / kRadius_mm * std::sin(0.2 * i) : 0.1 / kRadius_mm * i;
+            ticks.step(state, palpator, direction(arc) * deep);
+        }
+        ticks.report(state);
+    };
+    benchmark::RegisterBenchmark(
+        ("tissue/" + what + "/" + std::to_string(static_cast<int>(fingertip_mm)) + "/" + std::to_string(20 * kN * kN))
+            .c_str(),
+        run)
+        ->Iterations(fingertip_mm > 0.0 ? 20'000 : 100'000)
+        ->UseManualTime()
+        ->Unit(benchmark::kNanosecond);
+}
+
 geometry::TriangleMesh fanOf(std::uint32_t n)
 {
     geometry::TriangleMesh fan;
@@ -244,6 +299,11 @@ int main(int argc, char** argv)
     add("crowd", 32, 0.0, -5.0, 100.0, false, 200'000, 0.0, 300);
     for (const int radius : {1, 4, 8, 20}) {
         add(("ball" + std::to_string(radius)).c_str(), 81, 0.02, radius - 2.0, 100.0, false, 20'000, radius);
+    }
+    for (const double radius : {0.0, 4.0}) {
+        for (const char* what : {"plain", "friction", "stuck", "law", "map", "all"}) {
+            addTissue(what, radius);
+        }
     }
     for (const char* name : {"fan", "pile", "crowd"}) {
         for (const double radius : {1.0, 4.0, 20.0}) {

@@ -111,6 +111,10 @@ class Report : public QObject
             QVERIFY2(settings.count(name) == 1, name);
         }
         QVERIFY(!m_evaluation.sizes.empty());
+        QCOMPARE(m_evaluation.tissues.size(), std::size_t(5)); // plain, friction, a law, a map, all
+        for (const SizePoint& p : m_evaluation.tissues) {
+            QVERIFY(p.ticks > 1000 && p.time_us.p50 > 0.0);
+        }
         QCOMPARE(m_evaluation.advice.size(), std::size_t(1));
         QCOMPARE(m_evaluation.subjects[0].hash.size(), std::size_t(64));
     }
@@ -228,7 +232,8 @@ class Report : public QObject
         QVERIFY(!json["machine"].toObject()["build"].toString().isEmpty());
 
         const QList<QByteArray> lines = contentOf(out + "/results.csv").trimmed().split('\n');
-        QCOMPARE(lines.size(), qsizetype(m_evaluation.trials.size() + m_evaluation.sizes.size() + 1));
+        QCOMPARE(lines.size(),
+                 qsizetype(m_evaluation.trials.size() + m_evaluation.sizes.size() + m_evaluation.tissues.size() + 1));
         for (const QByteArray& line : lines) {
             QCOMPARE(columnsOf(line), columnsOf(lines[0]));
         }

@@ -85,11 +85,37 @@ class Stability : public QObject
         setup.rate_Hz = 1000.0;
         setup.delayTicks = 2;
         setup.isControlled = true;
-        isHeld({0, 1, 2, 3, 4, 5, 6});
+        isHeld({0, 1, 2, 3, 4, 5, 6, 7, 8});
         // A sensor twice as coarse.
         setup.delayTicks = 1;
         setup.preset.mechanics.resolution_mm *= 2.0;
         isHeld({0});
+    }
+
+    /// A map that gives back what it took, and friction, take nothing from what is held.
+    void aMapAndFrictionHoldNoLessThanTheWall_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        for (const char* id : {"touch", "omega", "woodenhaptics"}) {
+            QTest::newRow(id) << QByteArray(id);
+        }
+    }
+    void aMapAndFrictionHoldNoLessThanTheWall()
+    {
+        QFETCH(QByteArray, id);
+        constexpr double kSearch = 1.04; // the search's precision
+        for (const bool isControlled : {false, true}) {
+            const Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
+            const double wall = largestStiffness(touchedShapes()[0], setup);
+            for (const std::size_t n : {7, 8}) {
+                const double held = largestStiffness(touchedShapes()[n], setup);
+                QVERIFY2(kSearch * held >= wall, qPrintable(QString("%1%2: %3 N/mm, the wall %4 N/mm")
+                                                                .arg(touchedShapes()[n].name.c_str())
+                                                                .arg(isControlled ? ", controlled" : "")
+                                                                .arg(held)
+                                                                .arg(wall)));
+            }
+        }
     }
 
     /// The omega's stated 5 N/mm oscillates at 1 kHz without the controller: the loop can, and this sees it.

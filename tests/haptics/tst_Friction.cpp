@@ -428,6 +428,22 @@ class TestFriction : public QObject
         }
     }
 
+    void ballSaysWhereItIsHeld()
+    {
+        // On the edge of a block: the plane that holds a ball goes through the contact point, not along the facet.
+        Rough feel(block(), rough(2.0, 2.0), 4.0);
+        (void)feel.at(Vec3(54, 0, 6));
+        TickResult t = feel.at(Vec3(51, 0, 1));
+        for (int i = 0; i < 3; ++i) {
+            t = feel.at(Vec3(51, 0.1 * i, 1));
+            QCOMPARE(int(t.constraints), 1);
+            const Vec3 fromEdge = t.p_WG - Vec3(50, t.p_WG.y(), 0);
+            QVERIFY((t.active[0].n_W - fromEdge.normalized()).norm() < 1e-9);
+            QVERIFY((t.active[0].n_W - t.n_W).norm() < 1e-9);
+        }
+        QCOMPARE(t.friction(), Friction::Holds);
+    }
+
     void restoresBitForBitWhileItSlidesAndWhileItHolds()
     {
         for (const double radius : {0.0, 3.0}) {

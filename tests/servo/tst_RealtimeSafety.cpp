@@ -78,6 +78,24 @@ class GuardedDevice final : public palpate::device::HapticDevice
     std::optional<RealtimeGuard> m_guard;
 };
 
+/// Gives a structure friction, a law, and maps of stiffness, damping and friction.
+void addTissue(palpate::haptics::HapticStructure& structure)
+{
+    structure.tissue.friction_static = 0.1;
+    structure.tissue.friction_dynamic = 0.05;
+    structure.tissue.friction_drag_Ns_per_mm = 1e-4;
+    structure.tissue.law = palpate::core::usualLaw(palpate::core::LawKind::Exponential);
+    auto corners = std::make_shared<std::vector<std::array<float, 3>>>(structure.surface->triangleCount());
+    for (std::uint32_t i = 0; i < corners->size(); ++i) {
+        const palpate::geometry::Triangle t = structure.surface->triangle(i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            (*corners)[i][k] = static_cast<float>(1.0 + 0.02 * structure.surface->vertex(t[k]).x());
+        }
+    }
+    const palpate::haptics::TissueMap map{std::move(corners)};
+    structure.maps = {map, {map.corners, 1e-3}, map};
+}
+
 } // namespace
 
 class RealtimeSafety : public QObject
@@ -178,6 +196,7 @@ class RealtimeSafety : public QObject
         QTest::addColumn<QList<TriangleMesh>>("meshes"); // each a layer of its own, if there are two
         QTest::addColumn<double>("radius");
         QTest::addColumn<int>("mostConstraints");
+        QTest::addColumn<bool>("isTissue"); // friction, a law and maps
         const TriangleMesh bumpy = bumpySphere(24, 30.0, 0.05), cube = box({-24, -24, -24}, {24, 24, 24}, 6);
         TriangleMesh hollow = box({-18, -18, -18}, {18, 18, 18}, 6);
         for (palpate::geometry::Triangle& t : hollow.triangles) {
@@ -189,32 +208,40 @@ class RealtimeSafety : public QObject
             const Vec3 centre = 29.0 * Vec3(r * std::cos(a), r * std::sin(a), z);
             append(crowd, transformed(sphere(3, 4.0), [&](const Vec3& v) { return Vec3(v + centre); }));
         }
-        QTest::newRow("point on hills and hollows") << QList{bumpy} << 0.0 << 3;
-        QTest::newRow("point on corners") << QList{cube} << 0.0 << 1;
-        QTest::newRow("point in corners") << QList{hollow} << 0.0 << 2;
-        QTest::newRow("point among many") << QList{crowd} << 0.0 << 3;
-        QTest::newRow("point in two layers") << QList{bumpy, sphere(8, 28.0)} << 0.0 << 3;
-        QTest::newRow("ball on hills and hollows") << QList{bumpy} << 4.0 << 2;
-        QTest::newRow("ball on corners") << QList{cube} << 4.0 << 1;
-        QTest::newRow("ball in corners") << QList{hollow} << 1.0 << 2;
-        QTest::newRow("large ball among many") << QList{crowd} << 20.0 << 2;
-        QTest::newRow("ball in two layers") << QList{bumpy, sphere(8, 28.0)} << 1.0 << 2;
+        QTest::newRow("point on hills and hollows") << QList{bumpy} << 0.0 << 3 << false;
+        QTest::newRow("point on corners") << QList{cube} << 0.0 << 1 << false;
+        QTest::newRow("point in corners") << QList{hollow} << 0.0 << 2 << false;
+        QTest::newRow("point among many") << QList{crowd} << 0.0 << 3 << false;
+        QTest::newRow("point in two layers") << QList{bumpy, sphere(8, 28.0)} << 0.0 << 3 << false;
+        QTest::newRow("ball on hills and hollows") << QList{bumpy} << 4.0 << 2 << false;
+        QTest::newRow("ball on corners") << QList{cube} << 4.0 << 1 << false;
+        QTest::newRow("ball in corners") << QList{hollow} << 1.0 << 2 << false;
+        QTest::newRow("large ball among many") << QList{crowd} << 20.0 << 2 << false;
+        QTest::newRow("ball in two layers") << QList{bumpy, sphere(8, 28.0)} << 1.0 << 2 << false;
+        QTest::newRow("point on tissue with everything") << QList{bumpy, sphere(8, 28.0)} << 0.0 << 2 << true;
+        QTest::newRow("point in corners of it") << QList{hollow} << 0.0 << 2 << true;
+        QTest::newRow("ball on tissue with everything") << QList{bumpy, sphere(8, 28.0)} << 2.0 << 2 << true;
+        QTest::newRow("ball in corners of it") << QList{hollow} << 1.0 << 2 << true;
     }
     void noKindOfTouchAllocatesLocksOrReads()
     {
         QFETCH(QList<palpate::test::TriangleMesh>, meshes);
         QFETCH(double, radius);
         QFETCH(int, mostConstraints);
+        QFETCH(bool, isTissue);
         std::vector<palpate::haptics::HapticStructure> structures;
         for (const auto& mesh : meshes) {
             structures.push_back(
                 {"it", palpate::test::indexed(mesh), {0.5, 1e-3}, static_cast<std::uint32_t>(structures.size())});
+            if (isTissue) {
+                addTissue(structures.back());
+            }
         }
         const palpate::haptics::HapticScene scene(std::move(structures), radius);
         const auto motion = palpate::test::palpatingMotion(5000);
         palpate::haptics::Palpator palpator;
         std::uint64_t counted = 0;
-        int most = 0, layers = 0;
+        int most = 0, layers = 0, holds = 0, slides = 0;
         {
             const RealtimeGuard guard;
             palpator.setScene(&scene);
@@ -222,6 +249,8 @@ class RealtimeSafety : public QObject
                 const auto tick = palpator.step(hip, 1e-3);
                 most = std::max<int>(most, tick.constraints);
                 layers = std::max<int>(layers, tick.contactCount);
+                holds += tick.friction() == palpate::haptics::Friction::Holds ? 1 : 0;
+                slides += tick.friction() == palpate::haptics::Friction::Slides ? 1 : 0;
                 if (hip.x() > 0.0 && most == 1) {
                     palpator.restore(palpator.state());
                 }
@@ -232,6 +261,8 @@ class RealtimeSafety : public QObject
         QCOMPARE(counted, std::uint64_t{0});
         QVERIFY2(most >= mostConstraints, qPrintable(QString::number(most)));
         QCOMPARE(layers, static_cast<int>(meshes.size()));
+        QCOMPARE(holds + slides > 100, isTissue); // in a corner there is nothing to hold
+        QVERIFY(!isTissue || slides > 100);
     }
 
     void tickNeitherAllocatesNorLocks_data()

@@ -203,6 +203,26 @@ void addExactWays(std::vector<HardCase>& rows)
                            .to({14, 14, 14}, 0.5)));
 }
 
+/// Some of them again, with friction.
+void addRough(std::vector<HardCase>& rows)
+{
+    const std::size_t count = rows.size();
+    for (const double mu : {0.3, 1.0}) {
+        for (const char* name : {"round a convex edge and back", "corner of three planes from within",
+                                 "fan of 1000 facets, convex apex", "fan of 1000 facets, concave apex",
+                                 "V-groove of 90 degrees, down one wall", "V-groove of 10 degrees, down one wall"}) {
+            for (std::size_t i = 0; i < count; ++i) {
+                if (rows[i].name == name) {
+                    HardCase rough = rows[i];
+                    rough.name += formatted(", friction %g", mu);
+                    rough.friction = mu;
+                    rows.push_back(std::move(rough));
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
 void addContactRows(std::vector<HardCase>& rows)
@@ -213,6 +233,7 @@ void addContactRows(std::vector<HardCase>& rows)
     addPockets(rows);
     addPlates(rows);
     addExactWays(rows);
+    addRough(rows);
 }
 
 } // namespace palpate::evaluation

@@ -51,6 +51,48 @@ bool advance(Slide& slide)
     return slide.tick < kTicks && slide.seconds > 0.0;
 }
 
+/// Plays all slides in turns, and tells what their ticks took.
+std::vector<SizePoint> inTurns(std::vector<Slide> slides, std::uint32_t triangles)
+{
+    for (bool isGoing = true; isGoing;) {
+        isGoing = false;
+        for (Slide& slide : slides) {
+            isGoing = advance(slide) || isGoing;
+        }
+    }
+    std::vector<SizePoint> points;
+    for (Slide& slide : slides) {
+        if (!slide.time_us.empty()) {
+            const std::size_t ticks = slide.time_us.size();
+            points.push_back({slide.solver->name(), triangles, ticks, percentilesOf(std::move(slide.time_us))});
+        }
+    }
+    return points;
+}
+
+void makeRough(haptics::HapticStructure& on)
+{
+    on.tissue.friction_static = 0.15;
+    on.tissue.friction_dynamic = 0.1;
+}
+
+void addLaw(haptics::HapticStructure& on)
+{
+    on.tissue.law = core::usualLaw(core::LawKind::Exponential);
+}
+
+/// Softer to one side, stiffer to the other: 1 % a millimetre.
+void addMap(haptics::HapticStructure& on)
+{
+    auto corners = std::make_shared<std::vector<std::array<float, 3>>>(on.surface->triangleCount());
+    for (std::uint32_t i = 0; i < corners->size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            (*corners)[i][k] = static_cast<float>(1.0 + 0.01 * on.surface->vertex(on.surface->triangle(i)[k]).x());
+        }
+    }
+    on.maps.stiffness.corners = std::move(corners);
+}
+
 } // namespace
 
 std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds)
@@ -70,20 +112,31 @@ std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeco
     if (triangles <= kMostForPaper) {
         add(std::make_unique<PaperSolver>(surface), bruteForceSeconds);
     }
-    for (bool isGoing = true; isGoing;) {
-        isGoing = false;
-        for (Slide& slide : slides) {
-            isGoing = advance(slide) || isGoing;
+    return inTurns(std::move(slides), triangles);
+}
+
+std::vector<SizePoint> costOfTissue(int n, double seconds)
+{
+    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0)));
+    const auto plain = sceneOf(surface.repaired());
+    using Change = void (*)(haptics::HapticStructure&);
+    std::vector<Slide> slides;
+    const auto add = [&](const char* name, std::initializer_list<Change> changes) {
+        haptics::HapticStructure structure = plain->structures()[0];
+        for (const Change change : changes) {
+            change(structure);
         }
-    }
-    std::vector<SizePoint> points;
-    for (Slide& slide : slides) {
-        if (!slide.time_us.empty()) {
-            const std::size_t ticks = slide.time_us.size();
-            points.push_back({slide.solver->name(), triangles, ticks, percentilesOf(std::move(slide.time_us))});
-        }
-    }
-    return points;
+        const auto scene = std::make_shared<haptics::HapticScene>(std::vector{std::move(structure)});
+        auto solver = std::make_unique<ProductSolver>(scene, name);
+        solver->start(Vec3(0, 0, 1.1 * kSphere_mm));
+        slides.push_back({std::move(solver), seconds, -kApproach, {}});
+    };
+    add("plain", {});
+    add("with friction", {makeRough});
+    add("with a law", {addLaw});
+    add("with a map", {addMap});
+    add("with all", {makeRough, addLaw, addMap});
+    return inTurns(std::move(slides), surface.triangleCount());
 }
 
 std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes)

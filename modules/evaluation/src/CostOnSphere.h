@@ -10,6 +10,9 @@ namespace palpate::evaluation {
 /// @param seconds,bruteForceSeconds  that one solver may take
 [[nodiscard]] std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds);
 
+/// The product on that slide, in turns too: plain, with friction, with a law, with a map of stiffness, and with all.
+[[nodiscard]] std::vector<SizePoint> costOfTissue(int n, double seconds);
+
 /// The medians of the other solvers over the product's, on each sphere.
 [[nodiscard]] std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes);
 

@@ -25,6 +25,7 @@ constexpr double kFullSize_mm = 100.0;  // what is smaller gets a smaller finger
 constexpr double kBallTruthShare = 0.7; // of the time for a ball: the exact one is brute force
 // Of a limited time, the subjects' share; the spheres and the hard cases get the rest. And the truth's share of that.
 constexpr double kSubjectsShare = 0.6, kTruthShare = 0.3;
+constexpr int kTissueSphere = 32;      // 20,480 triangles
 constexpr double kDecimation_s = 2e-5; // for each triangle removed, until it has been measured
 
 std::string percent(double share)
@@ -326,6 +327,7 @@ void Evaluator::feelSpheres()
         }
     }
     m_result.ratios = ratiosOf(m_result.sizes);
+    m_result.tissues = costOfTissue(kTissueSphere, m_times.other);
 }
 
 void Evaluator::runHard()

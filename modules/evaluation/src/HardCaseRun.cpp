@@ -61,6 +61,7 @@ class Run
         m_spring = Worst("spring longer than the exact one [mm]", 1e-3 * scale);
         m_residual = Worst("residual [mm]", 1e-6 * scale);
         m_jump = Worst("jump larger than the exact one [mm]", 1e-3 * scale);
+        m_outsideCone = Worst("outside the cone of friction [mm]", kOnSurface_mm * scale);
         m_result.name = hardCase.name;
         m_result.triangles = m_surface.triangleCount();
         m_result.iterations.assign(kHistogram, 0);
@@ -104,9 +105,11 @@ class Run
             m_forceless.count(number);
         }
         m_forceError.see(judged.forceError, number);
+        m_outsideCone.see(judged.outsideCone_mm, number);
         m_layersError.see(judged.layersError_N, number);
         if (number % m_case.checkEvery == 0) {
-            check(step.p_WG, hip, step.status == haptics::TickStatus::Converged || !m_case.mayReachBound, number);
+            const bool isAtRest = step.status == haptics::TickStatus::Converged || !m_case.mayReachBound;
+            check(step.p_WG, hip, isAtRest && m_case.friction == 0.0, number);
         }
         m_god = step.p_WG;
         m_hip = hip;
@@ -134,6 +137,9 @@ class Run
                             m_residual.figure(),
                             m_jump.figure(),
                             elsewhere};
+        if (m_case.friction > 0.0) {
+            m_result.figures.push_back(m_outsideCone.figure());
+        }
         if (m_case.other) {
             m_result.figures.push_back(m_layersError.figure());
         }
@@ -225,7 +231,7 @@ class Run
     Worst m_forceError{"force other than k (g - p) [share]", kForceRounding};
     Worst m_restoredApart{"restored, not the same [ticks]", 0.0};
     Worst m_layersError{"force other than that of the layers alone [N]", kLayersRounding_N};
-    Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0};
+    Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0}, m_outsideCone{"", 0.0};
 };
 
 geometry::TriangleMesh mappedBy(const std::function<Vec3(const Vec3&)>& map, geometry::TriangleMesh mesh)

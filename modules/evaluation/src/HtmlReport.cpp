@@ -214,6 +214,19 @@ std::string ratioCard(const Evaluation& evaluation)
                 tag("table", head({"triangles", "", "takes", "wanted"}) + tag("tbody", rows)));
 }
 
+/// What friction, a law and a map add to a tick.
+std::string tissueCard(const Evaluation& evaluation)
+{
+    std::string rows;
+    for (const SizePoint& p : evaluation.tissues) {
+        rows += tag("tr", cell(escaped(p.solver), true) + cell(number(p.time_us.p50)) + cell(number(p.time_us.p99)));
+    }
+    return rows.empty() ? ""
+                        : card("What tissue costs (sphere of " + core::grouped(evaluation.tissues.front().triangles) +
+                                   " triangles, in turns)",
+                               tag("table", head({"", "µs, median", "99 %"}) + tag("tbody", rows)));
+}
+
 std::string notes(const Evaluation& evaluation)
 {
     std::string text;
@@ -284,7 +297,8 @@ std::string reportHtml(const Evaluation& evaluation)
     if (!evaluation.sizes.empty()) {
         body += card("Cost by mesh size (spheres; dashed: 99.9 %)", costBySizeChart(evaluation));
     }
-    body += ratioCard(evaluation) + card("Palpate's moves in a tick", iterationsChart(evaluation));
+    body +=
+        ratioCard(evaluation) + tissueCard(evaluation) + card("Palpate's moves in a tick", iterationsChart(evaluation));
     for (const SubjectInfo& s : evaluation.subjects) {
         body +=
             card("Error over time, " + (evaluation.motions.empty() ? "" : evaluation.motions.front()) + ": " + s.name,

@@ -16,12 +16,13 @@ using haptics::HapticScene;
 using haptics::HapticStructure;
 using haptics::TickResult;
 
-HapticStructure structureOf(const geometry::RepairedMesh& mesh, std::uint32_t layer)
+HapticStructure structureOf(const geometry::RepairedMesh& mesh, std::uint32_t layer, double friction)
 {
     HapticStructure structure;
     structure.name = layer == 0 ? "around" : "surface";
     structure.surface = std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
     structure.layer = layer;
+    structure.tissue.friction_static = structure.tissue.friction_dynamic = friction;
     return structure;
 }
 
@@ -37,12 +38,12 @@ JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedM
 {
     const core::Box bounds = mesh.mesh.bounds();
     m_magnitude_mm = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
-    const HapticStructure surface = structureOf(mesh, 1);
+    const HapticStructure surface = structureOf(mesh, 1, hardCase.friction);
     m_scene = std::make_unique<HapticScene>(std::vector{surface}, hardCase.fingertip_mm);
     m_alone.setScene(m_scene.get());
     m_restored.setScene(m_scene.get());
     if (m_otherEvery > 0) {
-        const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0);
+        const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0, 0.0);
         m_otherScene = std::make_unique<HapticScene>(std::vector{other}, hardCase.fingertip_mm);
         m_bothScene = std::make_unique<HapticScene>(std::vector{other, surface}, hardCase.fingertip_mm);
         m_both.setScene(m_scene.get());
@@ -87,6 +88,7 @@ JudgedTick JudgedProduct::step(const Vec3& hip)
     }
     if (hip.allFinite()) {
         judgeForce(result, hip);
+        judgeFriction(result, hip);
     }
     ++m_tick;
     return result;
@@ -101,6 +103,16 @@ void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
     result.isForceless = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
     if (!result.tick.f_W.isZero(0.0)) {
         result.forceError = (result.tick.f_W - wanted).norm() / wanted.norm();
+    }
+}
+
+void JudgedProduct::judgeFriction(JudgedTick& result, const Vec3& hip) const
+{
+    const double mu = m_scene->structures()[0].tissue.friction_static;
+    if (mu > 0.0 && result.tick.constraints == 1 && result.tick.status == haptics::TickStatus::Converged) {
+        const Vec3 spring = result.tick.p_WG - hip, n = result.tick.active[0].n_W;
+        const double lambda = n.dot(spring);
+        result.outsideCone_mm = (spring - lambda * n).norm() - (1.0 + 1e-6) * mu * std::max(0.0, lambda);
     }
 }
 

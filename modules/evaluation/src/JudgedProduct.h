@@ -17,6 +17,7 @@ struct JudgedTick
     bool isForceless = false;     ///< no force, though the god-object is not at the HIP
     double forceError = 0.0;      ///< |f - k (g - p)|, as a share of k |g - p|
     bool isRestoredApart = false; ///< restored from a recorded state it gives other bits
+    double outsideCone_mm = 0.0;  ///< one facet holds it: |g - g*| - mu lambda, the definition of law/Friction.h
     double layersError_N = 0.0;   ///< force of both layers, less those of each alone
 };
 
@@ -35,6 +36,7 @@ class JudgedProduct
   private:
     void switchOther();
     void judgeForce(JudgedTick& result, const Vec3& hip) const;
+    void judgeFriction(JudgedTick& result, const Vec3& hip) const;
 
     std::int64_t m_otherEvery, m_tick = 0;
     double m_magnitude_mm = 0.0; ///< largest coordinate

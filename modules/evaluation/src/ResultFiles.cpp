@@ -97,6 +97,14 @@ QJsonObject object(const Trial& t)
             {"is_on_pareto_front", t.isOnFront}};
 }
 
+QJsonObject object(const SizePoint& p)
+{
+    return {{"solver", text(p.solver)},
+            {"triangles", qint64(p.triangles)},
+            {"ticks", qint64(p.ticks)},
+            {"time_us", object(p.time_us)}};
+}
+
 QJsonObject object(const HardCaseResult& r)
 {
     QJsonArray figures;
@@ -154,7 +162,12 @@ std::string resultsCsv(const Evaluation& evaluation)
                                           [&t](const SubjectInfo& s) { return s.name == t.subject; });
         out += origin(subject != evaluation.subjects.end() ? subject->hash : "");
     }
-    for (const SizePoint& p : evaluation.sizes) {
+    std::vector<SizePoint> points = evaluation.sizes;
+    for (const SizePoint& p : evaluation.tissues) {
+        points.push_back(p);
+        points.back().solver = "Palpate " + p.solver;
+    }
+    for (const SizePoint& p : points) {
         out += "sphere," + quoted(p.solver) + ",,size," + std::to_string(p.triangles) + ',' +
                std::to_string(p.triangles) + ",1000," + std::to_string(p.ticks) + ",,,,,";
         appendPercentiles(out, p.time_us);
@@ -181,7 +194,7 @@ std::string hardCasesCsv(const Evaluation& evaluation)
 
 std::string resultsJson(const Evaluation& evaluation)
 {
-    QJsonArray subjects, trials, sizes, cases, advice, ratios, operations;
+    QJsonArray subjects, trials, sizes, tissues, cases, advice, ratios, operations;
     for (const SubjectInfo& s : evaluation.subjects) {
         QJsonArray structures;
         for (const SubjectStructure& structure : s.structures) {
@@ -201,10 +214,10 @@ std::string resultsJson(const Evaluation& evaluation)
         trials.append(object(t));
     }
     for (const SizePoint& p : evaluation.sizes) {
-        sizes.append(QJsonObject{{"solver", text(p.solver)},
-                                 {"triangles", qint64(p.triangles)},
-                                 {"ticks", qint64(p.ticks)},
-                                 {"time_us", object(p.time_us)}});
+        sizes.append(object(p));
+    }
+    for (const SizePoint& p : evaluation.tissues) {
+        tissues.append(object(p));
     }
     for (const HardCaseResult& r : evaluation.hardCases) {
         cases.append(object(r));
@@ -242,6 +255,7 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"subjects", subjects},
                           {"trials", trials},
                           {"cost_by_size", sizes},
+                          {"cost_of_tissue", tissues},
                           {"ratios", ratios},
                           {"hard_cases", cases},
                           {"advice", advice},

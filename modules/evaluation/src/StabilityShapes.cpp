@@ -84,6 +84,36 @@ Shape cover()
     return shape;
 }
 
+/// A wall that is twice as stiff to one side: a map that rises over 10 mm, which the hand presses on.
+Shape mapStep()
+{
+    const geometry::RepairedMesh mesh = geometry::repair(shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), 6));
+    haptics::HapticStructure wall;
+    wall.name = "wall with a map";
+    auto surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
+    std::vector<float> values;
+    for (const Vec3& v : mesh.mesh.vertices) {
+        values.push_back(v.x() < 5.0 ? 0.5F : 1.0F);
+    }
+    wall.maps.stiffness = haptics::TissueMap::atVertices(*surface, mesh, values);
+    wall.surface = std::move(surface);
+    Shape shape;
+    shape.name = "map with a step";
+    shape.structures = {std::move(wall)};
+    shape.share = {1.0};
+    shape.holds = {{Vec3(5, 0.2, 0), -Vec3::UnitZ(), Vec3(-5, 0, 0)}, {Vec3(9, 0.2, 0), -Vec3::UnitZ(), {0, 0, 0}}};
+    return shape;
+}
+
+Shape roughWall()
+{
+    Shape shape = single("wall with friction", shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0)),
+                         {Vec3(0.3, 0.2, 0), -Vec3::UnitZ(), {0, 0, 0}});
+    shape.structures[0].tissue.friction_static = 0.4;
+    shape.structures[0].tissue.friction_dynamic = 0.3;
+    return shape;
+}
+
 } // namespace
 
 std::vector<Shape> standardShapes()
@@ -100,6 +130,8 @@ std::vector<Shape> standardShapes()
     const Vec3 n = Vec3(0.3, 0.4, 0.87).normalized();
     out.push_back(single("fine sphere", shapes::bumpySphere(128, 30.0, 0.0), {30.0 * n, -n, {0, 0, 0}}));
     out.push_back(cover());
+    out.push_back(mapStep());
+    out.push_back(roughWall());
     return out;
 }
 

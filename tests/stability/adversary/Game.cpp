@@ -31,7 +31,7 @@ bool sameBits(const TickResult& a, const TickResult& b)
 {
     bool same = sameBits(a.p_WG, b.p_WG) && sameBits(a.f_W, b.f_W) && sameBits(a.n_W, b.n_W) &&
                 a.structure == b.structure && a.triangle == b.triangle && a.constraints == b.constraints &&
-                a.status == b.status && a.iterations == b.iterations;
+                a.status == b.status && a.iterations == b.iterations && a.friction() == b.friction();
     for (std::size_t i = 0; same && i < a.constraints; ++i) {
         same = sameBits(a.active[i].n_W, b.active[i].n_W) && a.active[i].triangle == b.active[i].triangle &&
                a.active[i].structure == b.active[i].structure;
@@ -47,6 +47,13 @@ struct Alone
     std::unique_ptr<LayerJudge> judge;
 };
 
+/// Each family has seeds of its own, which a new family does not change.
+std::uint64_t firstOf(Family family)
+{
+    const auto number = static_cast<std::uint64_t>(family);
+    return number < 4 ? number : number << 48;
+}
+
 class Game
 {
   public:
@@ -54,7 +61,7 @@ class Game
         : m_family(family)
         , m_seed(seed)
         , m_tally(tally)
-        , m_chance(seed * kFamilies + static_cast<std::uint64_t>(family))
+        , m_chance(firstOf(family) + 4 * seed)
         , m_scene(randomScene(family, m_chance))
         , m_isExact(m_chance.is(0.5))
         , m_hand(m_scene, m_isExact, m_chance.bits())
@@ -209,10 +216,11 @@ class Game
     {
         std::printf(
             "tick %lld, HIP (%.17g %.17g %.17g): god-object (%.17g %.17g %.17g), force (%g %g %g), structure %d, "
-            "triangle %u, %d constraints, %u moves, status %d\n",
+            "triangle %u, %d constraints, %u moves, status %d, friction %d\n",
             static_cast<long long>(m_number), m_hip.x(), m_hip.y(), m_hip.z(), tick.p_WG.x(), tick.p_WG.y(),
             tick.p_WG.z(), tick.f_W.x(), tick.f_W.y(), tick.f_W.z(), tick.structure, tick.triangle,
-            static_cast<int>(tick.constraints), tick.iterations, static_cast<int>(tick.status));
+            static_cast<int>(tick.constraints), tick.iterations, static_cast<int>(tick.status),
+            static_cast<int>(tick.friction()));
     }
 
     void say(const Fault& fault)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerJudge.h"
 
+#include "TissueJudge.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -18,6 +20,11 @@ LayerJudge::LayerJudge(const RandomScene& scene, std::uint32_t layer, std::uint6
     , m_chance(seed)
     , m_magnitude_mm(std::max(scene.bounds.min().cwiseAbs().maxCoeff(), scene.bounds.max().cwiseAbs().maxCoeff()))
 {
+    for (const RandomStructure& one : scene.structures) {
+        m_structures.push_back(one.structure());
+        m_isRough = m_isRough || (one.layer == layer && one.tissue.hasFriction());
+        m_hasDrag = m_hasDrag || (one.layer == layer && one.tissue.friction_drag_Ns_per_mm > 0.0);
+    }
     forget();
 }
 
@@ -54,7 +61,9 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
         judgeBall(god, faults);
     }
     // Where the bound stopped it, the god-object may be on its way.
-    if (isRestJudged && tick.status == haptics::TickStatus::Converged && !m_isDeep && faults.size() == before) {
+    if (m_isRough) {
+        judgeFriction(tick, hip, faults); // which rests where it holds
+    } else if (isRestJudged && tick.status == haptics::TickStatus::Converged && !m_isDeep && faults.size() == before) {
         judgeRest(god, hip, faults);
     }
     m_god = god;
@@ -99,10 +108,12 @@ void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, co
         }
         isTried[t.structure] = 1;
         isNear = true;
-        const haptics::Tissue& tissue = m_scene.structures[t.structure].tissue;
-        const Vec3 elastic = tissue.stiffness_N_per_mm * spring, viscous = tissue.damping_Ns_per_mm * v_WH;
-        if ((tick.f_W - elastic + viscous).norm() <= 16.0 * kEps * (elastic.norm() + viscous.norm())) {
-            return;
+        for (std::size_t k = 0; k < tick.constraints; ++k) {
+            const haptics::ActiveConstraint& plane = tick.active[k];
+            if (plane.structure == t.structure &&
+                ForceOfTissue(m_structures[t.structure], plane, tick.p_WG, hip).is(tick.f_W, v_WH)) {
+                return;
+            }
         }
     }
     faults.push_back({isNear ? "force of no tissue that is touched" : "force where nothing is touched", tick.f_W.norm(),
@@ -251,6 +262,26 @@ void LayerJudge::judgeBall(const Vec3& god, Faults& faults)
     }
     m_near_mm = least;
     m_isDeep = least < radius - slack;
+}
+
+/// One facet alone holds it within the cone of what it touches; a tick that went on has said so.
+void LayerJudge::judgeFriction(const haptics::TickResult& tick, const Vec3& hip, Faults& faults) const
+{
+    const bool isConverged = tick.status == haptics::TickStatus::Converged;
+    if (isConverged && tick.iterations >= haptics::GodObjectLimits{}.iterations) {
+        faults.push_back({"more moves than the bound, not reported", double(tick.iterations), "", m_god, tick.p_WG});
+    }
+    if (tick.constraints == 0 && !((tick.p_WG - hip).norm() <= m_rounding_mm && tick.f_W.isZero(0.0))) {
+        faults.push_back({"free, but not at the HIP", (tick.p_WG - hip).norm(), "mm", m_god, tick.p_WG});
+    }
+    if (tick.constraints != 1 || !isConverged || m_isDeep || m_hasDrag) {
+        return;
+    }
+    const double outside = outsideCone_mm(m_structures[tick.active[0].structure], tick, hip);
+    const double slack = 64.0 * m_layer.skin_mm + m_rounding_mm;
+    if (outside > slack) {
+        faults.push_back({"outside the cone of friction", outside, "mm", m_god, tick.p_WG});
+    }
 }
 
 void LayerJudge::judgeRest(const Vec3& god, const Vec3& hip, Faults& faults)

@@ -54,6 +54,7 @@ class LayerJudge
     void judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& god, const Vec3& hip, Faults& faults);
     void judgeBall(const Vec3& god, Faults& faults);
     void judgeRest(const Vec3& god, const Vec3& hip, Faults& faults);
+    void judgeFriction(const haptics::TickResult& tick, const Vec3& hip, Faults& faults) const;
     [[nodiscard]] double distance_mm(const Sheet& sheet, const Vec3& p) const;
     [[nodiscard]] std::optional<bool> isCrossed(const Sheet& sheet, const Vec3& from, const Vec3& to) const;
 
@@ -61,6 +62,9 @@ class LayerJudge
     JudgedLayer m_layer;
     Chance m_chance;
     double m_magnitude_mm, m_rounding_mm = 0.0;
+    std::vector<haptics::HapticStructure> m_structures; ///< by number in the scene
+    bool m_isRough = false;                             ///< some structure of the layer has friction
+    bool m_hasDrag = false;
     bool m_isPlaced = false;
     bool m_isDeep = false; ///< a ball that is nearer to something than its radius
     Vec3 m_god = Vec3::Zero();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomScene.h"
 
+#include "RandomTissue.h"
+
 namespace palpate::adversary {
 
 namespace {
@@ -49,12 +51,19 @@ std::shared_ptr<const geometry::SurfaceIndex> indexOf(const TriangleMesh& mesh)
 
 const char* nameOf(Family family)
 {
-    static constexpr std::array<const char*, kFamilies> kNames{"closed", "open", "layers", "balls"};
+    static constexpr std::array<const char*, kFamilies> kNames{"closed", "open",  "layers",
+                                                               "balls",  "rough", "roughballs"};
     return kNames[static_cast<std::size_t>(family)];
 }
 
 RandomScene randomScene(Family family, Chance& chance)
 {
+    if (family == Family::Rough || family == Family::RoughBalls) {
+        RandomScene scene =
+            randomScene(family == Family::Rough ? static_cast<Family>(chance.below(3)) : Family::Balls, chance);
+        makeRough(scene, chance);
+        return scene;
+    }
     RandomScene scene;
     scene.scale = chance.is(0.25) ? chance.magnitude(1e-3, 1e3) : 1.0;
     if (family == Family::Balls) {
@@ -92,12 +101,9 @@ std::unique_ptr<haptics::HapticScene> RandomScene::build(std::uint32_t shown) co
 {
     std::vector<haptics::HapticStructure> all;
     for (const RandomStructure& one : structures) {
-        haptics::HapticStructure structure;
-        structure.name = one.mesh.name;
-        structure.tissue = one.tissue;
-        structure.layer = one.layer;
-        if ((shown >> one.layer & 1u) != 0) {
-            structure.surface = one.surface;
+        haptics::HapticStructure structure = one.structure();
+        if ((shown >> one.layer & 1u) == 0) {
+            structure.surface = nullptr;
         }
         all.push_back(std::move(structure));
     }

@@ -17,8 +17,10 @@ enum class Family
     Open,   ///< a point on sheets, fins and loose triangles
     Layers, ///< a point and two to four layers
     Balls,  ///< balls of 0.1 to 20 mm on all of these
+    Rough,  ///< a point on all of these, with friction, laws and maps
+    RoughBalls,
 };
-constexpr int kFamilies = 4;
+constexpr int kFamilies = 6;
 [[nodiscard]] const char* nameOf(Family family);
 
 struct RandomStructure
@@ -27,6 +29,10 @@ struct RandomStructure
     std::shared_ptr<const geometry::SurfaceIndex> surface;
     haptics::Tissue tissue;
     std::uint32_t layer = 0; ///< 0, 1, … without gaps
+    haptics::TissueMaps maps{};
+    std::shared_ptr<const haptics::ForceTable> law{};
+
+    [[nodiscard]] haptics::HapticStructure structure() const { return {mesh.name, surface, tissue, layer, maps, law}; }
 };
 
 struct RandomScene

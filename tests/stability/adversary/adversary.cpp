@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plays single seeds of the adversary, as a failing test names them.
 //
-// adversary FAMILY SEED [SEEDS [TICKS [FROM TO]]]   FAMILY: closed, open, layers, balls. Prints the ticks FROM … TO.
-// Exit code 1 when anything failed.
+// adversary FAMILY SEED [SEEDS [TICKS [FROM TO]]]   FAMILY: closed, open, layers, balls, rough, roughballs. Prints the
+// ticks FROM … TO. Exit code 1 when anything failed.
 #include "Game.h"
 
 #include <cstdio>
@@ -33,6 +33,6 @@ int main(int argc, char** argv)
         std::printf("%s\n", tally.summary().c_str());
         return tally.failedSeeds > 0 ? 1 : 0;
     }
-    std::fprintf(stderr, "usage: adversary closed|open|layers|balls SEED [SEEDS [TICKS [FROM TO]]]\n");
+    std::fprintf(stderr, "usage: adversary closed|open|layers|balls|rough|roughballs SEED [SEEDS [TICKS [FROM TO]]]\n");
     return 2;
 }

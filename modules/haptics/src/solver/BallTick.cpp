@@ -165,7 +165,8 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
         return u; // it was put there, and nothing holds it
     }
     // A facet that it has rolled on to, but not reached, holds nothing yet: straight down to it.
-    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm;
+    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
+               std::all_of(m_active.begin(), m_active.end(), [this](const BallContact& c) { return isTouched(c); });
     return m_isHeld ? Vec3::Zero() : Vec3(down + share * slide);
 }
 
@@ -462,12 +463,15 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
         return hasMoved || isLong || !isKept(true);
     }
     touch(crossing.facet, crossing.side);
-    if (m_friction != nullptr && !hasMoved) {
-        // A facet rolled on to can't be reached from here, and holds nothing.
-        m_active.release([this](const BallContact& c) { return !isTouched(c); });
-    }
     m_known = m_active[m_active.count() - 1];
     m_isKnown = true;
+    if (m_friction != nullptr && !hasMoved) {
+        // A facet rolled on to can't be reached from here, and holds nothing. What is in the way does.
+        m_active.release([this](const BallContact& c) { return !isTouched(c); });
+        if (m_active.isEmpty()) {
+            m_active.add() = m_known;
+        }
+    }
     return true;
 }
 

@@ -30,7 +30,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
     } else if (layer.fingertip_mm > 0.0) {
         stepBall(p_WH, layer, limits, *ball, nullptr, result);
     } else {
-        stepPoint(p_WH, layer, limits, nullptr, result);
+        stepPoint(p_WH, layer, limits, nullptr, true, result);
     }
     return result;
 }
@@ -40,17 +40,24 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
                                  NearBall* ball, GodObjectStep& result) noexcept
 {
     CoulombFriction friction(layer, dt_s, m_state.slides != 0);
-    if (isHeld(p_WH, layer, friction)) {
+    std::array<HalfSpace, 3> planes;
+    ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    const bool isOn = m_state.constraints > 0 && isBelow(0, layer);
+    if (isOn && isHeld(point, planes, layer, friction)) {
         report(result);
-    } else if (layer.fingertip_mm > 0.0) {
-        stepBall(p_WH, layer, limits, *ball, &friction, result);
     } else {
-        stepPoint(p_WH, layer, limits, &friction, result);
+        if (layer.fingertip_mm > 0.0) {
+            stepBall(p_WH, layer, limits, *ball, &friction, result);
+        } else {
+            stepPoint(p_WH, layer, limits, &friction, isOn, result);
+        }
+        point = withoutFriction(p_WH, layer, planes);
     }
     result.slides = result.constraints > 0 && friction.slides();
     m_state.slides = result.slides ? 1 : 0;
-    std::array<HalfSpace, 3> planes;
-    const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    for (std::size_t i = 0; i < result.constraints && layer.fingertip_mm > 0.0; ++i) {
+        result.active[i].n_W = planes[i].n; // of what holds, too
+    }
     result.push_W.setZero();
     for (int i = 0; i < point.count; ++i) {
         result.push_W +=
@@ -77,18 +84,37 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
         }
     }
     const Vec3 wanted = p_WH - m_state.p_WG;
+    if (m_state.constraints == 1) { // most ticks
+        const double lambda = planes[0].offset_mm - planes[0].n.dot(wanted);
+        ConstrainedPoint point;
+        point.count = lambda > allowance(skin_mm, wanted) ? 1 : 0;
+        point.lambda_mm[0] = lambda;
+        point.u = point.count == 0 ? wanted : Vec3(wanted + lambda * planes[0].n);
+        return point;
+    }
     return constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_state.constraints),
                             allowance(skin_mm, wanted));
 }
 
-/// @return true when friction holds the god-object on its contacts. In a corner it has nothing to hold.
-bool GodObject::isHeld(const Vec3& p_WH, const HapticLayer& layer, CoulombFriction& friction) const noexcept
+/// @return true when the god-object is on the contact's triangle; a ball's plane goes through its contact point
+bool GodObject::isBelow(std::size_t contact, const HapticLayer& layer) const noexcept
 {
-    std::array<HalfSpace, 3> planes;
-    const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    return layer.fingertip_mm > 0.0 || PointContact{m_facets[contact], m_state.side[contact]}.isBelow(m_state.p_WG);
+}
+
+/// @param point,planes  of `withoutFriction`
+/// @return true when friction holds the god-object on its contacts. In a corner it has nothing to hold.
+/// @pre it is on the first contact
+bool GodObject::isHeld(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes, const HapticLayer& layer,
+                       CoulombFriction& friction) const noexcept
+{
     friction.lift();
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
-        friction.press(m_facets[point.active[i]], m_state.p_WG, point.lambda_mm[i]);
+        const std::size_t on = point.active[i];
+        if (on > 0 && !isBelow(on, layer)) {
+            return false;
+        }
+        friction.press(m_facets[on], m_state.p_WG, point.lambda_mm[i]);
     }
     std::array<Vec3, 3> normals;
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
@@ -128,7 +154,7 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
 }
 
 PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLayer& layer,
-                                                const GodObjectLimits& limits, CoulombFriction* friction,
+                                                const GodObjectLimits& limits, CoulombFriction* friction, bool mayWalk,
                                                 GodObjectStep& result) noexcept
 {
     m_near.beginTick(TickWork(limits.work));
@@ -136,7 +162,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
     bool isClear = false;
     const bool isInCrease =
         m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] && m_state.side[0] == m_state.side[1];
-    if (m_state.constraints == 1 || isInCrease) {
+    if ((m_state.constraints == 1 || isInCrease) && mayWalk) {
         // Most ticks: all there is to do is to walk on over the surface.
         Walk walk(p_WH, layer, m_near, friction, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
         ended = walk.run(isInCrease    ? Walk::Start::InCrease

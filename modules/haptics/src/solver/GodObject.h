@@ -20,8 +20,8 @@ struct GodObjectStep
     std::uint8_t constraints = 0; ///< how many of `active` are valid
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
-    bool slides = false;        ///< friction lets it slide
-    Vec3 push_W; ///< sum of the multipliers times the normals [mm]; only with friction
+    bool slides = false; ///< friction lets it slide
+    Vec3 push_W;         ///< sum of the multipliers times the normals [mm]; only with friction
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
@@ -55,12 +55,14 @@ class GodObject
     void stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
                   CoulombFriction* friction, GodObjectStep& result) noexcept;
     void stepPoint(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, CoulombFriction* friction,
-                   GodObjectStep& result) noexcept;
+                   bool mayWalk, GodObjectStep& result) noexcept;
     void stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
                           NearBall* ball, GodObjectStep& result) noexcept;
     [[nodiscard]] ConstrainedPoint withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
                                                    std::array<HalfSpace, 3>& planes) const noexcept;
-    [[nodiscard]] bool isHeld(const Vec3& p_WH, const HapticLayer& layer, CoulombFriction& friction) const noexcept;
+    [[nodiscard]] bool isBelow(std::size_t contact, const HapticLayer& layer) const noexcept;
+    [[nodiscard]] bool isHeld(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes,
+                              const HapticLayer& layer, CoulombFriction& friction) const noexcept;
     void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
     template<class Contacts>
     void keep(const Contacts& contacts) noexcept;

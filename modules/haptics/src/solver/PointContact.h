@@ -21,6 +21,13 @@ struct PointContact
     {
         return facet.structure == other.facet.structure && facet.triangle == other.facet.triangle && side == other.side;
     }
+    /// True when `g` stands on the triangle. A plane can be in the way where its triangle lies beside, met at a shallow
+    /// angle: friction has nothing to hold there.
+    [[nodiscard]] bool isBelow(const Vec3& g) const noexcept
+    {
+        const double skin = facet.skin_mm;
+        return footOn(facet, side, g, {kSupporting * skin, kTouched * skin, 0.0}) != Foot::Away;
+    }
     /// The displacements from `g` that keep a skin's gap.
     [[nodiscard]] HalfSpace planeFrom(const Vec3& g) const noexcept { return {normal(), facet.skin_mm - gap(g)}; }
 };

@@ -20,7 +20,7 @@ constexpr int kRounds = 3;              // rounds over a convex edge that togeth
 void PointTick::touch(const PointContact& contact) noexcept
 {
     m_active.add() = contact;
-    m_mayWalk = contact.isInTheWay; // from a facet that is newly met
+    m_mayWalk = contact.isInTheWay && (m_friction == nullptr || contact.isBelow(m_god)); // from a facet newly met
     m_skin_mm = std::max(m_skin_mm, contact.facet.skin_mm);
 }
 
@@ -124,8 +124,15 @@ Vec3 PointTick::nextTarget() noexcept
 Vec3 PointTick::slowed(const Vec3& u) noexcept
 {
     m_friction->lift();
+    bool isOn = false;
     for (std::size_t i = 0; i < m_active.count(); ++i) {
-        m_friction->press(m_active[i].facet, m_god, m_active.lambda_mm(i));
+        if (m_active[i].isBelow(m_god)) {
+            m_friction->press(m_active[i].facet, m_god, m_active.lambda_mm(i));
+            isOn = true;
+        }
+    }
+    if (!isOn) {
+        return u;
     }
     const Vec3 slide = m_active.freePart(u);
     const double r = slide.norm(), rounding = kRoundingOfMoves * m_skin_mm;

@@ -138,6 +138,7 @@ struct Evaluation
     std::vector<Trial> trials;
     std::vector<ErrorSeries> series;
     std::vector<SizePoint> sizes;
+    std::vector<SizePoint> tissues; ///< the product on one sphere, plain and with friction, a law, a map, all
     std::vector<Ratio> ratios;
     std::vector<HardCaseResult> hardCases;
     std::vector<Advice> advice;

@@ -26,6 +26,9 @@ struct HardCase
     /// that jump across the scene in each tick: there ways part all the time.
     double mostElsewhere_percent = 0.0;
     double fingertip_mm = 0.0; ///< radius of the ball that touches, which grows with `scale`; 0 is a point
+    /// Coulomb's mu, at rest and sliding. With it a god-object rests where it is held: instead of what the exact solver
+    /// says it must be within the cone of the facet that holds it.
+    double friction = 0.0;
     /// How large the scene is compared with one of some 10 mm, where bounds in mm must grow with it.
     double scale = 1.0;
     /// For surfaces without an inside: how deep a point lies where the god-object must never be; <= 0 elsewhere. [mm]

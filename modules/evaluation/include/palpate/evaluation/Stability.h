@@ -44,13 +44,13 @@ struct Hold
 struct Shape
 {
     std::string name;
-    std::vector<haptics::HapticStructure> structures; ///< tissue is replaced
+    std::vector<haptics::HapticStructure> structures; ///< stiffness, damping and law are replaced
     std::vector<double> share; ///< of the stiffness that a hand meets in all, for each structure: layers add up
     std::vector<Hold> holds;
 };
 
 /// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
-/// layers that share the stiffness.
+/// layers that share the stiffness, a wall whose map steps by 2 : 1 over 10 mm, a wall with friction.
 [[nodiscard]] std::vector<Shape> standardShapes();
 /// A scene as a shape: every palpable structure equally stiff, in whatever layer, held at a few
 /// triangles of each.

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "RandomScene.h"
+
+namespace palpate::adversary {
+
+/// Gives the scene's structures friction, laws, and maps of stiffness, damping and friction: each now and then.
+void makeRough(RandomScene& scene, Chance& chance);
+
+} // namespace palpate::adversary

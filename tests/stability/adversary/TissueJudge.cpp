@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TissueJudge.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::adversary {
+
+namespace {
+
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
+
+/// Shares of the corners at the point of a triangle that is nearest to p.
+/// @par Source Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
+Vec3 nearestShares(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return Vec3(1, 0, 0);
+    }
+    if (d3 >= 0.0 && d4 <= d3) {
+        return Vec3(0, 1, 0);
+    }
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return Vec3(1.0 - d1 / (d1 - d3), d1 / (d1 - d3), 0);
+    }
+    if (d6 >= 0.0 && d5 <= d6) {
+        return Vec3(0, 0, 1);
+    }
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return Vec3(1.0 - d2 / (d2 - d6), 0, d2 / (d2 - d6));
+    }
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return Vec3(0, 1.0 - w, w);
+    }
+    return Vec3(va, vb, vc) / (va + vb + vc);
+}
+
+double at(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& shares)
+{
+    const std::array<float, 3>& corner = (*map.corners)[triangle];
+    return map.factor * (shares[0] * double{corner[0]} + shares[1] * double{corner[1]} + shares[2] * double{corner[2]});
+}
+
+/// How steep a map is on a triangle: it rises along each edge by the difference of its ends. [1/mm of its unit]
+double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& ab, const Vec3& ac)
+{
+    Eigen::Matrix<double, 3, 2> edges;
+    edges << ab, ac;
+    const std::array<float, 3>& corner = (*map.corners)[triangle];
+    const Eigen::Vector2d rise(double{corner[1]} - double{corner[0]}, double{corner[2]} - double{corner[0]});
+    return map.factor * (edges * (edges.transpose() * edges).inverse() * rise).norm();
+}
+
+} // namespace
+
+ForceOfTissue::ForceOfTissue(const haptics::HapticStructure& structure, const haptics::ActiveConstraint& plane,
+                             const Vec3& god, const Vec3& hip)
+    : m_on(structure)
+    , m_spring(god - hip)
+    , m_damping(structure.tissue.damping_Ns_per_mm)
+{
+    const geometry::SurfaceIndex& surface = *structure.surface;
+    const geometry::Triangle t = surface.triangle(plane.triangle);
+    const Vec3 &a = surface.vertex(t[0]), &b = surface.vertex(t[1]), &c = surface.vertex(t[2]);
+    const Vec3 shares = nearestShares(god, a, b, c);
+    const haptics::TissueMaps& maps = structure.maps;
+    if (!maps.damping.isEmpty()) {
+        m_damping = at(maps.damping, plane.triangle, shares);
+        m_dampingSlope = slope(maps.damping, plane.triangle, b - a, c - a);
+    }
+    if (!maps.friction.isEmpty()) {
+        m_friction = maps.friction.factor * double{std::ranges::max((*maps.friction.corners)[plane.triangle])};
+    }
+    if (!maps.stiffness.isEmpty()) {
+        m_stiffness = at(maps.stiffness, plane.triangle, shares);
+        m_least = maps.stiffness.factor * double{std::ranges::min((*maps.stiffness.corners)[plane.triangle])};
+        m_slope_per_mm = slope(maps.stiffness, plane.triangle, b - a, c - a);
+    }
+}
+
+bool ForceOfTissue::is(const Vec3& f_W, const Vec3& v_WH) const
+{
+    const double depth = m_spring.norm();
+    const haptics::ForceTable::Value law = m_on.lawAt(depth);
+    const Vec3 elastic = depth > 0.0 ? Vec3(m_stiffness * law.force_N / depth * m_spring) : Vec3::Zero();
+    const Vec3 viscous = m_damping * v_WH;
+    const double beside = m_on.tissue.hasFriction() ? 0.0 : law.energy_mJ * m_slope_per_mm;
+    // Without maps it is a number times a difference; with one, it depends on where on a triangle, that may be a
+    // sliver, a god-object some skins above it stands.
+    const double rounding = m_on.maps.isEmpty() ? 16.0 * kUlp : 1e-6;
+    const double place =
+        128.0 * m_on.surface->skin_mm() * (m_slope_per_mm * law.force_N + m_dampingSlope * v_WH.norm());
+    return (f_W - elastic + viscous).norm() <=
+           (1.0 + 1e-6) * beside + place + rounding * (elastic.norm() + viscous.norm());
+}
+
+double ForceOfTissue::coefficient(double mu, double lambda_mm) const
+{
+    const haptics::ForceTable::Value law = m_on.lawAt(lambda_mm);
+    const double takesUp = law.force_N > 0.0 ? law.energy_mJ / law.force_N * m_slope_per_mm / m_least : 0.0;
+    return std::max(m_friction * mu, takesUp);
+}
+
+double outsideCone_mm(const haptics::HapticStructure& structure, const haptics::TickResult& tick, const Vec3& hip)
+{
+    const haptics::Tissue& tissue = structure.tissue;
+    const Vec3 spring = tick.p_WG - hip, n = tick.active[0].n_W;
+    const double lambda = std::max(0.0, n.dot(spring));
+    const bool isHeld = tick.friction() == haptics::Friction::Holds;
+    const ForceOfTissue force(structure, tick.active[0], tick.p_WG, hip);
+    const double mu = isHeld ? tissue.friction_static : tissue.friction_dynamic;
+    return (spring - n.dot(spring) * n).norm() - (1.0 + 1e-6) * force.coefficient(mu, lambda) * lambda;
+}
+
+} // namespace palpate::adversary
