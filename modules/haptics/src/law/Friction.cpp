@@ -36,6 +36,7 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
 
 double CoulombFriction::share(double r_mm, double rounding_mm) noexcept
 {
+    m_lastSlid = false;
     if (!m_slides) {
         if (r_mm <= m_still_mm + rounding_mm) {
             return 0.0;
@@ -52,7 +53,9 @@ double CoulombFriction::share(double r_mm, double rounding_mm) noexcept
         const double c = m_drag / m_dt_s;
         m_behind_mm = m_drag > 0.0 && m_dt_s > 0.0 ? (r_mm - m_sliding_mm) * (c / (m_stiffest + c)) : 0.0;
     }
-    return std::max(0.0, 1.0 - (m_sliding_mm + m_behind_mm) / r_mm);
+    const double share = std::max(0.0, 1.0 - (m_sliding_mm + m_behind_mm) / r_mm);
+    m_lastSlid = share > 0.0;
+    return share;
 }
 
 } // namespace palpate::haptics::internal

@@ -36,6 +36,8 @@ class CoulombFriction
     }
 
     [[nodiscard]] bool slides() const noexcept { return m_slides; }
+    /// True when the last `share` let it go on.
+    [[nodiscard]] bool lastSlid() const noexcept { return m_lastSlid; }
 
     /// Begins with another set of contacts, or another place on them.
     void lift() noexcept { m_still_mm = m_sliding_mm = m_stiffest = m_drag = 0.0; }
@@ -54,6 +56,7 @@ class CoulombFriction
     const HapticLayer& m_layer;
     double m_dt_s;
     bool m_slides;
+    bool m_lastSlid = false;
     bool m_isBehind = false;   ///< `m_behind_mm` is known
     double m_still_mm = 0.0;   ///< R with the coefficients at rest
     double m_sliding_mm = 0.0; ///< R with those of sliding

@@ -41,27 +41,35 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
 {
     CoulombFriction friction(layer, dt_s, m_state.slides != 0);
     std::array<HalfSpace, 3> planes;
-    ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
-    const bool isOn = m_state.constraints > 0 && isBelow(0, layer);
-    if (isOn && isHeld(point, planes, layer, friction)) {
-        report(result);
-    } else {
-        if (layer.fingertip_mm > 0.0) {
-            stepBall(p_WH, layer, limits, *ball, &friction, result);
-        } else {
-            stepPoint(p_WH, layer, limits, &friction, isOn, result);
-        }
+    ConstrainedPoint point;
+    bool isKnown = false; // `planes` and `point` are those of the end of the tick
+    const bool isOn = m_state.constraints > 0 && (m_hasWalked || isBelow(0, layer));
+    if (isOn && m_state.slides == 0) { // what slides most likely slides on
         point = withoutFriction(p_WH, layer, planes);
+        isKnown = isHeld(point, planes, layer, friction);
+    }
+    if (isKnown) {
+        report(result);
+        for (std::size_t i = 0; i < result.constraints; ++i) {
+            result.active[i].n_W = planes[i].n; // a ball's are not the facets'
+        }
+    } else if (layer.fingertip_mm > 0.0) {
+        stepBall(p_WH, layer, limits, *ball, &friction, result);
+    } else {
+        stepPoint(p_WH, layer, limits, &friction, isOn, result);
     }
     result.slides = result.constraints > 0 && friction.slides();
     m_state.slides = result.slides ? 1 : 0;
-    for (std::size_t i = 0; i < result.constraints && layer.fingertip_mm > 0.0; ++i) {
-        result.active[i].n_W = planes[i].n; // of what holds, too
+    if (result.constraints < 2) {
+        result.push_W = result.active[0].n_W; // its direction alone counts
+        return;
+    }
+    if (!isKnown) {
+        point = withoutFriction(p_WH, layer, planes);
     }
     result.push_W.setZero();
-    for (int i = 0; i < point.count; ++i) {
-        result.push_W +=
-            point.lambda_mm[static_cast<std::size_t>(i)] * planes[point.active[static_cast<std::size_t>(i)]].n;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
+        result.push_W += point.lambda_mm[i] * planes[point.active[i]].n;
     }
 }
 
@@ -190,7 +198,8 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         keep(tick.contacts());
     }
     report(result);
-    m_hasWalked = ended == Walk::Ended::OnFacet && friction == nullptr; // then it stands a skin above the facet
+    // Then it stands a skin above the facet; where friction holds it stands as it came.
+    m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());
     lookAhead(layer, isClear && Walk::hasArrived(ended));
 }
 

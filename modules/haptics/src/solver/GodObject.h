@@ -21,7 +21,7 @@ struct GodObjectStep
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
     bool slides = false; ///< friction lets it slide
-    Vec3 push_W;         ///< sum of the multipliers times the normals [mm]; only with friction
+    Vec3 push_W;         ///< along the sum of the multipliers times the normals; only with friction and in contact
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
