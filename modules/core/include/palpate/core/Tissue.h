@@ -36,9 +36,9 @@ struct TissueTerm
     std::string_view meaning; ///< in a sentence's part
     std::string_view unit;
     std::string_view spokenUnit;
-    double most;  ///< that a file may hold, and a panel
-    int decimals; ///< that a panel shows
-    double step;  ///< of a panel's field
+    double most;              ///< that a file may hold, and a panel
+    int decimals;             ///< that a panel shows
+    double step;              ///< of a panel's field
     std::string_view group{}; ///< object of a scene file that it stands in; empty: the structure itself
     std::string_view field{}; ///< its name there
 };

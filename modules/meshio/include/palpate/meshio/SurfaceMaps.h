@@ -17,7 +17,8 @@ namespace palpate::meshio {
 /// @param structure  with its surface; its `maps` are replaced
 /// @param warnings  gets a line for values that are missing
 /// @param losses  gets a line for each map that can't be had
-/// @par Thread Any. @par Cost O(vertices) for an array; a volume is read and sampled, which can take seconds.
+/// @par Thread Any.
+/// @par Cost O(vertices) for an array; a volume is read and sampled, which can take seconds.
 void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses);
 
 /// @return how many values of a map are not known: the structure's own is felt there.
