@@ -167,7 +167,9 @@ class RecordedLayers : public QObject
             }
             tick.felt.contacts[0].friction = static_cast<haptics::Friction>(i % 3);
             if (i % 5 != 0) {
-                tick.flags |= i % 3 == 1 ? servo::kHolds : i % 3 == 2 ? servo::kSlides : 0;
+                if (i % 3 != 0) {
+                    tick.flags |= i % 3 == 1 ? servo::kHolds : servo::kSlides;
+                }
             }
             if (tick.felt.contactCount > 1) {
                 tick.felt.contacts[1].friction = static_cast<haptics::Friction>(i / 3 % 3);
