@@ -196,10 +196,11 @@ class TissueMaps : public QObject
             }
             // Where the step crosses from facet to facet the gradient has a kink: those places are left out.
             const std::uint32_t triangle = t.triangle;
-            const bool isInside = std::all_of(std::begin({0, 1, 2}), std::end({0, 1, 2}), [&](int axis) {
-                return on.at(hip + 2.0 * kStep * Vec3::Unit(axis)).triangle == triangle &&
-                       on.at(hip - 2.0 * kStep * Vec3::Unit(axis)).triangle == triangle;
-            });
+            bool isInside = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                const Vec3 by = 2.0 * kStep * Vec3::Unit(axis);
+                isInside = isInside && on.at(hip + by).triangle == triangle && on.at(hip - by).triangle == triangle;
+            }
             if (isInside) {
                 const double off = (t.f_W + gradient).norm();
                 QVERIFY2(off < 1e-6, qPrintable(QString("%1 N").arg(off)));
