@@ -397,6 +397,17 @@ class RecordedLayers : public QObject
                  bad.status().message().c_str());
     }
 
+    /// A measured click: what a scene may hold, a recording must give back.
+    void aLawThatFallsComesBack()
+    {
+        core::ForceLaw law;
+        law.kind = core::LawKind::Points;
+        law.points = {{0.0, 0.0}, {1.0, 2.0}, {1.5, 1.2}, {4.0, 3.0}};
+        QVERIFY(core::check(law).isOk());
+        const auto back = session::internal::parseLaw(session::internal::lawText(law));
+        QVERIFY(back.has_value() && *back == law);
+    }
+
     void lawsComeBackAsTheyWere()
     {
         for (const core::LawKind kind : core::kLawKinds) {

@@ -16,21 +16,18 @@ QString text(std::string_view utf8)
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-/// @return nothing unless they are pairs of numbers that start at (0, 0), depth and force ascending.
+/// @return nothing unless they are pairs of numbers.
 std::optional<std::vector<core::ForceLaw::Point>> parsePoints(const QJsonArray& array)
 {
     std::vector<core::ForceLaw::Point> points;
     for (const QJsonValue& value : array) {
         const QJsonArray pair = value.toArray();
-        const core::ForceLaw::Point point{pair[0].toDouble(-1.0), pair[1].toDouble(-1.0)};
-        const bool isNext = points.empty() ? point == core::ForceLaw::Point{0.0, 0.0}
-                                           : point[0] > points.back()[0] && point[1] >= points.back()[1];
-        if (pair.size() != 2 || !isNext) {
+        if (pair.size() != 2 || !pair[0].isDouble() || !pair[1].isDouble()) {
             return std::nullopt;
         }
-        points.push_back(point);
+        points.push_back({pair[0].toDouble(), pair[1].toDouble()});
     }
-    return points.size() < 2 || points.size() > core::ForceLaw::kMostPoints ? std::nullopt : std::optional(points);
+    return points;
 }
 
 } // namespace
@@ -74,7 +71,7 @@ std::optional<core::ForceLaw> parseLaw(std::string_view utf8)
     for (std::size_t i = 0; i < terms.size(); ++i) {
         const QJsonValue number = json[text(terms[i].key)];
         law.numbers[i] = number.toDouble();
-        if (!number.isDouble() || !(law.numbers[i] >= terms[i].least && law.numbers[i] <= terms[i].most)) {
+        if (!number.isDouble()) {
             return std::nullopt;
         }
     }
@@ -85,7 +82,7 @@ std::optional<core::ForceLaw> parseLaw(std::string_view utf8)
         }
         law.points = std::move(*points);
     }
-    return law;
+    return core::check(law).isOk() ? std::optional(law) : std::nullopt;
 }
 
 } // namespace palpate::session::internal
