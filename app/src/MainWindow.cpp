@@ -54,7 +54,7 @@ MainWindow::MainWindow()
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
-    m_keys = new KeysCard(this);
+    m_keys = new KeysCard(m_actions, this);
     m_document = new SceneDocument(m_model, this);
     m_loader.setReader(study::openScene);
     connectActions();
@@ -75,71 +75,6 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow()
 {
     delete m_devices; // it lets go of what the members below the children hold
-}
-
-QAction* MainWindow::makeAction(const QString& text, Symbol symbol, const QKeySequence& key, const QString& tip)
-{
-    auto* action = new QAction(icon(symbol), text, this);
-    action->setShortcut(key);
-    action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-    addAction(action); // the key works with menus hidden too
-    return action;
-}
-
-void MainWindow::makeActions()
-{
-    m_openAction = makeAction(tr("Open…"), Symbol::Open, QKeySequence::Open, tr("Open meshes, a scene or a recording"));
-    m_saveAction = makeAction(tr("Save scene"), Symbol::Open, QKeySequence::Save, tr("Save the scene with its tissue"));
-    m_saveAsAction = makeAction(tr("Save scene as…"), Symbol::Open, QKeySequence::SaveAs,
-                                tr("Save the scene with its tissue to another file"));
-    m_findingAction = makeAction(tr("Mark a finding"), Symbol::Hand, QKeySequence(Qt::Key_M),
-                                 tr("Mark the place that is touched, in the scene and in the recording"));
-    m_showFindingsAction = new QAction(tr("Findings"), this);
-    m_showFindingsAction->setCheckable(true);
-    m_showFindingsAction->setChecked(true);
-    m_showFindingsAction->setEnabled(false);
-    m_showFindingsAction->setToolTip(tr("Show the places marked as findings"));
-    m_noteAction = makeAction(tr("Note…"), Symbol::Record, QKeySequence(Qt::Key_N),
-                              tr("Write a note at this moment of the recording"));
-    m_measuresAction = makeAction(tr("What the session says…"), Symbol::Play, QKeySequence(Qt::Key_I),
-                                  tr("Forces, coverage and findings of the recording, and exports"));
-    m_embedAction = new QAction(tr("Put the surfaces into recordings"), this);
-    m_embedAction->setCheckable(true);
-    m_embedAction->setToolTip(tr("One file then holds the whole session; it grows by what the meshes take"));
-    m_embedAction->setChecked(QSettings().value(QStringLiteral("session/embed")).toBool());
-    m_palpateAction = makeAction(
-        tr("Palpate"), Symbol::Hand, QKeySequence(Qt::Key_P),
-        tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"));
-    m_palpateAction->setCheckable(true);
-    m_recordAction =
-        makeAction(tr("Record"), Symbol::Record, QKeySequence(Qt::Key_R), tr("Record what the hand feels, every tick"));
-    m_recordAction->setCheckable(true);
-    m_playAction = makeAction(tr("Play"), Symbol::Play, QKeySequence(Qt::Key_K), tr("Play or pause the recording"));
-    m_restartAction = makeAction(tr("To the start"), Symbol::Restart, QKeySequence(Qt::Key_Home),
-                                 tr("Back to the recording's start"));
-    m_snapshotAction =
-        makeAction(tr("Snapshot"), Symbol::Snapshot, QKeySequence(Qt::Key_S), tr("Save a picture of the view"));
-    m_fitAction = makeAction(tr("Fit"), Symbol::Fit, QKeySequence(Qt::Key_F), tr("Fit everything into the view"));
-    m_undoAction =
-        makeAction(tr("Undo"), Symbol::Undo, QKeySequence::Undo, tr("Undo the newest change of a structure"));
-    m_redoAction = makeAction(tr("Redo"), Symbol::Redo, QKeySequence::Redo, tr("Do it again"));
-    m_keysAction = makeAction(tr("All keys"), Symbol::Keys, QKeySequence(QStringLiteral("?")), tr("Show all keys"));
-    // Both layouts of "?" and the way back: whatever the keyboard, one of them is there.
-    m_keysAction->setShortcuts(
-        {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)});
-    m_clutchAction = makeAction(tr("Clutch"), Symbol::Hand, QKeySequence(Qt::Key_C),
-                                tr("Move the device without the hand in the scene; again to let go"));
-    m_clutchAction->setCheckable(true);
-    m_fitSceneAction = makeAction(tr("Fit all to the device"), Symbol::Fit, QKeySequence(Qt::Key_W),
-                                  tr("All that is shown fills the device's workspace"));
-    m_fitOrganAction = makeAction(tr("Fit organ to the device"), Symbol::Fit, QKeySequence(Qt::Key_O),
-                                  tr("The organ that is touched or pointed at fills the device's workspace"));
-    m_fitLumpAction = makeAction(tr("Fit lump to the device"), Symbol::Fit, QKeySequence(Qt::Key_L),
-                                 tr("10 mm about what is touched, pointed at or found fill the device's workspace"));
-    auto* letGo = new QAction(this);
-    letGo->setShortcut(Qt::Key_Escape);
-    addAction(letGo);
-    connect(letGo, &QAction::triggered, this, &MainWindow::letGo);
 }
 
 void MainWindow::makeDocks()

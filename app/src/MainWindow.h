@@ -3,6 +3,7 @@
 
 #include "SceneDocument.h"
 
+#include <palpate/ui/ActionList.h>
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow
     /// Opens meshes and scenes as one scene, and the last recording among them to play in it.
     void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0);
 
+    [[nodiscard]] const palpate::ui::ActionList& commands() const noexcept { return m_actions; }
     [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
     [[nodiscard]] palpate::ui::PalpationController& palpation() noexcept { return *m_palpation; }
     [[nodiscard]] palpate::ui::Playback& playback() noexcept { return *m_playback; }
@@ -67,6 +69,10 @@ class MainWindow : public QMainWindow
 
   private:
     void makeActions();
+    void makeFileAndEditActions();
+    void makeViewActions();
+    void makeSessionActions();
+    void makeDeviceAndHelpActions();
     void makeMenus();
     void makeToolBar();
     void makeDocks();
@@ -74,8 +80,6 @@ class MainWindow : public QMainWindow
     void connectActions();
     void connectLoading();
     void connectTouch();
-    QAction* makeAction(const QString& text, palpate::ui::Symbol symbol, const QKeySequence& key, const QString& tip);
-    void addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, palpate::view::ViewFrom from);
 
     void chooseFiles();
     bool saveScene();
@@ -109,6 +113,7 @@ class MainWindow : public QMainWindow
     void tellFault(const QString& line);
     [[nodiscard]] QString howToTouch() const;
 
+    palpate::ui::ActionList m_actions{this};
     palpate::ui::StructureModel m_model;
     palpate::ui::LiveTouch m_live{m_model};
     palpate::ui::SceneLoader m_loader;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Menus, tool bar, chips and what they show of the parts' state.
-#include "FingertipMenu.h"
+// Tool bar, chips and what they show of the parts' state.
 #include "MainWindow.h"
 
 #include "PhantomFolder.h"
@@ -23,61 +22,6 @@
 
 using namespace palpate;
 using namespace palpate::ui;
-
-void MainWindow::addViewKey(QMenu& menu, const QString& text, const QKeySequence& key, view::ViewFrom from)
-{
-    QAction* action = menu.addAction(text, this, [this, from] {
-        m_viewport->view().look(from);
-        m_viewport->update();
-    });
-    action->setShortcut(key);
-}
-
-void MainWindow::makeMenus()
-{
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addAction(m_openAction);
-    m_recentMenu = file->addMenu(tr("Open recent"));
-    file->addAction(m_saveAction);
-    file->addAction(m_saveAsAction);
-    file->addAction(m_snapshotAction);
-    file->addSeparator();
-    file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
-
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    edit->addAction(m_undoAction);
-    edit->addAction(m_redoAction);
-
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(m_fitAction);
-    view->addAction(m_showFindingsAction);
-    view->addSeparator();
-    addViewKey(*view, tr("From the front (A)"), Qt::Key_1, view::ViewFrom::Front);
-    addViewKey(*view, tr("From the back (P)"), Qt::CTRL | Qt::Key_1, view::ViewFrom::Back);
-    addViewKey(*view, tr("From the left (L)"), Qt::Key_3, view::ViewFrom::Left);
-    addViewKey(*view, tr("From the right (R)"), Qt::CTRL | Qt::Key_3, view::ViewFrom::Right);
-    addViewKey(*view, tr("From the head (S)"), Qt::Key_7, view::ViewFrom::Head);
-    addViewKey(*view, tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, view::ViewFrom::Feet);
-    addViewKey(*view, tr("Oblique"), Qt::Key_0, view::ViewFrom::Oblique);
-    view->addSeparator();
-    for (QDockWidget* dock : m_docks) {
-        view->addAction(dock->toggleViewAction());
-    }
-    view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
-
-    QMenu* session = menuBar()->addMenu(tr("&Session"));
-    for (QAction* action : {m_palpateAction, m_clutchAction, m_recordAction, m_playAction, m_restartAction}) {
-        session->addAction(action);
-    }
-    session->addSeparator();
-    for (QAction* action : {m_findingAction, m_noteAction, m_measuresAction, m_embedAction}) {
-        session->addAction(action);
-    }
-    session->addSeparator();
-    palpate::app::addFingertipMenu(*session, m_live);
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(m_keysAction);
-}
 
 void MainWindow::makeToolBar()
 {

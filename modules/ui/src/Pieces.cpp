@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Pieces.h"
 
+#include "palpate/ui/ActionList.h"
 #include "palpate/ui/Theme.h"
 
 #include <QGridLayout>
@@ -8,6 +9,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace palpate::ui {
 
@@ -100,62 +102,51 @@ void MessageBar::showError(const QString& text)
     show();
 }
 
-KeysCard::KeysCard(QWidget* parent)
+KeysCard::KeysCard(const ActionList& actions, QWidget* parent)
     : QFrame(parent)
+    , m_actions(actions)
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("All keys"));
-    const std::initializer_list<std::pair<QString, QString>> keys{
-        {tr("P"), tr("palpate or move the camera")},
-        {tr("hold Space"), tr("palpate while it is held")},
-        {tr("drag"), tr("camera: rotate · palpate: press and slide")},
-        {tr("right drag"), tr("camera: zoom · palpate: rotate")},
-        {tr("middle drag"), tr("pan")},
-        {tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)")},
-        {tr("Esc"), tr("let go, then back to the camera")},
-        {tr("1  3  7"), tr("from the front, the left, the head (with Ctrl: the opposite)")},
-        {tr("0"), tr("from the front, left and above")},
-        {tr("F"), tr("fit everything into the view")},
-        {tr("double-click"), tr("centre the view on the point")},
-        {tr("C"), tr("clutch: move the device without the hand in the scene")},
-        {tr("W  O  L"), tr("fit to the device: all, the organ or the lump that is touched or pointed at")},
-        {tr("R"), tr("record, stop recording")},
-        {tr("M  N"), tr("mark a finding, write a note into the recording")},
-        {tr("I"), tr("what the session says: forces, coverage, findings")},
-        {tr("K"), tr("play, pause")},
-        {tr("Home"), tr("to the start of the recording")},
-        {tr("S"), tr("save a picture of the view")},
-        {tr("Tab"), tr("in the view: hide or show the panels")},
-        {tr("V  H"), tr("in the list: show or hide, feel or not")},
-        {tr("Ctrl+↓  ↑"), tr("in the list: felt a layer deeper, farther out")},
-        {tr("Ctrl+O"), tr("open files; or drop them on the window")},
-        {tr("Ctrl+S"), tr("save the scene; with Shift: to another file")},
-        {tr("Ctrl+Z"), tr("undo; with Shift: redo")},
-        {tr("?"), tr("this card")},
-    };
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(26, 20, 26, 20);
-    grid->setHorizontalSpacing(22);
-    grid->setVerticalSpacing(6);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(26, 20, 26, 20);
     auto* title = new QLabel(tr("All keys"), this);
     QFont large = font();
     large.setPointSizeF(font().pointSizeF() * 1.4);
     large.setBold(true);
     title->setFont(large);
-    grid->addWidget(title, 0, 0, 1, 2);
+    layout->addWidget(title);
+    hide();
+}
+
+void KeysCard::fill()
+{
+    delete m_table;
+    m_table = new QWidget(this);
+    layout()->addWidget(m_table);
+    auto* grid = new QGridLayout(m_table);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(18);
+    grid->setVerticalSpacing(5);
     QFont bold = font();
     bold.setBold(true);
-    int row = 1;
-    for (const auto& [key, does] : keys) {
-        auto* name = new QLabel(key, this);
-        name->setFont(bold);
-        grid->addWidget(name, row, 0);
-        grid->addWidget(new QLabel(does, this), row++, 1);
+    const std::vector<ActionList::KeyLine> lines = m_actions.keyLines();
+    const int half = static_cast<int>(lines.size() + 1) / 2;
+    for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
+        const ActionList::KeyLine& line = lines[static_cast<std::size_t>(i)];
+        auto* keys = new QLabel(line.keys, m_table);
+        keys->setFont(bold);
+        const int column = i < half ? 0 : 2;
+        grid->addWidget(keys, i % half, column, Qt::AlignTop);
+        auto* does =
+            new QLabel(line.group == ActionGroup::InList ? tr("in the list: %1").arg(line.does) : line.does, m_table);
+        does->setWordWrap(true);
+        does->setMinimumWidth(300);
+        grid->addWidget(does, i % half, column + 1, Qt::AlignTop);
     }
-    hide();
 }
 
 void KeysCard::toggle()
@@ -165,6 +156,7 @@ void KeysCard::toggle()
         return;
     }
     m_before = window()->focusWidget();
+    fill();
     adjustSize();
     move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
     show();

@@ -15,6 +15,8 @@ class QVBoxLayout;
 
 namespace palpate::ui {
 
+class ActionList;
+
 /// A short fact in a rounded frame: "mouse", "1.00 kHz".
 class Chip : public QLabel
 {
@@ -84,7 +86,8 @@ class KeysCard : public QFrame
 {
     Q_OBJECT
   public:
-    explicit KeysCard(QWidget* parent);
+    /// @param actions  what the card shows; outlives it
+    KeysCard(const ActionList& actions, QWidget* parent);
     void toggle();
 
   protected:
@@ -94,6 +97,10 @@ class KeysCard : public QFrame
     void hideEvent(QHideEvent* event) override;
 
   private:
+    void fill();
+
+    const ActionList& m_actions;
+    QWidget* m_table = nullptr; ///< made anew each time the card is shown
     QPointer<QWidget> m_before; ///< had the keys before, and gets them back
 };
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's commands, each once; menus and the key card are made of their list.
+#include "FingertipMenu.h"
+#include "MainWindow.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::makeActions()
+{
+    makeFileAndEditActions();
+    makeViewActions();
+    makeSessionActions();
+    makeDeviceAndHelpActions();
+}
+
+void MainWindow::makeFileAndEditActions()
+{
+    m_openAction = m_actions.add("open", ActionGroup::File, tr("Open…"), tr("Open meshes, a scene or a recording"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_O)}, Symbol::Open);
+    m_saveAction = m_actions.add("save", ActionGroup::File, tr("Save scene"), tr("Save the scene with its tissue"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_S)});
+    // Not the platform's: without a theme it has none for this one.
+    m_saveAsAction = m_actions.add("save-as", ActionGroup::File, tr("Save scene as…"),
+                                   tr("Save the scene with its tissue to another file"),
+                                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)});
+    m_snapshotAction = m_actions.add("snapshot", ActionGroup::File, tr("Snapshot"), tr("Save a picture of the view"),
+                                     {QKeySequence(Qt::Key_S)}, Symbol::Snapshot);
+    m_actions.addSeparator(ActionGroup::File);
+    connect(
+        m_actions.add("quit", ActionGroup::File, tr("Quit"), tr("End Palpate"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}),
+        &QAction::triggered, this, &QWidget::close);
+    m_undoAction = m_actions.add("undo", ActionGroup::Edit, tr("Undo"), tr("Undo the newest change"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_Z)}, Symbol::Undo);
+    m_redoAction = m_actions.add("redo", ActionGroup::Edit, tr("Redo"), tr("Do it again"),
+                                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+                                 Symbol::Redo);
+}
+
+void MainWindow::makeViewActions()
+{
+    m_fitAction = m_actions.add("fit", ActionGroup::View, tr("Fit"), tr("Fit everything into the view"),
+                                {QKeySequence(Qt::Key_F)}, Symbol::Fit);
+    m_showFindingsAction =
+        m_actions.add("show-findings", ActionGroup::View, tr("Findings"), tr("Show the places marked as findings"));
+    m_showFindingsAction->setCheckable(true);
+    m_showFindingsAction->setChecked(true);
+    m_showFindingsAction->setEnabled(false);
+    m_actions.addSeparator(ActionGroup::View);
+    const auto addView = [this](const char* id, const QString& text, const QKeySequence& key, view::ViewFrom from) {
+        connect(m_actions.add(id, ActionGroup::View, text, text, {key}), &QAction::triggered, this, [this, from] {
+            m_viewport->view().look(from);
+            m_viewport->update();
+        });
+    };
+    addView("view-front", tr("From the front (A)"), Qt::Key_1, view::ViewFrom::Front);
+    addView("view-back", tr("From the back (P)"), Qt::CTRL | Qt::Key_1, view::ViewFrom::Back);
+    addView("view-left", tr("From the left (L)"), Qt::Key_3, view::ViewFrom::Left);
+    addView("view-right", tr("From the right (R)"), Qt::CTRL | Qt::Key_3, view::ViewFrom::Right);
+    addView("view-head", tr("From the head (S)"), Qt::Key_7, view::ViewFrom::Head);
+    addView("view-feet", tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, view::ViewFrom::Feet);
+    addView("view-oblique", tr("Oblique"), Qt::Key_0, view::ViewFrom::Oblique);
+    m_actions.addSeparator(ActionGroup::View);
+    m_actions.addGesture(ActionGroup::InView, tr("hold Space"), tr("palpate while it is held"));
+    m_actions.addGesture(ActionGroup::InView, tr("drag"), tr("camera: rotate · palpate: press and slide"));
+    m_actions.addGesture(ActionGroup::InView, tr("right drag"), tr("camera: zoom · palpate: rotate"));
+    m_actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
+    m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
+    m_actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
+    m_actions.addGesture(ActionGroup::InView, tr("Tab"), tr("hide or show the panels"));
+    connect(m_actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
+                          {QKeySequence(Qt::Key_Escape)}),
+            &QAction::triggered, this, &MainWindow::letGo);
+    m_actions.addGesture(ActionGroup::InList, tr("V  H"), tr("show or hide, feel or not"));
+    m_actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
+}
+
+void MainWindow::makeSessionActions()
+{
+    m_palpateAction = m_actions.add(
+        "palpate", ActionGroup::Session, tr("Palpate"),
+        tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"),
+        {QKeySequence(Qt::Key_P)}, Symbol::Hand);
+    m_palpateAction->setCheckable(true);
+    m_clutchAction = m_actions.add("clutch", ActionGroup::Session, tr("Clutch"),
+                                   tr("Move the device without the hand in the scene; again to let go"),
+                                   {QKeySequence(Qt::Key_C)}, Symbol::Hand);
+    m_clutchAction->setCheckable(true);
+    m_recordAction =
+        m_actions.add("record", ActionGroup::Session, tr("Record"), tr("Record what the hand feels, every tick"),
+                      {QKeySequence(Qt::Key_R)}, Symbol::Record);
+    m_recordAction->setCheckable(true);
+    m_playAction = m_actions.add("play", ActionGroup::Session, tr("Play"), tr("Play or pause the recording"),
+                                 {QKeySequence(Qt::Key_K)}, Symbol::Play);
+    m_restartAction = m_actions.add("to-start", ActionGroup::Session, tr("To the start"),
+                                    tr("Back to the recording's start"), {QKeySequence(Qt::Key_Home)}, Symbol::Restart);
+    m_actions.addSeparator(ActionGroup::Session);
+    m_findingAction = m_actions.add("mark", ActionGroup::Session, tr("Mark a finding"),
+                                    tr("Mark the place that is touched, in the scene and in the recording"),
+                                    {QKeySequence(Qt::Key_M)});
+    m_noteAction = m_actions.add("note", ActionGroup::Session, tr("Note…"),
+                                 tr("Write a note at this moment of the recording"), {QKeySequence(Qt::Key_N)});
+    m_measuresAction =
+        m_actions.add("measures", ActionGroup::Session, tr("Results…"),
+                      tr("Forces, coverage and findings of the recording, and exports"), {QKeySequence(Qt::Key_I)});
+    m_embedAction = m_actions.add("embed", ActionGroup::Session, tr("Keep the surfaces inside recordings"),
+                                  tr("One file then holds the whole session; it grows by what the meshes take"));
+    m_embedAction->setCheckable(true);
+    m_embedAction->setChecked(QSettings().value(QStringLiteral("session/embed")).toBool());
+    m_actions.addSeparator(ActionGroup::Session);
+}
+
+void MainWindow::makeDeviceAndHelpActions()
+{
+    m_fitSceneAction =
+        m_actions.add("fit-device-all", ActionGroup::Device, tr("Fit all to the device"),
+                      tr("All that is shown fills the device's workspace"), {QKeySequence(Qt::Key_W)}, Symbol::Fit);
+    m_fitOrganAction = m_actions.add("fit-device-organ", ActionGroup::Device, tr("Fit organ to the device"),
+                                     tr("The organ that is touched or pointed at fills the device's workspace"),
+                                     {QKeySequence(Qt::Key_O)}, Symbol::Fit);
+    m_fitLumpAction = m_actions.add("fit-device-lump", ActionGroup::Device, tr("Fit lump to the device"),
+                                    tr("10 mm about what is touched, pointed at or found fill the device's workspace"),
+                                    {QKeySequence(Qt::Key_L)}, Symbol::Fit);
+    // Both layouts of "?" and the way back: whatever the keyboard, one of them is there.
+    m_keysAction = m_actions.add(
+        "keys", ActionGroup::Help, tr("All keys"), tr("Show all keys"),
+        {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)},
+        Symbol::Keys);
+}
+
+void MainWindow::makeMenus()
+{
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    m_actions.fill(*file, ActionGroup::File);
+    m_recentMenu = new QMenu(tr("Open recent"), file);
+    file->insertMenu(m_saveAction, m_recentMenu);
+    m_actions.fill(*menuBar()->addMenu(tr("&Edit")), ActionGroup::Edit);
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    m_actions.fill(*view, ActionGroup::View);
+    for (QDockWidget* dock : m_docks) {
+        view->addAction(dock->toggleViewAction());
+    }
+    view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
+    QMenu* session = menuBar()->addMenu(tr("&Session"));
+    m_actions.fill(*session, ActionGroup::Session);
+    palpate::app::addFingertipMenu(*session, m_live);
+    m_actions.fill(*menuBar()->addMenu(tr("&Help")), ActionGroup::Help);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/ActionList.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QStringList>
+#include <QWidget>
+
+namespace palpate::ui {
+
+ActionList::ActionList(QWidget* window)
+    : QObject(window)
+    , m_window(window)
+{
+}
+
+QAction* ActionList::add(const char* id, ActionGroup group, const QString& text, const QString& tip,
+                         const QList<QKeySequence>& keys)
+{
+    auto* action = new QAction(text, m_window);
+    action->setObjectName(QLatin1String(id));
+    action->setShortcuts(keys);
+    action->setToolTip(keys.isEmpty() ? tip
+                                      : tr("%1 (%2)").arg(tip, keys.constFirst().toString(QKeySequence::NativeText)));
+    m_window->addAction(action); // its key works with menus hidden too
+    m_entries.push_back({group, action, {}, tip});
+    return action;
+}
+
+QAction* ActionList::add(const char* id, ActionGroup group, const QString& text, const QString& tip,
+                         const QList<QKeySequence>& keys, Symbol symbol)
+{
+    QAction* action = add(id, group, text, tip, keys);
+    action->setIcon(icon(symbol));
+    return action;
+}
+
+void ActionList::addSeparator(ActionGroup group)
+{
+    auto* line = new QAction(m_window);
+    line->setSeparator(true);
+    m_entries.push_back({group, line, {}, {}});
+}
+
+void ActionList::addGesture(ActionGroup group, const QString& keys, const QString& does)
+{
+    m_entries.push_back({group, nullptr, keys, does});
+}
+
+QAction* ActionList::find(const QString& id) const
+{
+    for (QAction* action : all()) {
+        if (action->objectName() == id) {
+            return action;
+        }
+    }
+    return nullptr;
+}
+
+std::vector<QAction*> ActionList::all() const
+{
+    std::vector<QAction*> actions;
+    for (const Entry& entry : m_entries) {
+        if (entry.action != nullptr && !entry.action->isSeparator()) {
+            actions.push_back(entry.action);
+        }
+    }
+    return actions;
+}
+
+void ActionList::fill(QMenu& menu, ActionGroup group) const
+{
+    for (const Entry& entry : m_entries) {
+        if (entry.group == group && entry.action != nullptr) {
+            menu.addAction(entry.action);
+        }
+    }
+}
+
+std::vector<ActionList::KeyLine> ActionList::keyLines() const
+{
+    std::vector<KeyLine> lines;
+    for (const Entry& entry : m_entries) {
+        QStringList keys;
+        if (entry.action != nullptr) {
+            for (const QKeySequence& key : entry.action->shortcuts()) {
+                keys << key.toString(QKeySequence::NativeText);
+            }
+        } else {
+            keys << entry.keys;
+        }
+        if (!keys.isEmpty()) {
+            lines.push_back({entry.group, keys.join(QStringLiteral("  ")), entry.does});
+        }
+    }
+    return lines;
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+
+#include <fstream>
+#include <string>
+
+namespace palpate::test {
+
+Desk::Desk()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+    QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
+}
+
+bool Desk::hasDisplay()
+{
+    return QGuiApplication::platformName() == QStringLiteral("xcb");
+}
+
+bool Desk::show(QSize size)
+{
+    close();
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(size);
+    m_window->show();
+    m_window->activateWindow();
+    return QTest::qWaitForWindowExposed(m_window.get());
+}
+
+bool Desk::open(const std::vector<std::filesystem::path>& files)
+{
+    QSignalSpy ready(m_window.get(), &MainWindow::ready);
+    m_window->open(files);
+    return QTest::qWaitFor([&] { return ready.count() > 0; }, 60000);
+}
+
+bool Desk::openPhantom()
+{
+    const std::filesystem::path phantom = std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom";
+    return open({phantom / "phantom.palpate.json", phantom / "palpation.palpate"});
+}
+
+void Desk::close()
+{
+    m_window.reset();
+}
+
+QAction& Desk::command(const char* id)
+{
+    QAction* action = m_window->commands().find(QLatin1String(id));
+    if (action == nullptr) {
+        qFatal("no command \"%s\"", id);
+    }
+    return *action;
+}
+
+void Desk::press(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+    QWidget* focus = m_window->focusWidget();
+    QTest::keyClick(focus != nullptr ? focus : m_window.get(), key, modifiers);
+}
+
+void Desk::pressKeyOf(const char* id)
+{
+    const QKeyCombination key = command(id).shortcut()[0];
+    press(key.key(), key.keyboardModifiers());
+}
+
+QImage Desk::picture()
+{
+    return m_window->grab().toImage();
+}
+
+std::filesystem::path Desk::writeStl(const char* name, const geometry::TriangleMesh& mesh) const
+{
+    const std::filesystem::path path = folder() / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream out(path, std::ios::binary);
+    const auto put = [&out](auto value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); };
+    out << std::string(80, ' ');
+    put(static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const geometry::Triangle& t : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            put(0.0F); // normals are computed, never read
+        }
+        for (const std::uint32_t corner : t) {
+            for (const double v : mesh.vertices[corner]) {
+                put(static_cast<float>(v));
+            }
+        }
+        put(std::uint16_t{0});
+    }
+    return path;
+}
+
+} // namespace palpate::test

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+
+#include <algorithm>
+
+using namespace palpate;
+
+namespace {
+
+/// Keeps a key from its command, and says that it came.
+class ShortcutCatcher : public QObject
+{
+  public:
+    bool isCaught = false;
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override
+    {
+        isCaught = isCaught || event->type() == QEvent::Shortcut;
+        return event->type() == QEvent::Shortcut;
+    }
+};
+
+} // namespace
+
+/// The window's commands: each stands once in the list that menus, key card and these tests read.
+class Desk : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->openPhantom());
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    void noKeyAndNoNameIsTakenTwice()
+    {
+        QSet<QString> names;
+        QSet<QString> keys;
+        for (const QAction* action : m_desk->window().commands().all()) {
+            QVERIFY2(!action->objectName().isEmpty() && !names.contains(action->objectName()),
+                     qPrintable(action->objectName()));
+            names << action->objectName();
+            QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
+            for (const QKeySequence& key : action->shortcuts()) {
+                QVERIFY2(!key.isEmpty(), qPrintable(action->objectName()));
+                QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString()));
+                keys << key.toString();
+            }
+        }
+    }
+
+    /// A key that the card promises does what it says, whatever the platform's theme.
+    void everyKeyTriggersItsCommand()
+    {
+        for (QAction* action : m_desk->window().commands().all()) {
+            const bool wasEnabled = action->isEnabled();
+            action->setEnabled(true);
+            for (const QKeySequence& key : action->shortcuts()) {
+                ShortcutCatcher catcher; // in place of what the command does
+                action->installEventFilter(&catcher);
+                m_desk->window().viewport().setFocus();
+                const QKeyCombination combination = key[0];
+                m_desk->press(combination.key(), combination.keyboardModifiers());
+                QVERIFY2(catcher.isCaught, qPrintable(action->objectName() + " by " + key.toString()));
+            }
+            action->setEnabled(wasEnabled);
+        }
+    }
+
+    void theKeyCardTellsEachKey()
+    {
+        auto* card = m_desk->window().findChild<ui::KeysCard*>();
+        QVERIFY(card != nullptr);
+        m_desk->window().viewport().setFocus();
+        m_desk->pressKeyOf("keys");
+        QVERIFY(card->isVisible());
+        QStringList shown;
+        for (const QLabel* label : card->findChildren<QLabel*>()) {
+            shown << label->text();
+        }
+        for (const QAction* action : m_desk->window().commands().all()) {
+            const QString key = action->shortcut().toString(QKeySequence::NativeText);
+            const bool isThere = key.isEmpty() || std::any_of(shown.begin(), shown.end(), [&](const QString& one) {
+                                     return one.split(QStringLiteral("  ")).contains(key);
+                                 });
+            QVERIFY2(isThere, qPrintable(action->objectName()));
+        }
+        m_desk->press(Qt::Key_Escape);
+        QVERIFY(!card->isVisible());
+    }
+
+    /// What stands in a menu stands in the list, but for what is made while the program runs.
+    void menusAreMadeOfTheList()
+    {
+        const std::vector<QAction*> all = m_desk->window().commands().all();
+        for (const char* id : {"open", "save-as", "undo", "fit", "palpate", "measures", "keys"}) {
+            QAction& action = m_desk->command(id);
+            const QList<QMenu*> menus = m_desk->window().menuBar()->findChildren<QMenu*>();
+            QVERIFY2(std::any_of(menus.begin(), menus.end(),
+                                 [&](const QMenu* menu) { return menu->actions().contains(&action); }),
+                     id);
+        }
+        QVERIFY(all.size() > 20);
+    }
+};
+
+PALPATE_TEST(Desk)
+#include "tst_Desk.moc"
