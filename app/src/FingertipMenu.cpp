@@ -16,10 +16,10 @@ namespace {
 // A point, probes, and the pad of a finger.
 constexpr double kRadii_mm[] = {0.0, 0.5, 1.0, 2.0, 5.0, 8.0};
 
-QString tr(const char* text)
+struct FingertipTexts
 {
-    return QCoreApplication::translate("palpate::app::FingertipMenu", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(palpate::app::Fingertip)
+};
 
 } // namespace
 
@@ -27,10 +27,11 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
 {
     const QString key = QStringLiteral("fingertip_mm");
     live.setFingertip(QSettings().value(key, 0.0).toDouble());
-    QMenu* radii = menu.addMenu(tr("Fingertip"));
+    QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
     auto* group = new QActionGroup(radii);
     for (const double radius_mm : kRadii_mm) {
-        QAction* action = radii->addAction(radius_mm > 0.0 ? tr("Ball of %1 mm radius").arg(radius_mm) : tr("Point"));
+        QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(radius_mm)
+                                                           : FingertipTexts::tr("Point"));
         action->setCheckable(true);
         action->setChecked(radius_mm == live.fingertip_mm());
         group->addAction(action);

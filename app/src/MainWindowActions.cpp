@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window's commands, each once; menus and the key card are made of their list.
 #include "FingertipMenu.h"
+#include "Language.h"
 #include "MainWindow.h"
 
 #include <QDockWidget>
@@ -146,6 +147,8 @@ void MainWindow::makeMenus()
         view->addAction(dock->toggleViewAction());
     }
     view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
+    view->addSeparator();
+    palpate::app::addLanguageMenu(*view, *this, [this](const QString& line) { say(line); });
     QMenu* session = menuBar()->addMenu(tr("&Session"));
     m_actions.fill(*session, ActionGroup::Session);
     palpate::app::addFingertipMenu(*session, m_live);

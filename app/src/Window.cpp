@@ -3,6 +3,7 @@
 
 #include "Console.h"
 #include "Devices.h"
+#include "Language.h"
 #include "MainWindow.h"
 
 #include <palpate/ui/Theme.h>
@@ -212,6 +213,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QCoreApplication::setApplicationName(options.screenshot ? QStringLiteral("Palpate screenshot")
                                                             : QStringLiteral("Palpate"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
+    app::speakChosenLanguage();
     ui::applyTheme(application, options.darkPalette || ui::systemIsDark(application));
 
     MainWindow window;

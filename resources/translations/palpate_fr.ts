@@ -1,0 +1,1940 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>FeltLayers</name>
+    <message>
+        <source>%1 N, %2 mm in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slides %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Palpate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop opening; what was open stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading what varies over %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map of %1 is felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open meshes, a scene or a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue to another file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a picture of the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End Palpate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo the newest change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the places marked as findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the front (A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the back (P)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the left (L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the right (R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the head (S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the feet (I)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>palpate while it is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera: rotate · palpate: press and slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: rotate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: depth in mm (with Ctrl: zoom)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double-click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre the view on the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hide or show the panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let go, then back to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V  H</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>show or hide, feel or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+↓  ↑</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt a layer deeper, farther out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the device without the hand in the scene; again to let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record what the hand feels, every tick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the recording&apos;s start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark the place that is touched, in the scene and in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a note at this moment of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces, coverage and findings of the recording, and exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the surfaces inside recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file then holds the whole session; it grows by what the meshes take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit all to the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is shown fills the device&apos;s workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit organ to the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The organ that is touched or pointed at fills the device&apos;s workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit lump to the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 mm about what is touched, pointed at or found fill the device&apos;s workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide or show all panels (Tab in the view)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real-time scheduling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the pointer does: it moves the camera, or it presses this deep [mm]; the wheel sets it (P switches)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● recording %1, %2 dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the recording [min:s] and ticks lost because the disk was slow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks of the servo thread a second [kHz], over the last half second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>real-time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not real-time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the servo thread was granted:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P palpate, drag to press, wheel for depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch with the device; O or L fits the organ or lump to it, C clutches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read as metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 note on these files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 notes on these files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 (point here to read)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can be played, but the meshes that it was made on are not where they were. Open them to see what was touched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpate scene (*.palpate.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the changes to this scene?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1[*] – Palpate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly and left unsaved changes of a scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open anatomy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2 more of that kind: Felt in the panel has each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel what is inside below what is around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All in one layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel all in one layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, but this scene has all in one layer: it is not felt through %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel it below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it says…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is touched: press on the place first, then mark it (M).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 marked: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 marked on %2 with %3 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note at this moment of the recording:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MeasuresDialog</name>
+    <message>
+        <source>What %1 says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures of the session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path and surface as VTP…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path and surface as VTP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VTK poly data (*.vtp)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to %1 and beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneDocument</name>
+    <message>
+        <source>Mark %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Fingertip</name>
+    <message>
+        <source>Fingertip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ball of %1 mm radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Language</name>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpate speaks another language when it is started again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ActionList</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::DeviceChoice</name>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pointer over the view; it feels nothing, the force is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpates what is in the middle of the view, and feels the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording, felt anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (skipped)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SpaceMouse moves the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The puck turns and shifts the anatomy while another device is the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the pose that the device is in now as its calibration pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is plugged in…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand&apos;s device: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It feels nothing: the force is shown, up to %1 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to %1 N and %2 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From report received to force written: %1 ms, 99 % below %2 ms, at most %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reports, %2 refused, lost %3 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it would need %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No haptic device and no 6-axis mouse is plugged in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::EnergyBar</name>
+    <message>
+        <source>Energy observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ForceBar</name>
+    <message>
+        <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ForceTimeline</name>
+    <message>
+        <source>Timeline of the recording&apos;s force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force of a recording appears here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HandControl</name>
+    <message>
+        <source>%1; any is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch the place, point at it or mark it as a finding (M) first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is shown that could fill the device&apos;s workspace.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 mm where the hand touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 mm under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 mm about finding %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HandPanel</name>
+    <message>
+        <source>No motors: force is shown, not felt, and any stiffness is stable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds up to %1 N/mm at %2 kHz with %3 ms of delay; more is refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the edge of the workspace: bring the device back to its middle. The hand in the scene stays until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clutched: the device moves, the hand in the scene stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 mm of the device is %1 mm of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency %1 ms, 99 % below %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jitter 99.9 % below %1 µs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticks late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not real-time: point here to read how to permit it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness that is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
+Below zero the program would give more than it took; damping then takes it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency and jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is shown fills the device&apos;s workspace (W)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The organ that is touched fills the device&apos;s workspace; else the one under the pointer or selected (O)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit lump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 mm fill the device&apos;s workspace: where the hand touches, else under the pointer, else the newest finding (L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What fills the workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres of the scene for a millimetre of the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing: as it lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the device turns with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture: right is right in the view, however it is turned.
+The patient: right is to the patient&apos;s left, up is to the head.
+Nothing: the device&apos;s coordinates are the scene&apos;s, without scale and clutch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU %1 alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU of the servo loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
+the loop go where there is room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo CPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use of button %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first two buttons change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While held the device moves and the hand in the scene stays; the key C switches it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the middle of the device&apos;s workspace in the middle of what fills it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the hand %1 N of %2 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy %1 mJ · damping added %2 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::KeysCard</name>
+    <message>
+        <source>All keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the list: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LawEditor</name>
+    <message>
+        <source>Load points…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffer with depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ball on soft tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thin layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By what law the force rises with the depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the points of a measured curve from a CSV file with depth_mm and force_N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LawPlot</name>
+    <message>
+        <source>Force in newton by depth in millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N] by depth [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– – device %1 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LiveTouch</name>
+    <message>
+        <source>With %1 at most %2 N/mm is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds at most %2 N/mm here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Its makers state no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Its force acts %1 ms late at %2 Hz: anything stiffer could make it oscillate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> A millimetre of the device is %1 mm of the scene: a smaller scale (panel Device) holds more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> beside the layers around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MapDisplay</name>
+    <message>
+        <source>Young&apos;s modulus, kPa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shear modulus, kPa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>damping felt, N·s/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>friction, times the tissue&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness felt, N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stiffness felt, times the law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing said</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MapEditor</name>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the tissue varies over the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrays of the mesh whose names say what they are, such as StiffnessScale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Varies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What of the tissue varies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which array of the mesh, or which volume, says it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say which…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the tissue&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N/mm, as felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear modulus, kPa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, kPa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact radius in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep numbers within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers beyond are taken as the nearest one within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the map says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours the structure by numbers, with a legend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volumes (*.vti *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 varies by %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Playback</name>
+    <message>
+        <source>structure %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::RecordedTouch</name>
+    <message>
+        <source>%1 was cut off before it was closed; what was written is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks are missing; they were lost while it was recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SceneLoader</name>
+    <message>
+        <source>Nothing to open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing for touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SessionPanel</name>
+    <message>
+        <source>Position and length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position / length [min:s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of playing; 1 × is as it was recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recording yet. Record one with R, or open a .palpate file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureModel</name>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outermost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is shown. Click to hide it; what is hidden is not felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Click to show it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, felt %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles
+Felt: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the mesh of %1:
+• %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can be felt. Click to let the hand pass through it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand passes through %1. Click to feel it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name and colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was found in the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can be felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructurePanel</name>
+    <message>
+        <source>Structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity in per cent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity [%]: what lies behind shows through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 as felt [%2]: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the structure feels, by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much the surface holds the fingertip, by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is felt of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why the value was refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt, in order from outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a hand meets first as it presses in, and what it meets through that (Ctrl+Down, Ctrl+Up in the list)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No structure selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 takes %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt as at most %1 N/mm: the device holds %2 N/mm in all%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt as %1 N/mm: the device holds %2 N/mm in all%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This law is refused: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Of that %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N/mm is refused. %2 Enter %3 N/mm or less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it rises by %3 N/mm or less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel only this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Very soft organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firm organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firm lump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hard lump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liver, healthy (2.3 kPa)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liver, fibrotic (5.9 kPa)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liver, malignant (10.1 kPa)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Liver, stiffer with depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape after Carter et al. 2001 (exponential), numbers chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft ground under a ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape after Hertz 1882, numbers chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button that clicks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wet (0.05, chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moist (0.15, chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry (0.40, chosen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchChart</name>
+    <message>
+        <source>Chart of force and depth over the last ten seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N] and depth [mm] over the last 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchPanel</name>
+    <message>
+        <source>%1 mm deep · %2 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force in newton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the hand [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touched structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touched structures, the outermost first, with their forces and depths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each layer that is touched, the outermost first: its share of the force [N],
+and how deep the hand is in it [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth and stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers that are touched [N/mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Active constraints: planes of the surface that hold the hand back, at most 3.
+Solver: time of one tick, not exceeded by 99 of 100 [µs].
+Where more facets lie in one place than a tick has time for, it goes on from where it got to with the next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many facets in this place: the force follows late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constraints %1 · solver %2 µs p99</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constraints %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>press on a structure to feel it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constraints 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::VtkViewport</name>
+    <message>
+        <source>3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::WelcomePage</name>
+    <message>
+        <source>Try the phantom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel segmented anatomy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop surface meshes or a scene here: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open anatomy…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open mesh or scene files (Ctrl+O)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QGroupBox>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTranslator>
+
+#include <algorithm>
+
+using namespace palpate;
+
+namespace {
+
+/// A language that nobody speaks: every text in brackets and a third longer, as German is than English.
+class PseudoLanguage : public QTranslator
+{
+  public:
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    QString translate(const char* /*context*/, const char* text, const char* /*comment*/, int /*n*/) const override
+    {
+        const QString english = QString::fromUtf8(text);
+        return QChar(0x27E6) + english + QString(english.size() / 3, QLatin1Char('~')) + QChar(0x27E7);
+    }
+};
+
+/// Without what is translated.
+QString untranslated(QString text)
+{
+    static const QRegularExpression inner(QStringLiteral("⟦[^⟦⟧]*⟧"));
+    while (text.contains(inner)) {
+        text.remove(inner);
+    }
+    return text;
+}
+
+} // namespace
+
+/// Every text of the window goes through the translation, and has room when it is a third longer. On a real display.
+class Language : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+    PseudoLanguage m_pseudo;
+
+    /// Notes what is not translated and not data: names of files, structures and languages, and the engine's own
+    /// sentences, which are English.
+    static void check(const QString& text, const QString& where, QStringList& found)
+    {
+        static const QStringList kData{"Palpate", "liver", "English", "Deutsch", "Français"};
+        static const QStringList kEngine{"mouse",         "thread name", "real-time priority",
+                                         "locked memory", "timer slack", "floating point"};
+        for (const QString& line : untranslated(text).split(QLatin1Char('\n'))) {
+            const QString left = QString(line).remove(QRegularExpression(QStringLiteral("[^\\p{L}]")));
+            const bool isKnown =
+                std::any_of(kData.begin(), kData.end(), [&](const QString& one) { return line.startsWith(one); }) ||
+                std::any_of(kEngine.begin(), kEngine.end(),
+                            [&](const QString& one) { return line.contains(one, Qt::CaseInsensitive); });
+            const bool isUnit = left.size() <= 4 && left == QString(left).remove(QRegularExpression("[^Nms]"));
+            if (!left.isEmpty() && !isKnown && !isUnit && !line.contains(QStringLiteral(".palpate"))) {
+                found << where + QStringLiteral(": ") + line;
+            }
+        }
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        QCoreApplication::installTranslator(&m_pseudo);
+        m_desk = std::make_unique<test::Desk>();
+        QVERIFY(m_desk->show({1280, 800}));
+        QVERIFY(m_desk->openPhantom());
+        QTest::qWait(500);
+    }
+    void cleanupTestCase()
+    {
+        m_desk.reset();
+        QCoreApplication::removeTranslator(&m_pseudo);
+    }
+
+    void everyTextIsTranslated()
+    {
+        QStringList found;
+        for (const QAction* action : m_desk->window().findChildren<QAction*>()) {
+            check(action->text(), QStringLiteral("action"), found);
+            check(action->toolTip(), QStringLiteral("action's tip"), found);
+        }
+        for (const QWidget* widget : m_desk->window().findChildren<QWidget*>()) {
+            const QString where = QLatin1String(widget->metaObject()->className());
+            check(widget->accessibleName(), where + QStringLiteral("'s name"), found);
+            check(widget->toolTip(), where + QStringLiteral("'s tip"), found);
+            if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+                check(label->text(), where, found);
+            } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+                check(button->text(), where, found);
+            } else if (const auto* box = qobject_cast<const QGroupBox*>(widget)) {
+                check(box->title(), where, found);
+            } else if (const auto* dock = qobject_cast<const QDockWidget*>(widget)) {
+                check(dock->windowTitle(), where, found);
+            }
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    }
+
+    void noTextIsCut()
+    {
+        m_desk->picture().save(QString::fromStdString(m_desk->folder() / "pseudo.png"));
+        QStringList found;
+        for (const QWidget* widget : m_desk->window().findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<const QLabel*>(widget);
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            if (!widget->isVisible() || (label == nullptr && button == nullptr)) {
+                continue;
+            }
+            const QString text = label != nullptr ? label->text() : button->text();
+            const bool isWrapped = label != nullptr && label->wordWrap();
+            if (!text.isEmpty() && !isWrapped && widget->width() < widget->minimumSizeHint().width()) {
+                found << QStringLiteral("%1 of %2: %3")
+                             .arg(widget->width())
+                             .arg(widget->minimumSizeHint().width())
+                             .arg(text);
+            }
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    }
+};
+
+PALPATE_TEST(Language)
+#include "tst_Language.moc"
