@@ -16,6 +16,7 @@ namespace palpate::test {
 Desk::Desk()
 {
     QStandardPaths::setTestModeEnabled(true);
+    qputenv("HOME", m_folder.path().toUtf8()); // documents and pictures
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
 }
