@@ -6,6 +6,7 @@
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/ui/LawEditor.h>
 #include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/TermTexts.h>
 #include <palpate/ui/TouchPanel.h>
 
 #include "LawPlot.h"
@@ -91,6 +92,28 @@ class LawEditor : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
+    /// What core calls its numbers can be translated.
+    void cataloguesHaveTheTermsOfCore()
+    {
+        QStringList texts;
+        for (const char* text : ui::termTexts()) {
+            texts << text;
+        }
+        const auto check = [&texts](std::string_view text) {
+            QVERIFY2(text.empty() || texts.contains(QString::fromUtf8(text.data())), text.data());
+        };
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            check(term.name);
+            check(term.meaning);
+            check(term.spokenUnit);
+        }
+        for (const core::LawKind kind : core::kLawKinds) {
+            for (const core::LawTerm& term : core::lawTerms(kind)) {
+                check(term.name);
+            }
+        }
+    }
+
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void aLawIsChosenTypedAndUndone()

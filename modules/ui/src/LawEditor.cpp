@@ -2,6 +2,7 @@
 #include "palpate/ui/LawEditor.h"
 
 #include "LawPlot.h"
+#include "palpate/ui/TermTexts.h"
 
 #include <palpate/meshio/CurveFile.h>
 
@@ -103,7 +104,7 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
         m_form->setRowVisible(field, isField);
         if (isField) {
             const core::LawTerm& term = terms[i];
-            const QString name = tr(term.name.data()), unit = QString::fromUtf8(term.unit.data());
+            const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
             static_cast<QLabel*>(m_form->labelForField(field))->setText(name);
             field->setRange(0.0, term.most); // what is too small is refused in words
             field->setDecimals(term.usual < 1.0 ? 3 : 2);
@@ -114,7 +115,7 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
             field->setValue(tissue.law.numbers[i]);
         } else if (i < terms.size()) {
             m_form->setRowVisible(m_switch, true);
-            m_switch->setText(tr(terms[i].name.data()));
+            m_switch->setText(termText(terms[i].name));
             m_switch->setChecked(tissue.law.numbers[i] != 0.0);
         }
     }

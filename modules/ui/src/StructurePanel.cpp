@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructurePanel.h"
 
+#include "palpate/ui/TermTexts.h"
+
 #include "palpate/ui/LawEditor.h"
 #include "palpate/ui/MapEditor.h"
 #include "palpate/ui/Theme.h"
@@ -226,10 +228,10 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     field->setKeyboardTracking(false);
     field->setDecimals(term.decimals);
     field->setSingleStep(term.step);
-    const QString name = tr(term.name.data()), unit = QString::fromUtf8(term.unit.data());
+    const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
     field->setSuffix(QLatin1Char(' ') + unit);
-    field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, tr(term.meaning.data())));
-    field->setAccessibleName(tr("%1 in %2").arg(name, tr(term.spokenUnit.data())));
+    field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, termText(term.meaning)));
+    field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.spokenUnit)));
     // A field shows fewer digits than a scene may have: only the one that was edited counts.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
         if (!m_isShowing && currentRow() >= 0) {
@@ -540,7 +542,7 @@ QString StructurePanel::refusal(const haptics::Tissue& asked, const haptics::Tis
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
         QString why = QString::fromStdString(law.message());
         for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) { // as the field is called, not the file's key
-            why.replace(QLatin1String(term.key.data()), tr(term.name.data()));
+            why.replace(QLatin1String(term.key.data()), termText(term.name));
         }
         return tr("This law is refused: %1.").arg(why);
     }
