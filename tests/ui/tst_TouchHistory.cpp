@@ -20,6 +20,16 @@ class TouchHistory : public QObject
         QCOMPARE(history.peakForce_N(), 1.0); // the knock at 15 s is gone
         QCOMPARE(history.peakDepth_mm(), 2.0);
     }
+    void tellsWhetherSomethingRubbed()
+    {
+        ui::TouchHistory history;
+        history.add({1.0, 2.0, 1.0, {}, 1e-9}); // rounding
+        QVERIFY(!history.hasFriction());
+        history.add({1.1, 2.0, 1.0, {}, 0.3});
+        QVERIFY(history.hasFriction());
+        history.add({15.0, 2.0, 1.0, {}, 0.0});
+        QVERIFY(!history.hasFriction());
+    }
     void startsAnewWhenTimeRunsBackwards()
     {
         ui::TouchHistory history;

@@ -45,8 +45,11 @@ bool Desk::open(const std::vector<std::filesystem::path>& files)
 
 bool Desk::openPhantom()
 {
-    const std::filesystem::path phantom = std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom";
-    return open({phantom / "phantom.palpate.json", phantom / "palpation.palpate"});
+    const std::filesystem::path phantom = folder() / "phantom"; // a copy: the window may save it
+    std::error_code error;
+    std::filesystem::copy(std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom", phantom,
+                          std::filesystem::copy_options::overwrite_existing, error);
+    return !error && open({phantom / "phantom.palpate.json", phantom / "palpation.palpate"});
 }
 
 void Desk::close()

@@ -82,16 +82,7 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
     if (samples.size() < 2) {
         return;
     }
-    const double now = samples.back().time_s;
-    QPainterPath line;
-    bool isFirst = true;
-    for (const TouchSample& sample : samples) {
-        const double value = isForce ? sample.force_N : sample.depth_mm;
-        const QPointF p(lane.right() - (now - sample.time_s) / TouchHistory::kLength_s * lane.width(),
-                        lane.bottom() - std::min(1.0, value / top) * lane.height());
-        isFirst ? line.moveTo(p) : line.lineTo(p);
-        isFirst = false;
-    }
+    const QPainterPath line = curve(lane, top, isForce ? &TouchSample::force_N : &TouchSample::depth_mm);
     painter.save();
     painter.setClipRect(lane.adjusted(-1, -2, 1, 2));
     QPainterPath area = line;
@@ -110,7 +101,33 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
     }
     painter.setPen(pen);
     painter.drawPath(line);
+    if (isForce && m_history.hasFriction()) {
+        painter.setPen(QPen(palette().color(QPalette::Text), 1.5, Qt::DotLine));
+        painter.drawPath(curve(lane, top, &TouchSample::along_N));
+    }
     painter.restore();
+    if (isForce && m_history.hasFriction()) {
+        const QString text = tr("along the surface");
+        const QRectF head(lane.left(), lane.top() - metrics.height() - 4.0, lane.width(), metrics.height());
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, text);
+        painter.setPen(QPen(palette().color(QPalette::Text), 1.5, Qt::DotLine));
+        const double x = lane.right() - metrics.horizontalAdvance(text) - 6.0;
+        painter.drawLine(QPointF(x - 18.0, keyY), QPointF(x, keyY));
+    }
+}
+
+QPainterPath TouchChart::curve(const QRectF& lane, double top, double TouchSample::*value) const
+{
+    const auto& samples = m_history.samples();
+    const double now = samples.back().time_s;
+    QPainterPath line;
+    for (const TouchSample& sample : samples) {
+        const QPointF p(lane.right() - (now - sample.time_s) / TouchHistory::kLength_s * lane.width(),
+                        lane.bottom() - std::min(1.0, sample.*value / top) * lane.height());
+        line.elementCount() == 0 ? line.moveTo(p) : line.lineTo(p);
+    }
+    return line;
 }
 
 /// Stacks the layers' parts of the force, between each moment and the next.

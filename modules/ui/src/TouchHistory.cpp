@@ -41,6 +41,13 @@ bool TouchHistory::hasLayers() const
                        [](const TouchSample& sample) { return sample.layers.size() > 1; });
 }
 
+bool TouchHistory::hasFriction() const
+{
+    constexpr double kShown_N = 1e-3; // a spring's force is along the normal but for rounding
+    return std::any_of(m_samples.begin(), m_samples.end(),
+                       [](const TouchSample& sample) { return sample.along_N > kShown_N; });
+}
+
 double axisTop(double value)
 {
     if (!(value > 0.0) || !std::isfinite(value)) {

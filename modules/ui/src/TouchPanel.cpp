@@ -147,7 +147,11 @@ void TouchPanel::show(const TouchReading& reading)
                                 .arg(reading.constraints)
                                 .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))
                           : tr("constraints %1").arg(reading.constraints));
-    m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers)});
+    double along_N = 0.0;
+    for (const FeltLayer& layer : reading.layers) {
+        along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;
+    }
+    m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers), along_N});
     m_chart->update();
 }
 

@@ -3,12 +3,14 @@
 
 #include "palpate/ui/TouchHistory.h"
 
+#include <QPainterPath>
 #include <QWidget>
 
 namespace palpate::ui {
 
 /// Force and depth over the last ten seconds, one above the other on the same time. Where several layers are felt, the
 /// area below the force is theirs, the outermost at the bottom, in the structures' colours; inner ones are hatched.
+/// What of the force is along the surface, by friction, is a dotted line.
 class TouchChart : public QWidget
 {
     Q_OBJECT
@@ -21,6 +23,8 @@ class TouchChart : public QWidget
 
   private:
     void paintLane(QPainter& painter, const QRectF& lane, bool isForce) const;
+    /// One value of each sample over time.
+    [[nodiscard]] QPainterPath curve(const QRectF& lane, double top, double TouchSample::*value) const;
     void paintLayers(QPainter& painter, const QRectF& lane, double top_N) const;
     const TouchHistory& m_history;
 };

@@ -22,6 +22,7 @@ struct TouchSample
     double force_N = 0.0;
     double depth_mm = 0.0;
     std::vector<LayerForce> layers{}; ///< outermost first; they add up to the force
+    double along_N = 0.0;             ///< part of the force along the surface: friction
 };
 
 /// The last seconds of force and depth.
@@ -38,6 +39,8 @@ class TouchHistory
     [[nodiscard]] double peakDepth_mm() const;
     /// @return true when several layers were felt at once.
     [[nodiscard]] bool hasLayers() const;
+    /// @return true when some of the force was along the surface.
+    [[nodiscard]] bool hasFriction() const;
 
   private:
     std::deque<TouchSample> m_samples;
