@@ -258,7 +258,7 @@ class SceneView : public QObject
         }
         return all;
     }
-    /// A neighbour differs much: smoothed edges may differ there.
+    /// A neighbour differs: edges may fall on another pixel there.
     static bool isEdge(const Picture& picture, int x, int y)
     {
         const auto& own = picture[static_cast<std::size_t>(y * 400 + x)];
@@ -266,7 +266,7 @@ class SceneView : public QObject
             for (int dx = -1; dx <= 1; ++dx) {
                 const auto& other = picture[static_cast<std::size_t>((y + dy) * 400 + x + dx)];
                 for (std::size_t c = 0; c < 3; ++c) {
-                    if (std::abs(own[c] - other[c]) > 12) {
+                    if (std::abs(own[c] - other[c]) > 5) {
                         return true;
                     }
                 }

@@ -82,7 +82,7 @@ class Picture : public QObject
     void pressedAlongTheView()
     {
         viewport().view().look(view::ViewFrom::Front);
-        press(overLump(), 42); // 25 mm
+        press(overLump(), 20); // 14 mm
         const view::TouchCursor& cursor = viewport().view().cursor();
         keep("pressed-along");
         QVERIFY(shown().innerCount == 1 && cursor.arrow().circle()->GetVisibility());

@@ -104,6 +104,7 @@ bool PalpationController::takeByKeys()
             Q_EMIT said(tr("Nothing that can be felt is in view."));
             return false;
         }
+        m_isByKeys = true;
         point(m_viewport.rayAt(*place));
     }
     m_isByKeys = true;

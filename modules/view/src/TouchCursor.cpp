@@ -193,7 +193,8 @@ void TouchCursor::place(const ViewFrame& frame)
     placeBillboard(*m_outline, m_state.p_WG, frame);
     placeBillboard(*m_outlineDark, m_state.p_WG, frame);
     m_springDark.place(m_state.p_WH, m_state.p_WG, frame);
-    m_spring.place(m_state.p_WH, m_state.p_WG, frame);
+    const Vec3 over = 1.5 * pixel_mm * frame.back_W;
+    m_spring.place(m_state.p_WH + over, m_state.p_WG + over, frame);
     // Dark blue, the colour of a light touch, is lost against tissue in shade: the arrow keeps to the brighter half.
     const double share = m_state.f_W.norm() / m_limit_N;
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
@@ -236,7 +237,7 @@ void TouchCursor::placeCrosshair(const ViewFrame& frame, bool isThere)
         m_crossDark[i].actor()->SetVisibility(isShown);
         if (isShown) {
             const double pixel_mm = frame.mmPerPixel(p_W);
-            const Vec3 lift = 0.5 * pixel_mm * frame.back_W;
+            const Vec3 lift = 1.5 * pixel_mm * frame.back_W;
             m_crossDark[i].place(p_W + (kCrossGap_px - 1.0) * pixel_mm * ways[i],
                                  p_W + (kCross_px + 1.0) * pixel_mm * ways[i], frame);
             m_cross[i].place(p_W + kCrossGap_px * pixel_mm * ways[i] + lift,
