@@ -5,7 +5,9 @@
 
 #include <palpate/session/Findings.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/ui/PointedStructure.h>
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/ViewKeys.h>
 
 #include <QCoreApplication>
 #include <QDockWidget>
@@ -245,7 +247,16 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_palpation, &PalpationController::handGone, m_touch, &TouchPanel::showNoHand);
-    connect(m_palpation, &PalpationController::depthChanged, this, &MainWindow::showStatus);
+    connect(m_palpation, &PalpationController::textChanged, this, &MainWindow::showMode);
+    connect(m_palpation, &PalpationController::palpationWanted, this, [this] { setPalpating(true); });
+    connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
+    new ViewKeys(*m_viewport, *m_palpation, this);
+    auto* pointed = new PointedStructure(*m_viewport, m_model, *m_maps, this);
+    connect(pointed, &PointedStructure::clicked, this, [this](int row) {
+        if (row >= 0) {
+            m_structures->select(row);
+        }
+    });
     connect(m_viewport, &VtkViewport::spaceHeld, this, [this](bool isDown) { m_palpateAction->setChecked(isDown); });
     connect(m_viewport, &VtkViewport::panelsToggled, this, &MainWindow::togglePanels);
     connect(m_viewport, &VtkViewport::centreWanted, this, [this](const QPointF& place) {

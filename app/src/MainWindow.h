@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow
     void letGo();
     void togglePanels();
     void showStatus();
+    void showMode();
     void showWhatPlays();
     void remember(const std::filesystem::path& file);
     void refreshRecent();

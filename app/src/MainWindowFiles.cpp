@@ -86,7 +86,9 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     std::vector<view::ViewStructure> pictures;
     pictures.reserve(scene->rows.size());
     for (const StructureRow& row : scene->rows) {
-        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
+        const geometry::MeshReport& report = row.loaded.surface->report;
+        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description),
+                                                 report.isClosed() && report.insideOutComponents == 0),
                             row.loaded.description.palpable ? row.touch : nullptr});
     }
     view::SceneView& view = m_viewport->view();

@@ -58,6 +58,15 @@ double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
     return scene != nullptr ? scene->fingertip_mm : 0.0;
 }
 
+const core::Tissue* RecordedTouch::tissue(const servo::TickRecord& tick) const
+{
+    const session::SceneRecord* scene = m_reader->scene(tick.scene);
+    const auto number = static_cast<std::size_t>(tick.felt.structure);
+    return scene != nullptr && tick.felt.structure >= 0 && number < scene->structures.size()
+               ? &scene->structures[number].tissue
+               : nullptr;
+}
+
 double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);

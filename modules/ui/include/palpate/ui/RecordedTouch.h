@@ -34,6 +34,8 @@ class RecordedTouch : public QObject
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick, std::uint32_t number) const;
     /// Radius of the ball that touched, 0 = a point. [mm]
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
+    /// Of the structure that a tick reports; null in free space, and when its scene is not known.
+    [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
     /// Of all layers that a tick touches together.
     [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
