@@ -53,6 +53,19 @@ Kind kindOf(MeasuresDialog::Export what)
             QT_TRANSLATE_NOOP("MeasuresDialog", "Results (*.json)")};
 }
 
+/// @return true when something was felt whose surface is not there.
+bool lacksSurface(const session::RecordingReader& reader, const session::MeshesByHash& meshes)
+{
+    for (const session::SceneRecord& scene : reader.scenes()) {
+        for (const session::StructureRecord& structure : scene.structures) {
+            if (structure.palpable && !meshes.contains(structure.source.sha256)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 QString lineOf(const core::Status& status)
 {
     return QString::fromStdString(status.message());
@@ -135,10 +148,9 @@ void MeasuresDialog::measure(session::MeshesByHash meshes)
         auto measured = std::make_shared<Measured>(reader.status());
         bool isFingertip = false;
         if (reader.isOk()) {
-            for (const std::string& hash : reader.value()->embeddedHashes()) {
-                auto surface = reader.value()->embedded(hash);
-                if (surface.isOk()) {
-                    meshes[hash] = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
+            if (lacksSurface(*reader.value(), meshes)) {
+                if (auto found = study::recordedSurfaces(*reader.value()); found.isOk()) {
+                    meshes.merge(found.value());
                 }
             }
             session::MeasureOptions options;

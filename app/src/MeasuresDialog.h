@@ -25,7 +25,7 @@ class MeasuresDialog : public QDialog
 {
     Q_OBJECT
   public:
-    /// @param meshes  surfaces of the open scene, beside those that the recording holds itself
+    /// @param meshes  surfaces of the open scene; those that are not among them are looked for where the recording says
     MeasuresDialog(const std::filesystem::path& recording, palpate::session::MeshesByHash meshes,
                    QWidget* parent = nullptr);
     ~MeasuresDialog() override; ///< cancels

@@ -83,7 +83,7 @@ ResultTable surfaceTable(const session::SessionMeasures& m, bool isFingertip)
                               number(100.0 * surface.coverage(), 1), number(surface.longestDwell_s, 1)});
     }
     for (const std::string& name : m.unmeasured) {
-        table.rows.push_back({ui::readableName(name), tr("its mesh is not open"), {}, {}});
+        table.rows.push_back({ui::readableName(name), tr("its mesh is not there"), {}, {}});
     }
     return table;
 }
@@ -154,7 +154,7 @@ QString toHtml(const std::vector<ResultTable>& tables)
     for (const ResultTable& table : tables) {
         html += htmlOf(table);
     }
-    return html + QStringLiteral("<p>%1</p>")
+    return html + QStringLiteral("<p style='margin-top: 14px'>%1</p>")
                       .arg(tr("Nearly highest: the force that 95 % of the contact stayed below. "
                               "Research measures, not a diagnosis."));
 }

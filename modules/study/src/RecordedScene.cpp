@@ -268,11 +268,17 @@ Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOp
 
 void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)
 {
-    if (scene.empty()) {
+    if (scene.empty() || recording.empty()) {
         return;
     }
-    const fs::path whole = fs::absolute(scene).lexically_normal();
-    const fs::path beside = whole.lexically_relative(fs::absolute(recording).lexically_normal().parent_path());
+    std::error_code error; // without a working folder there is no absolute path
+    const fs::path whole = fs::absolute(scene, error).lexically_normal();
+    const fs::path folder = fs::absolute(recording, error).lexically_normal().parent_path();
+    if (error) {
+        info.scene = scene.string();
+        return;
+    }
+    const fs::path beside = whole.lexically_relative(folder);
     info.scene = whole.string();
     info.sceneBeside = beside.empty() || *beside.begin() == ".." ? std::string() : beside.string();
     info.sceneSha256 = meshio::isSceneFile(whole) ? meshio::fileHash(whole) : std::string();

@@ -17,7 +17,7 @@ namespace palpate::study {
 
 /// Says for a recording which scene it is made on: its absolute path, its path from the recording's folder where it
 /// lies in it or below, and of a scene file its hash.
-/// @param scene  empty when there is none
+/// @param scene, recording  empty when there is none; then nothing is said
 void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
                const std::filesystem::path& recording);
 
