@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RecordingControl.h"
 #include "SceneDocument.h"
 
 #include <palpate/ui/ActionList.h>
@@ -169,5 +170,5 @@ class MainWindow : public QMainWindow
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there
-    std::filesystem::path m_recordingPath;
+    RecordingControl* m_recording = nullptr;
 };

@@ -82,20 +82,7 @@ void MainWindow::showStatus()
         m_deviceChip->say(m_devices->summary(), m_devices->isTroubled() ? Chip::Tone::Warning : Chip::Tone::Quiet);
         m_deviceChip->setToolTip(m_devices->details());
     }
-    const session::RecorderStatus recording = m_live.recording();
-    if (recording.isRecording) {
-        m_recordingChip->say(
-            tr("● recording %1, %2 dropped")
-                .arg(clockText(recording.duration_s), QLocale().toString(static_cast<qulonglong>(recording.dropped))),
-            Chip::Tone::Recording);
-        m_session->showRecording(recording.duration_s, recording.dropped);
-        if (!recording.problem.empty()) {
-            showError(QString::fromStdString(recording.problem));
-        }
-    } else {
-        m_recordingChip->say({});
-    }
-    m_recordingChip->setToolTip(tr("Length of the recording [min:s] and ticks lost because the disk was slow"));
+    m_recording->refresh();
     if (!m_live.isRunning()) {
         m_rateChip->say({});
         m_realtimeChip->say({});

@@ -34,21 +34,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
         }
     }
     if (meshes.empty() && recording && m_model.rowCount() == 0) {
-        // A recording alone: what it was made on is opened with it, as far as it holds it itself or it is still there.
-        const auto reader = session::RecordingReader::open(*recording);
-        if (reader.isOk() && !reader.value()->embeddedHashes().empty()) {
-            meshes.push_back(*recording);
-        } else if (reader.isOk() && !reader.value()->scenes().empty()) {
-            for (const session::StructureRecord& one : reader.value()->scenes().front().structures) {
-                const std::filesystem::path mesh = one.source.mesh;
-                std::error_code error;
-                if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end() &&
-                    std::filesystem::exists(mesh, error)) {
-                    meshes.push_back(mesh);
-                    unit_mm = one.source.unit_mm;
-                }
-            }
-        }
+        meshes.push_back(*recording); // alone: what it was made on is opened with it, see study::sceneOfRecording
     }
     if (!meshes.empty() && !mayDiscard()) {
         return;
@@ -274,7 +260,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayDiscard()) {
+    if (!m_recording->mayEnd(this) || !mayDiscard()) {
         event->ignore();
         return;
     }

@@ -53,9 +53,12 @@ class Loader
     }
 
     Result<LoadedScene> load(const std::filesystem::path& path);
+    Result<LoadedScene> load(SceneFile scene, const std::string& name);
 
   private:
     Status addScene(const std::filesystem::path& path);
+    Status addScene(SceneFile scene, const std::string& name);
+    Result<LoadedScene> open(const std::string& name);
     Status addFolder(const std::filesystem::path& path);
     std::size_t sourceOf(const std::filesystem::path& path, double unit_mm);
     void readSources();
@@ -90,13 +93,15 @@ std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm)
 Status Loader::addScene(const std::filesystem::path& path)
 {
     Result<SceneFile> scene = readScene(path);
-    if (!scene.isOk()) {
-        return scene.status();
+    return scene.isOk() ? addScene(std::move(scene).value(), path.filename().string()) : scene.status();
+}
+
+Status Loader::addScene(SceneFile scene, const std::string& name)
+{
+    if (scene.structures.empty()) {
+        return fault(StatusCode::Empty, name, "structures", "none", "at least one");
     }
-    if (scene.value().structures.empty()) {
-        return fault(StatusCode::Empty, path.filename().string(), "structures", "none", "at least one");
-    }
-    m_scene.scene = std::move(scene).value();
+    m_scene.scene = std::move(scene);
     for (const SceneStructure& structure : m_scene.scene.structures) {
         (void)sourceOf(structure.mesh, structure.unit_mm);
     }
@@ -345,11 +350,20 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
     } else {
         (void)sourceOf(whole, m_options.unit_mm);
     }
-    if (!status.isOk()) {
-        return status;
-    }
+    return status.isOk() ? open(path.filename().string()) : status;
+}
+
+Result<LoadedScene> Loader::load(SceneFile scene, const std::string& name)
+{
+    const Status status = addScene(std::move(scene), name);
+    return status.isOk() ? open(name) : status;
+}
+
+/// Reads and repairs what was added.
+Result<LoadedScene> Loader::open(const std::string& name)
+{
     readSources();
-    const Status cancelled(StatusCode::Cancelled, path.filename().string() + ": opening was cancelled");
+    const Status cancelled(StatusCode::Cancelled, name + ": opening was cancelled");
     if (m_isCancelled) {
         return cancelled;
     }
@@ -373,25 +387,41 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
     }
     collect();
     if (m_scene.structures.empty()) {
-        return !m_firstFailure.isOk()
-                   ? m_firstFailure
-                   : Status(StatusCode::Empty, path.filename().string() + ": " + m_scene.losses.front());
+        return !m_firstFailure.isOk() ? m_firstFailure
+                                      : Status(StatusCode::Empty, name + ": " + m_scene.losses.front());
     }
     noteFrames();
     noteUnit();
     return std::move(m_scene);
 }
 
+/// Turns what is too large for the memory into a message.
+template<class Load>
+Result<LoadedScene> guarded(const std::string& name, Load&& load)
+{
+    try {
+        return load();
+    } catch (const std::bad_alloc&) {
+        return fault(StatusCode::OutOfRange, name, "", "not enough memory to open it", "a scene that fits");
+    }
+}
+
 } // namespace
 
 core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options)
 {
-    try {
-        return Loader(options).load(path);
-    } catch (const std::bad_alloc&) {
-        return fault(StatusCode::OutOfRange, path.filename().string(), "", "not enough memory to open it",
-                     "a scene that fits");
-    }
+    return guarded(path.filename().string(), [&] { return Loader(options).load(path); });
+}
+
+core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path, const ReadOptions& options)
+{
+    const std::string name = path.filename().string();
+    return guarded(name, [&] { return Loader(options).load(std::move(scene), name); });
+}
+
+std::array<double, 3> usualColour(const std::string& name, std::size_t number)
+{
+    return anatomyColour(name, number);
 }
 
 } // namespace palpate::meshio

@@ -49,4 +49,11 @@ struct LoadedScene
 /// @param options  `unit_mm` holds for mesh files only: a scene file says its own
 [[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
 
+/// Opens a scene that is in memory: the meshes are read again. @param path  what messages name
+[[nodiscard]] core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path,
+                                                  const ReadOptions& options = {});
+
+/// @return the colour of a structure where nothing says it: by its anatomical name, else by its number.
+[[nodiscard]] std::array<double, 3> usualColour(const std::string& name, std::size_t number);
+
 } // namespace palpate::meshio

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Finding.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <QObject>
@@ -41,7 +42,9 @@ class RecordedTouch : public QObject
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.
     [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;
-    /// @return one line about ticks that are missing or a recording that was cut off; empty when it is whole.
+    /// What was marked in it and not taken back, in the order of time.
+    [[nodiscard]] std::vector<core::Finding> findings() const;
+    /// @return one line about ticks that were lost or a recording that ended by itself; empty when it is whole.
     [[nodiscard]] QString losses() const;
 
     /// Reads the greatest force in each of `kBins` equal spans, on a thread of its own.
