@@ -15,6 +15,7 @@ void MainWindow::makeActions()
 {
     makeFileAndEditActions();
     makeViewActions();
+    makeShellActions();
     makeSessionActions();
     makeDeviceAndHelpActions();
 }
@@ -72,11 +73,11 @@ void MainWindow::makeViewActions()
     m_actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
     m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
     m_actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
-    m_actions.addGesture(ActionGroup::InView, tr("Tab"), tr("hide or show the panels"));
     connect(m_actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
                           {QKeySequence(Qt::Key_Escape)}),
             &QAction::triggered, this, &MainWindow::letGo);
-    m_actions.addGesture(ActionGroup::InList, tr("V  H"), tr("show or hide, feel or not"));
+    m_actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, feel or not"));
+    m_actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure that begins so"));
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
 }
 
@@ -145,7 +146,6 @@ void MainWindow::makeMenus()
     for (QDockWidget* dock : m_docks) {
         view->addAction(dock->toggleViewAction());
     }
-    view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
     QMenu* session = menuBar()->addMenu(tr("&Session"));
     m_actions.fill(*session, ActionGroup::Session);
     palpate::app::addFingertipMenu(*session, m_live);

@@ -98,7 +98,7 @@ class BuriedLump : public QObject
     }
 
     ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
-    QPushButton& wayBack() const { return *message().findChild<QPushButton*>(); }
+    QPushButton& wayBack() const { return *message().findChild<ui::MessageRow*>()->findChild<QPushButton*>(); }
 
   private Q_SLOTS:
     void initTestCase()

@@ -58,8 +58,6 @@ class VtkViewport : public QOpenGLWidget
     void depthTurned(double steps);
     /// The space bar went down or up: palpate while it is held.
     void spaceHeld(bool isDown);
-    /// Tab, which here hides and shows the panels; Shift+Tab leaves the view as elsewhere.
-    void panelsToggled();
     /// In both modes: centre here.
     void centreWanted(const QPointF& place);
 
