@@ -25,6 +25,13 @@ QWidget* firstIn(QWidget* part)
     return nullptr;
 }
 
+/// Whether a part lies in the window: behind another one's tab it doesn't.
+bool isInWindow(const QWidget& part)
+{
+    const QWidget* window = part.window();
+    return window->rect().intersects(QRect(part.mapTo(window, QPoint()), part.size()));
+}
+
 } // namespace
 
 void PanelRound::add(QWidget* part)
@@ -48,7 +55,7 @@ void PanelRound::go(int step)
     for (int tried = 1; tried <= count; ++tried) {
         const int i = ((now < 0 && step < 0 ? 0 : now) + step * tried + 2 * count) % count;
         Part& part = m_parts[static_cast<std::size_t>(i)];
-        if (part.widget == nullptr || !part.widget->isVisible() || part.widget->visibleRegion().isEmpty()) {
+        if (part.widget == nullptr || !part.widget->isVisible() || !isInWindow(*part.widget)) {
             continue; // hidden, or behind another tab
         }
         QWidget* to = part.last != nullptr && part.last->isVisible() && part.last->isEnabled() ? part.last.data()
