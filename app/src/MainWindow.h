@@ -5,12 +5,16 @@
 #include "SceneDocument.h"
 
 #include <palpate/ui/ActionList.h>
+#include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
+#include <palpate/ui/HintLine.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/MapDisplay.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
+#include <palpate/ui/PanelRound.h>
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/SceneLoader.h>
@@ -27,7 +31,6 @@
 #include <optional>
 #include <vector>
 
-class QLabel;
 class QMenu;
 class QProgressBar;
 class QStackedWidget;
@@ -74,6 +77,9 @@ class MainWindow : public QMainWindow
     void makeViewActions();
     void makeSessionActions();
     void makeDeviceAndHelpActions();
+    void makeShellActions();
+    void makeMessagesDock();
+    void finishShell();
     void makeMenus();
     void makeToolBar();
     void makeDocks();
@@ -109,6 +115,10 @@ class MainWindow : public QMainWindow
     void refreshRecent();
     void say(const QString& text, int forget_ms = 8000);
     void showError(const QString& line);
+    void showMessages();
+    int tellNotes(const palpate::ui::OpenedScene& scene);
+    void tellRealtime(const palpate::servo::RealtimeReport& report);
+    [[nodiscard]] QString handText() const;
     void styleView();
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
@@ -116,6 +126,8 @@ class MainWindow : public QMainWindow
     [[nodiscard]] QString howToTouch() const;
 
     palpate::ui::ActionList m_actions{this};
+    palpate::ui::Messages m_messages;
+    palpate::ui::PanelRound m_round;
     palpate::ui::StructureModel m_model;
     palpate::ui::LiveTouch m_live{m_model};
     palpate::ui::SceneLoader m_loader;
@@ -138,11 +150,13 @@ class MainWindow : public QMainWindow
     palpate::ui::Chip* m_recordingChip = nullptr;
     palpate::ui::Chip* m_realtimeChip = nullptr;
     palpate::ui::Chip* m_depthChip = nullptr;
-    QLabel* m_hint = nullptr;
+    palpate::ui::HintLine* m_hint = nullptr;
+    QStringList m_realtimeTold; ///< what was said of the servo thread last
     QProgressBar* m_progress = nullptr;
     QToolButton* m_cancel = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QDockWidget*> m_docks;
+    QDockWidget* m_messagesDock = nullptr; ///< the list of messages; it comes only when asked for
 
     QAction* m_openAction = nullptr;
     QAction* m_saveAction = nullptr;

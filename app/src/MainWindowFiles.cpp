@@ -9,7 +9,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
@@ -39,7 +38,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     if (!meshes.empty() && !mayDiscard()) {
         return;
     }
-    m_message->hide();
+    m_message->forgetScene();
     if (meshes.empty()) {
         if (recording) {
             openRecording(*recording);
@@ -108,15 +107,9 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
         remember(m_files.front());
     }
     const QString how = howToTouch();
-    const auto notes = static_cast<int>(scene->warnings.size());
+    const int notes = tellNotes(*scene);
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
-    say(notes == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
-    constexpr int kToolTipLines = 24;
-    QStringList lines = scene->warnings.mid(0, kToolTipLines);
-    if (notes > kToolTipLines) {
-        lines << tr("… and %1 more").arg(notes - kToolTipLines);
-    }
-    m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
+    say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
     showWhatPlays();
     layOut(*scene);
     if (!scene->problems.isEmpty()) {
@@ -213,8 +206,9 @@ void MainWindow::offerLeftover()
 {
     const auto copy = SceneDocument::findLeftover();
     if (copy && m_model.rowCount() == 0) {
-        m_message->offer(tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
-                         [this, copy] { open({*copy}); });
+        m_message->offer(
+            tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
+            [this, copy] { open({*copy}); }, MessageBar::Keep::UntilAnswered);
     }
 }
 
