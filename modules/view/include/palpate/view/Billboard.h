@@ -32,6 +32,8 @@ struct ViewFrame
     [[nodiscard]] static ViewFrame of(vtkRenderer& renderer, double pixelRatio);
     /// Size of a logical pixel at a point. [mm]
     [[nodiscard]] double mmPerPixel(const Vec3& p_W) const;
+
+    friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
 
 /// Turns an unlit flat shape made in pixels (x right, y up, z to the viewer) to the viewer at `p_W`.
