@@ -2,6 +2,7 @@
 #include "MeasuresDialog.h"
 
 #include <palpate/study/SessionExport.h>
+#include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SessionPanel.h>
 #include <palpate/ui/StructureModel.h>
 
@@ -86,15 +87,32 @@ QString toHtml(const session::SessionMeasures& m)
     }
     html += table(tr("Coverage, within %1 mm").arg(number(m.distance_mm, 0)), rows);
     if (!m.findings.empty()) {
-        rows = {{tr("Finding"), tr("Marked"), tr("First touched"), tr("Dwell [s]"), tr("Visits"), tr("Mean [N]"),
-                 tr("Peak [N]")}};
+        rows = {{tr("Finding"), tr("Where"), tr("Marked"), tr("First touched"), tr("Dwell [s]"), tr("Visits"),
+                 tr("Mean [N]"), tr("Peak [N]")}};
         for (const session::FindingMeasures& one : m.findings) {
-            rows.push_back({QString::fromStdString(one.finding.name), ui::clockText(one.marked_s),
-                            one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"),
-                            number(one.dwell_s, 1), QString::number(one.visits), number(one.meanForce_N),
-                            number(one.peakForce_N)});
+            if (!one.finding.hasPlace) {
+                continue;
+            }
+            rows.push_back(
+                {ui::typeSign(one.finding.type) + QLatin1Char(' ') + QString::fromStdString(one.finding.name),
+                 ui::readableName(one.finding.structure), ui::clockText(one.marked_s),
+                 one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"), number(one.dwell_s, 1),
+                 QString::number(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
         }
-        html += table(tr("Findings"), rows);
+        if (rows.size() > 1) {
+            html += table(tr("Findings"), rows);
+        }
+        rows = {{tr("Note"), tr("Written")}};
+        for (const session::FindingMeasures& one : m.findings) {
+            if (!one.finding.note.empty()) {
+                const QString about =
+                    one.finding.hasPlace ? QString::fromStdString(one.finding.name + ": ") : QString();
+                rows.push_back({about + QString::fromStdString(one.finding.note), ui::clockText(one.marked_s)});
+            }
+        }
+        if (rows.size() > 1) {
+            html += table(tr("Notes"), rows);
+        }
         rows = {{tr("Felt when marked"), tr("Structure"), tr("Force [N]"), tr("Depth [mm]")}};
         for (const session::FindingMeasures& one : m.findings) {
             for (const core::FeltLayer& layer : one.finding.layers) {

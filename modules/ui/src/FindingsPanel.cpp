@@ -9,7 +9,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -21,7 +20,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Writes the sign in the type's colour, and lets the type be chosen from a list.
+/// Lets the type be chosen from a list.
 class TypeDelegate final : public QStyledItemDelegate
 {
   public:
@@ -64,6 +63,7 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     , m_empty(new QLabel(this))
 {
     m_table->setModel(&model);
+    m_table->setObjectName(QStringLiteral("findingsTable"));
     m_table->setAccessibleName(tr("Findings and notes"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 does; a double click flies
