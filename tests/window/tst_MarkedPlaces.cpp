@@ -93,9 +93,11 @@ class MarkedPlaces : public QObject
         QCOMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport()));
 
         table().setFocus();
-        m_desk->press(Qt::Key_Up); // from the note to the second finding, in the column of the name
-        m_desk->press(Qt::Key_Home, Qt::NoModifier);
-        m_desk->press(Qt::Key_F2); // a number is not edited: the name is
+        m_desk->press(Qt::Key_Up); // from the note to the second finding, in the column of the notes
+        for (int column = ui::FindingsModel::Note; column > ui::FindingsModel::Name; --column) {
+            m_desk->press(Qt::Key_Left);
+        }
+        m_desk->press(Qt::Key_F2);
         type("tumour");
         QCOMPARE(cell(1, ui::FindingsModel::Name), QString("tumour"));
         m_desk->press(Qt::Key_Delete);

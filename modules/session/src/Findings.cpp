@@ -54,7 +54,7 @@ std::optional<core::Finding> findingIn(const RecordingEvent& event)
         return std::nullopt;
     }
     if (event.kind == "note" && !json.contains("note")) { // of older recordings, which hold the text alone
-        json["note"] = json["text"];
+        json["note"] = json.value("text");
         json["name"] = "Note";
     }
     auto finding = findingFrom(json);
@@ -138,7 +138,7 @@ std::string findingJson(const core::Finding& finding)
     QJsonObject json = toJson(finding);
     if (!finding.hasPlace) {
         json["text"] = QString::fromStdString(finding.note); // where older versions look
-        json["note"] = json["text"];
+        json["note"] = json.value("text");
     }
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }

@@ -69,8 +69,8 @@ struct SceneRecord
 
 /// Something that happened at a tick. The writer adds "scene" (first tick of a generation), "tissue", "hidden",
 /// "shown", "layer" and "structures" (what changed with it), "clutch" (the hand let go or came back); the recorder
-/// "dropped", "disk" and "timing" (how the loop kept time); the window "note", "finding", "finding-edited", "finding-undone",
-/// "device-lost" and "fault"; recovery "recovered".
+/// "dropped", "disk" and "timing" (how the loop kept time); the window "note", "finding",
+/// "finding-edited", "finding-undone", "device-lost" and "fault"; recovery "recovered".
 struct RecordingEvent
 {
     std::int64_t tick = 0;
