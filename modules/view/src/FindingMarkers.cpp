@@ -31,7 +31,7 @@ namespace {
 using Pixel = Eigen::Vector2d;
 
 constexpr double kRim_px = 1.5;
-constexpr double kHollow_px = 1.6; // width of a hollow shape's line
+constexpr double kHollow_px = 2.4; // width of a hollow shape's line
 constexpr double kLeader_px = 1.6;
 constexpr int kAtlasHeight_px = 2048; // every OpenGL has textures as high
 constexpr Colour kGround{0.08, 0.09, 0.11};
