@@ -150,6 +150,7 @@ class Palpation : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         m_palpation->stepDepth(4);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 5.8, 10000);
+        QTest::qWait(300); // the last of the way is slow
         // A turned camera leaves a pressed hand where it is; steps go along the new screen.
         const core::Vec3 before = shown.p_WH;
         view::turn(m_viewport->view().camera(), 15.0, 0.0);

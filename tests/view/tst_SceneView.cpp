@@ -95,7 +95,7 @@ class SceneView : public QObject
             int compared = 0;
             for (int y = 1; y < 299; ++y) {
                 for (int x = 1; x < 399; ++x) {
-                    if (isEdge(still, x, y)) {
+                    if (isEdge(still, x, y) || isEdge(moving, x, y)) {
                         continue;
                     }
                     ++compared;

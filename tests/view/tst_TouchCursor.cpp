@@ -217,6 +217,16 @@ class TouchCursor : public QObject
             }
         }
     }
+    void aTouchOutsideTheViewHasNoNumbers()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state = contact(Vec3(0, 0, 9));
+        state.p_WG = frameAt(300).mmPerPixel(Vec3::Zero()) * Vec3(600, 0, 0);
+        state.p_WH = state.p_WG - Vec3(0, 0, 5);
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(cursor.labels().texts().empty());
+    }
     void keysHaveACrosshair()
     {
         view::TouchCursor cursor;

@@ -89,8 +89,10 @@ void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
 
 Point placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken, const Eigen::AlignedBox2d& view)
 {
-    constexpr int kWays = 8, kSteps = 12;
+    constexpr int kWays = 8, kSteps = 24;
     constexpr double kStep_px = 12.0;
+    // A point outside the view has its text at the border.
+    const Point point = label.point_px.cwiseMin(view.max()).cwiseMax(view.min());
     const double best = std::atan2(label.towards.y(), label.towards.x());
     const auto boxAt = [&](int place) {
         // The way that it had best be, then alternately to either side of it.
@@ -101,7 +103,7 @@ Point placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& tak
         const Point half = 0.5 * label.size_px + Point::Constant(kGap_px);
         const double clear = std::min(half.x() / std::max(1e-9, std::abs(direction.x())),
                                       half.y() / std::max(1e-9, std::abs(direction.y())));
-        const Point centre = label.point_px + direction * (clear + kStep_px * (place / kWays));
+        const Point centre = point + direction * (clear + kStep_px * (place / kWays));
         return Eigen::AlignedBox2d(centre - 0.5 * label.size_px, centre + 0.5 * label.size_px);
     };
     const auto isFree = [&](const Eigen::AlignedBox2d& box) {

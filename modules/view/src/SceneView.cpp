@@ -6,12 +6,8 @@
 #include <vtkNew.h>
 #include <vtkProperty.h>
 
-#include <vtkPropCollection.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace palpate::view {
 
@@ -89,7 +85,6 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
         m_solid->RemoveActor(old.picture.actor());
     }
     m_structures = std::move(structures);
-    m_drawn.clear();
     ++m_tissueRevision;
     m_legend.hide();
     for (const ViewStructure& one : m_structures) {
@@ -182,40 +177,6 @@ core::Box SceneView::bounds() const
     return shown.isEmpty() ? all : shown;
 }
 
-/// Draws translucent structures in the order of their nearest places, the farthest first: what lies in another before
-/// that.
-void SceneView::orderFarFirst(const ViewFrame& frame)
-{
-    std::vector<std::pair<double, vtkActor*>> order;
-    for (const ViewStructure& one : m_structures) {
-        const Appearance& look = one.picture.appearance();
-        if (!look.isVisible || look.opacity >= 1.0) {
-            continue;
-        }
-        const core::Box box = boxOf(one.picture.actor());
-        double nearest = -std::numeric_limits<double>::infinity();
-        for (int corner = 0; corner < 8; ++corner) {
-            nearest = std::max(nearest, box.corner(static_cast<core::Box::CornerType>(corner)).dot(frame.back_W));
-        }
-        order.emplace_back(nearest, one.picture.actor());
-    }
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<vtkActor*> actors;
-    for (const auto& [nearest, actor] : order) {
-        actors.push_back(actor);
-    }
-    if (actors == m_drawn) {
-        return;
-    }
-    // In the collection itself: a renderer that loses an actor gives back what it has on the graphics card.
-    for (vtkActor* actor : actors) {
-        const vtkSmartPointer<vtkActor> kept = actor;
-        m_solid->GetViewProps()->RemoveItem(actor);
-        m_solid->GetViewProps()->AddItem(actor);
-    }
-    m_drawn = std::move(actors);
-}
-
 /// A ray from the eye to each finding: tissue that it meets before hides the finding.
 void SceneView::findHiddenFindings(const ViewFrame& frame)
 {
@@ -261,10 +222,11 @@ void SceneView::prepareFrame(double pixelRatio)
     if (m_window != nullptr) {
         m_cube.place(camera(), m_window->GetSize(), pixelRatio);
     }
-    m_solid->SetUseDepthPeeling(m_isSorted);
-    if (!m_isSorted) {
-        orderFarFirst(frame);
-    }
+    // Unsorted, colours of several structures would be mixed by another rule and so be others.
+    const auto translucent = std::count_if(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
+        return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;
+    });
+    m_solid->SetUseDepthPeeling(m_isSorted || translucent > 1);
     // Occlusion is computed from the depth of what is opaque: behind translucent tissue it would darken the wrong
     // place.
     const bool isOpaque = std::all_of(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {

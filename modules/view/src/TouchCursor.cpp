@@ -248,11 +248,13 @@ void TouchCursor::placeCrosshair(const ViewFrame& frame, bool isThere)
 
 void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
 {
-    if (!isTouching) {
+    const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
+    const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
+    const Eigen::AlignedBox2d view(-half, half);
+    if (!isTouching || (!view.contains(g) && !view.contains(h))) { // numbers of what isn't seen would be nobody's
         m_labels.place({}, {}, frame);
         return;
     }
-    const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
     const Eigen::Vector2d tip = frame.pixelOf(m_arrow.tip_W());
     const double patch_px = std::min(m_patch_mm / frame.mmPerPixel(m_state.p_WG), 2.0 * kLargestPatch_px);
     std::vector<Eigen::AlignedBox2d> taken{boxAbout(g, std::max(m_arrow.radius_px() + 4.0, patch_px)),

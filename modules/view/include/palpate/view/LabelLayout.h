@@ -39,7 +39,7 @@ struct PointLabel
 /// direction that it had best be; where it was, as long as that is free, so that it doesn't jump. Without a free place
 /// it still is inside the view.
 /// @param taken  boxes that it must not cover; @param view  box of the view; all in logical pixels
-/// @return the text's centre. It tries at most 96 places against all.
+/// @return the text's centre. It tries at most 192 places against all.
 [[nodiscard]] Eigen::Vector2d placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken,
                                           const Eigen::AlignedBox2d& view);
 

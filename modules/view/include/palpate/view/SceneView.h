@@ -81,15 +81,14 @@ class SceneView
     void prepareFrame(double pixelRatio);
     /// Smooth edges; cheap on a graphics card, felt on none.
     void setSmoothEdges(bool isOn) { m_solid->SetUseFXAA(isOn); }
-    /// Sorts translucent surfaces by depth peeling; else they are drawn once, the farthest structure first, which takes
-    /// half the time and has the same colours but where one structure folds over itself.
+    /// Sorts translucent surfaces by depth peeling; else a single translucent structure is drawn once, which takes half
+    /// the time and has the same colours but where it folds over itself. Several are always sorted.
     void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
     /// Darkens what lies in folds. For graphics cards: it costs many times the frame without it.
     void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
 
   private:
     [[nodiscard]] double aspect() const;
-    void orderFarFirst(const ViewFrame& frame);
     void findHiddenFindings(const ViewFrame& frame);
 
     vtkSmartPointer<vtkRenderer> m_solid;
@@ -110,7 +109,6 @@ class SceneView
     std::optional<Seen> m_seen;
     std::size_t m_tissueRevision = 0; ///< counts changes of what can hide a finding
     std::vector<ViewStructure> m_structures;
-    std::vector<vtkActor*> m_drawn; ///< translucent ones in the order that they were given last
     vtkSmartPointer<vtkRenderWindow> m_window;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
