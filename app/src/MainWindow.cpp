@@ -60,6 +60,7 @@ MainWindow::MainWindow()
     connectActions();
     connectLoading();
     connectTouch();
+    connectList();
     styleView();
     refreshRecent();
     showStatus();
@@ -201,7 +202,13 @@ void MainWindow::connectLoading()
         m_hint->clear();
     };
     connect(&m_loader, &SceneLoader::opened, this, loadingEnded);
-    connect(&m_loader, &SceneLoader::opened, this, &MainWindow::takeScene);
+    connect(&m_loader, &SceneLoader::opened, this, [this](const std::shared_ptr<OpenedScene>& scene) {
+        if (scene->addedTo > 0) {
+            takeAdded(*scene);
+        } else {
+            takeScene(scene);
+        }
+    });
     connect(&m_loader, &SceneLoader::failed, this, [this, loadingEnded](const QString& line) {
         loadingEnded();
         m_waitingRecording.reset();
@@ -289,7 +296,12 @@ void MainWindow::followModel(int row, StructureModel::Change change)
     const StructureRow& one = m_model.rows()[static_cast<std::size_t>(row)];
     const meshio::SceneStructure& structure = one.loaded.description;
     if (change == StructureModel::Change::Look) {
-        m_viewport->view().setAppearance(static_cast<std::size_t>(row), StructureModel::appearanceOf(structure));
+        m_viewport->view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
+    }
+    if (one.isRemoved) { // all is kept for when it comes back
+        m_viewport->view().setTouchable(static_cast<std::size_t>(row), nullptr);
+        m_viewport->update();
+        return;
     }
     // A structure has its haptic copy while it is palpable, and only then.
     if (structure.palpable && one.touch == nullptr) {

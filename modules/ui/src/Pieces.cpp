@@ -70,6 +70,12 @@ MessageBar::MessageBar(QWidget* parent)
         hide();
         m_act();
     });
+    m_otherButton = new QPushButton(this);
+    m_otherButton->hide();
+    connect(m_otherButton, &QPushButton::clicked, this, [this] {
+        hide();
+        m_otherAct();
+    });
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
@@ -81,6 +87,7 @@ MessageBar::MessageBar(QWidget* parent)
     layout->addWidget(m_symbol, 0, Qt::AlignTop);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_button, 0, Qt::AlignTop);
+    layout->addWidget(m_otherButton, 0, Qt::AlignTop);
     layout->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
@@ -94,9 +101,19 @@ void MessageBar::offer(const QString& text, const QString& button, std::function
     m_button->show();
 }
 
+void MessageBar::ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
+                     std::function<void()> otherAct)
+{
+    offer(text, button, std::move(act), Symbol::Open);
+    m_otherAct = std::move(otherAct);
+    m_otherButton->setText(otherButton);
+    m_otherButton->show();
+}
+
 void MessageBar::showError(const QString& text)
 {
     m_button->hide();
+    m_otherButton->hide();
     m_text->setText(text);
     m_symbol->setPixmap(icon(Symbol::Warning).pixmap(22, 22));
     show();

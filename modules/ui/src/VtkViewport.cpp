@@ -21,6 +21,7 @@ namespace palpate::ui {
 
 namespace {
 
+constexpr double kStill_px = 3.0; // a click may tremble so far
 constexpr int kStill_ms = 350;    // after this long without a frame the picture stands still
 constexpr int kWarmUp = 2;        // first frames upload meshes and compile shaders: they say nothing of the speed
 constexpr double kSlow_ms = 40.0; // slower than this, a moving picture drops what costs most
@@ -215,6 +216,8 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
     m_isPointerInside = true;
+    m_pressedAt = m_pointer;
+    m_hasMoved = false;
     if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
         m_isPressed = true;
         Q_EMIT pointerMoved();
@@ -246,6 +249,9 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
         return;
     }
     m_cameraButton = Qt::NoButton;
+    if (event->button() == Qt::LeftButton && m_mode == Mode::Camera && !m_hasMoved) {
+        Q_EMIT clicked(m_pointer, event->modifiers());
+    }
     // Whichever of the three it was: the style ends what it began and ignores the others.
     for (const auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
                                vtkCommand::RightButtonReleaseEvent}) {
@@ -257,6 +263,7 @@ void VtkViewport::mouseMoveEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
     m_isPointerInside = true;
+    m_hasMoved = m_hasMoved || (m_pointer - m_pressedAt).manhattanLength() > kStill_px;
     if (m_cameraButton != Qt::NoButton) {
         moveCamera(m_pointer, vtkCommand::MouseMoveEvent, event->modifiers());
     }

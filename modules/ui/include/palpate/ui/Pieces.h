@@ -48,13 +48,17 @@ class MessageBar : public QFrame
     /// Shows a line with a button that does something about it and closes the bar.
     /// @param symbol  what kind of a line it is
     void offer(const QString& text, const QString& button, std::function<void()> act, Symbol symbol = Symbol::Warning);
+    /// Shows a question with two answers, each of which closes the bar.
+    void ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
+             std::function<void()> otherAct);
     [[nodiscard]] QString text() const { return m_text->text(); }
 
   private:
     QLabel* m_symbol = nullptr;
     QLabel* m_text = nullptr;
     QPushButton* m_button = nullptr;
-    std::function<void()> m_act;
+    QPushButton* m_otherButton = nullptr;
+    std::function<void()> m_act, m_otherAct;
 };
 
 /// What is shown instead of an empty view: open, try the phantom, recent scenes.

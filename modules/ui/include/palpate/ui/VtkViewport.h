@@ -60,6 +60,8 @@ class VtkViewport : public QOpenGLWidget
     void spaceHeld(bool isDown);
     /// Tab, which here hides and shows the panels; Shift+Tab leaves the view as elsewhere.
     void panelsToggled();
+    /// Camera mode: the left button went down and up without a move.
+    void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
     /// In both modes: centre here.
     void centreWanted(const QPointF& place);
 
@@ -85,6 +87,8 @@ class VtkViewport : public QOpenGLWidget
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
     QPointF m_pointer;
+    QPointF m_pressedAt;
+    bool m_hasMoved = false; ///< since the button went down
     Mode m_mode = Mode::Camera;
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;
