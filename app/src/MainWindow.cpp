@@ -75,7 +75,8 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
-    delete m_devices; // it lets go of what the members below the children hold
+    delete m_structures; // before the model that a name that is being written goes to
+    delete m_devices;    // it lets go of what the members below the children hold
 }
 
 void MainWindow::makeDocks()

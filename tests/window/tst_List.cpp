@@ -56,9 +56,7 @@ class List : public QObject
         connect(&typist, &QTimer::timeout, this, [&] {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 auto* field = dialog->findChild<QLineEdit*>();
-                field->setFocus();
-                field->clear();
-                QTest::keyClicks(field, QString::fromStdString(file.string()));
+                field->setText(QString::fromStdString(file.string()));
                 QTest::keyClick(field, Qt::Key_Return);
             }
         });
@@ -66,6 +64,27 @@ class List : public QObject
         m_desk->pressKeyOf("add");
         typist.stop();
         return QTest::qWaitFor([&] { return ready.count() > 0; }, 60000);
+    }
+
+    void drop(const std::filesystem::path& file)
+    {
+        QMimeData files;
+        files.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+        QDragEnterEvent enter({400, 400}, Qt::CopyAction, &files, Qt::LeftButton,
+                              Qt::NoModifier); // makes it the target
+        QApplication::sendEvent(&window(), &enter);
+        QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window(), &drop);
+    }
+
+    void answer(const char* text)
+    {
+        for (QPushButton* button : message().findChildren<QPushButton*>()) {
+            if (button->isVisible() && button->text() == QLatin1String(text)) {
+                button->click();
+                return;
+            }
+        }
     }
 
     /// A scene of many structures in one file, 4 triangles each.
@@ -124,7 +143,7 @@ class List : public QObject
         editor->selectAll();
         QTest::keyClicks(editor, "lesion in IV");
         QTest::keyClick(editor, Qt::Key_Return);
-        QCOMPARE(names(), QStringList({"liver", "lesion in IV"}));
+        QTRY_COMPARE(names(), QStringList({"liver", "lesion in IV"}));
 
         m_desk->pressKeyOf("filter");
         QVERIFY(filter().hasFocus());
@@ -154,18 +173,10 @@ class List : public QObject
     {
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->open({m_liver}));
-        QMimeData files;
-        files.setUrls({QUrl::fromLocalFile(QString::fromStdString(m_vein.string()))});
-        QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
         QSignalSpy ready(&window(), &MainWindow::ready);
-        QApplication::sendEvent(&window(), &drop);
+        drop(m_vein);
         QCOMPARE(message().text(), QStringLiteral("Add portal_vein.stl to the open scene?"));
-        for (QPushButton* button : message().findChildren<QPushButton*>()) {
-            if (button->text() == QStringLiteral("Add")) {
-                button->click();
-                break;
-            }
-        }
+        answer("Add");
         QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
         QCOMPARE(names(), QStringList({"liver", "portal vein"}));
     }
@@ -257,7 +268,10 @@ class List : public QObject
         m_desk->pressKeyOf("record");
         hand.pressAt({0.5 * window().viewport().width(), 0.5 * window().viewport().height()});
         QTRY_VERIFY_WITH_TIMEOUT(force_N > 0.05, 20000);
-        QVERIFY(add(m_vein));
+        QSignalSpy ready(&window(), &MainWindow::ready);
+        drop(m_vein);
+        answer("Add");
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
         list().setFocus();
         list().setCurrentIndex(list().model()->index(0, ui::StructureModel::Name));
         m_desk->press(Qt::Key_Delete); // under the hand

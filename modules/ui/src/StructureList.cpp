@@ -122,6 +122,11 @@ StructureList::StructureList(StructureModel& model, QWidget* parent)
     showCount();
 }
 
+StructureList::~StructureList()
+{
+    delete m_view; // before the tree that it writes to
+}
+
 void StructureList::makeView()
 {
     m_view->setModel(&m_tree);

@@ -31,6 +31,7 @@ class StructureList : public QWidget
     Q_OBJECT
   public:
     explicit StructureList(StructureModel& model, QWidget* parent = nullptr);
+    ~StructureList() override; ///< a name that is being written is taken
 
     [[nodiscard]] StructureListView& view() noexcept { return *m_view; }
     [[nodiscard]] const StructureTree& tree() const noexcept { return m_tree; }
