@@ -115,7 +115,7 @@ class MainWindow : public QMainWindow
     void add(const std::vector<std::filesystem::path>& files);
     void takeAdded(palpate::ui::OpenedScene& scene);
     void layOutAdded(const palpate::ui::OpenedScene& scene);
-    void nameTissues(int first);
+    void nameTissues(const palpate::study::Layering& layering, int first);
     void offerTissueBack(std::vector<palpate::ui::StructureModel::Edited> before);
     void closeScene();
     void tellFault(const QString& line);

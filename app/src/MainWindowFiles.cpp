@@ -131,7 +131,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
     showWhatPlays();
     if (scene->areMeshes() && !m_waitingRecording) {
-        nameTissues(0);
+        nameTissues(scene->layering, 0);
         m_model.undoStack().setClean(); // nothing that a person did and would miss
     }
     layOut(*scene);

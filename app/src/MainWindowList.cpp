@@ -108,7 +108,7 @@ void MainWindow::takeAdded(OpenedScene& scene)
     m_model.addRows(std::move(scene.rows), text);
     m_model.setNesting(in);
     if (scene.areMeshes()) {
-        nameTissues(first);
+        nameTissues(scene.layering, first);
     }
     m_document->add(scene);
     layOutAdded(scene);
@@ -163,9 +163,9 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
 }
 
 /// Gives structures from `first` on the tissue that their names say, and offers the way back.
-void MainWindow::nameTissues(int first)
+void MainWindow::nameTissues(const study::Layering& layering, int first)
 {
-    std::vector<StructureModel::Edited> edits = tissueByName(m_model, first);
+    std::vector<StructureModel::Edited> edits = tissueByName(m_model, layering, first);
     if (edits.empty()) {
         return;
     }

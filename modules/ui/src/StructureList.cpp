@@ -278,7 +278,7 @@ void StructureList::keepSelection()
 void StructureList::bringSelectionBack()
 {
     m_view->setRootIsDecorated(m_tree.grouping() != StructureTree::Grouping::None);
-    m_view->setIndentation(m_tree.grouping() == StructureTree::Grouping::None ? 0 : 18);
+    m_view->setIndentation(m_tree.grouping() == StructureTree::Grouping::None ? 0 : 12);
     for (int group = 0; group < m_tree.rowCount(); ++group) {
         const QModelIndex index = m_tree.index(group, 0);
         m_view->setExpanded(index, !m_closed.contains(titleOf(index)));

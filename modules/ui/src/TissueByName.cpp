@@ -53,7 +53,8 @@ bool isSame(const meshio::SceneStructure& a, const meshio::SceneStructure& b)
 
 } // namespace
 
-std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, int first)
+std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, const study::Layering& layering,
+                                                 int first)
 {
     bool isAnyFelt = false;
     std::vector<bool> holds(model.rows().size());
@@ -61,8 +62,12 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, in
         const meshio::SceneStructure& one = row.loaded.description;
         isAnyFelt = isAnyFelt ||
                     (!row.isRemoved && StructureModel::isFelt(one) && !isPassedThrough(meshio::anatomyKind(one.name)));
-        if (row.in && !row.isRemoved) {
-            holds[static_cast<std::size_t>(*row.in)] = true;
+    }
+    for (const study::Layering::Structure& one : layering.structures) {
+        for (const std::optional<std::size_t>& around : {one.in, one.unsureIn}) {
+            if (around) {
+                holds[*around] = true;
+            }
         }
     }
     std::vector<StructureModel::Edited> edits;

@@ -13,7 +13,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kAmbient = 0.06, kHighlight = 0.42; // share of the colour that is there without a light on it
+constexpr double kAmbient = 0.06, kHighlight = 0.30; // share of the colour that is there without a light on it
 
 } // namespace
 
