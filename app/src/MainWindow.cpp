@@ -65,6 +65,7 @@ MainWindow::MainWindow()
     connectLoading();
     connectTouch();
     connectFindings();
+    connectList();
     styleView();
     refreshRecent();
     showStatus();
@@ -79,7 +80,8 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
-    delete m_devices; // it lets go of what the members below the children hold
+    delete m_structures; // before the model that a name that is being written goes to
+    delete m_devices;    // it lets go of what the members below the children hold
 }
 
 void MainWindow::makeDocks()
@@ -205,7 +207,13 @@ void MainWindow::connectLoading()
         m_hint->say({});
     };
     connect(&m_loader, &SceneLoader::opened, this, loadingEnded);
-    connect(&m_loader, &SceneLoader::opened, this, &MainWindow::takeScene);
+    connect(&m_loader, &SceneLoader::opened, this, [this](const std::shared_ptr<OpenedScene>& scene) {
+        if (scene->addedTo > 0) {
+            takeAdded(*scene);
+        } else {
+            takeScene(scene);
+        }
+    });
     connect(&m_loader, &SceneLoader::failed, this, [this, loadingEnded](const QString& line) {
         loadingEnded();
         showError(line);
@@ -258,10 +266,9 @@ void MainWindow::connectTouch()
     connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
     new ViewKeys(*m_viewport, *m_palpation, this);
     auto* pointed = new PointedStructure(*m_viewport, m_model, *m_maps, this);
-    connect(pointed, &PointedStructure::clicked, this, [this](int row) {
-        if (row >= 0) {
-            m_structures->select(row);
-        }
+    connect(pointed, &PointedStructure::clicked, this, [this](int row, Qt::KeyboardModifiers modifiers) {
+        m_structures->choose(row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt,
+                             modifiers.testFlag(Qt::ControlModifier));
     });
     connect(m_viewport, &VtkViewport::spaceHeld, this, [this](bool isDown) { m_palpateAction->setChecked(isDown); });
     connect(m_viewport, &VtkViewport::centreWanted, this, [this](const QPointF& place) {
@@ -301,7 +308,12 @@ void MainWindow::followModel(int row, StructureModel::Change change)
     const StructureRow& one = m_model.rows()[static_cast<std::size_t>(row)];
     const meshio::SceneStructure& structure = one.loaded.description;
     if (change == StructureModel::Change::Look) {
-        m_viewport->view().setAppearance(static_cast<std::size_t>(row), StructureModel::appearanceOf(structure));
+        m_viewport->view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
+    }
+    if (one.isRemoved) { // all is kept for when it comes back
+        m_viewport->view().setTouchable(static_cast<std::size_t>(row), nullptr);
+        m_viewport->update();
+        return;
     }
     // A structure has its haptic copy while it is palpable, and only then.
     if (structure.palpable && one.touch == nullptr) {

@@ -124,6 +124,14 @@ class MainWindow : public QMainWindow
     void styleView();
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
+    void connectList();
+    void chooseAdded();
+    void add(const std::vector<std::filesystem::path>& files);
+    void takeAdded(palpate::ui::OpenedScene& scene);
+    void layOutAdded(const palpate::ui::OpenedScene& scene);
+    void nameTissues(const palpate::study::Layering& layering, int first);
+    void offerTissueBack(std::vector<palpate::ui::StructureModel::Edited> before);
+    void closeScene();
     void tellFault(const QString& line);
     [[nodiscard]] QString howToTouch() const;
 
@@ -162,6 +170,11 @@ class MainWindow : public QMainWindow
     QDockWidget* m_messagesDock = nullptr; ///< the list of messages; it comes only when asked for
 
     QAction* m_openAction = nullptr;
+    QAction* m_addAction = nullptr;
+    QAction* m_closeAction = nullptr;
+    QAction* m_filterAction = nullptr;
+    QAction* m_renameAction = nullptr;
+    QAction* m_removeAction = nullptr;
     QAction* m_saveAction = nullptr;
     QAction* m_saveAsAction = nullptr;
     QAction* m_findingAction = nullptr;

@@ -27,6 +27,11 @@ void MainWindow::makeFileAndEditActions()
 {
     m_openAction = m_actions.add("open", ActionGroup::File, tr("Open…"), tr("Open meshes, a scene or a recording"),
                                  {QKeySequence(Qt::CTRL | Qt::Key_O)}, Symbol::Open);
+    m_addAction = m_actions.add("add", ActionGroup::File, tr("Add to the scene…"),
+                                tr("Open more meshes or a scene beside what is open"),
+                                {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)});
+    m_closeAction = m_actions.add("close", ActionGroup::File, tr("Close the scene"), tr("Close what is open"),
+                                  {QKeySequence(Qt::CTRL | Qt::Key_W)});
     m_saveAction = m_actions.add("save", ActionGroup::File, tr("Save scene"), tr("Save the scene with its tissue"),
                                  {QKeySequence(Qt::CTRL | Qt::Key_S)});
     // Not the platform's: without a theme it has none for this one.
@@ -49,6 +54,15 @@ void MainWindow::makeFileAndEditActions()
     m_redoAction = m_actions.add("redo", ActionGroup::Edit, tr("Redo"), tr("Do it again"),
                                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
                                  Symbol::Redo);
+    m_actions.addSeparator(ActionGroup::Edit);
+    m_filterAction =
+        m_actions.add("filter", ActionGroup::Edit, tr("Find a structure…"),
+                      tr("List only structures with these words in their names"), {QKeySequence(Qt::CTRL | Qt::Key_F)});
+    // F2 and Del belong to the list that has the keys: see ActionGroup::InList.
+    m_renameAction = m_actions.add("rename", ActionGroup::Edit, tr("Rename the structure…"),
+                                   tr("Write another name for the selected structure"));
+    m_removeAction = m_actions.add("remove", ActionGroup::Edit, tr("Remove from the scene"),
+                                   tr("Take the selected structures out of the scene; their files stay"));
 }
 
 void MainWindow::makeViewActions()
@@ -77,6 +91,7 @@ void MainWindow::makeViewActions()
     m_actions.addSeparator(ActionGroup::View);
     m_actions.addGesture(ActionGroup::InView, tr("hold Space"), tr("palpate while it is held"));
     m_actions.addGesture(ActionGroup::InView, tr("drag"), tr("camera: rotate · palpate: press and slide"));
+    m_actions.addGesture(ActionGroup::InView, tr("click"), tr("camera: select the structure (with Ctrl: one more)"));
     m_actions.addGesture(ActionGroup::InView, tr("right drag"), tr("camera: zoom · palpate: rotate"));
     m_actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
     m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
@@ -87,6 +102,7 @@ void MainWindow::makeViewActions()
             &QAction::triggered, this, &MainWindow::letGo);
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, feel or not"));
     m_actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure that begins so"));
+    m_actions.addGesture(ActionGroup::InList, tr("F2  Del"), tr("rename, remove from the scene"));
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
     m_actions.addGesture(ActionGroup::InView, tr("Enter  F2  Del"), tr("in the findings: go there, edit, delete"));
     m_actions.addGesture(ActionGroup::InView, tr("Shift+Enter"), tr("in the findings: play where it was marked"));

@@ -101,7 +101,7 @@ void MainWindow::showWhatPlays()
     const bool hasRecording = m_playback != nullptr && m_playback->recording() != nullptr;
     const bool isPlaying = hasRecording && m_playback->isPlaying();
     const bool isRecording = m_live.recording().isRecording;
-    const bool hasScene = m_model.rowCount() > 0;
+    const bool hasScene = m_model.rowCount() > 0; // also one that all was taken out of: undo brings it back
     m_playAction->setIcon(icon(isPlaying ? Symbol::Pause : Symbol::Play));
     m_playAction->setText(isPlaying ? tr("Pause") : tr("Play"));
     m_playAction->setEnabled(hasRecording && !isRecording);
@@ -110,8 +110,9 @@ void MainWindow::showWhatPlays()
     m_recordAction->setIcon(icon(isRecording ? Symbol::Stop : Symbol::Record));
     m_recordAction->setText(isRecording ? tr("Stop") : tr("Record"));
     m_measuresAction->setEnabled(hasRecording && !isRecording);
-    for (QAction* action : {m_palpateAction, m_saveAction, m_saveAsAction, m_findingAction, m_findingNoteAction,
-                            m_noteAction, m_fitAction, m_snapshotAction, m_importFindingsAction}) {
+    for (QAction* action : {m_palpateAction, m_addAction, m_closeAction, m_filterAction, m_renameAction, m_removeAction,
+                            m_saveAction, m_saveAsAction, m_findingAction, m_findingNoteAction, m_noteAction,
+                            m_fitAction, m_snapshotAction, m_importFindingsAction}) {
         action->setEnabled(hasScene);
     }
     const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;

@@ -111,6 +111,10 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
     say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
     showWhatPlays();
+    if (scene->areMeshes() && !m_waitingRecording) {
+        nameTissues(scene->layering, 0);
+        m_model.undoStack().setClean(); // nothing that a person did and would miss
+    }
     layOut(*scene);
     if (!scene->problems.isEmpty()) {
         showError(scene->problems.join(QLatin1Char('\n')));
@@ -248,7 +252,16 @@ void MainWindow::dropEvent(QDropEvent* event)
     }
     if (!files.empty()) {
         event->acceptProposedAction();
-        open(files);
+        const bool hasMeshes =
+            std::any_of(files.begin(), files.end(), [](const auto& file) { return !session::isRecordingFile(file); });
+        if (m_model.rowCount() == 0 || !hasMeshes) {
+            open(files);
+            return;
+        }
+        const QString what = files.size() == 1 ? toText(files.front().filename()) : tr("%1 files").arg(files.size());
+        m_message->ask(
+            tr("Add %1 to the open scene?").arg(what), tr("Add"), [this, files] { add(files); }, tr("Open instead"),
+            [this, files] { open(files); });
     }
 }
 

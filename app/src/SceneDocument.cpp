@@ -47,6 +47,7 @@ SceneDocument::SceneDocument(ui::StructureModel& model, QObject* parent)
     m_copyTimer.setInterval(kCopyDelay_ms);
     connect(&m_copyTimer, &QTimer::timeout, this, &SceneDocument::writeCopy);
     connect(&model.undoStack(), &QUndoStack::indexChanged, &m_copyTimer, qOverload<>(&QTimer::start));
+    connect(&model, &ui::StructureModel::renamed, this, &SceneDocument::followName);
     connect(&model.undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
         if (isClean) {
             m_copyTimer.stop();
@@ -84,6 +85,35 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_findings.reset(scene.scene.findings);
 }
 
+void SceneDocument::add(const ui::OpenedScene& scene)
+{
+    for (const core::Finding& finding : scene.scene.findings) {
+        addFinding(finding);
+    }
+    m_unopened.insert(m_unopened.end(), scene.unopened.begin(), scene.unopened.end());
+}
+
+/// A finding names its structure: it goes with the name, unless another structure has it.
+void SceneDocument::followName(int row, const QString& before, const QString& after)
+{
+    for (int other = 0; other < m_model.rowCount(); ++other) {
+        const QString name = ui::readableName(m_model.structure(other).name);
+        if (other != row && (name == before || name == after)) {
+            return;
+        }
+    }
+    bool isAny = false;
+    for (core::Finding& finding : m_rest.findings) {
+        if (ui::readableName(finding.structure) == before) {
+            finding.structure = after.toStdString();
+            isAny = true;
+        }
+    }
+    if (isAny) {
+        Q_EMIT findingsChanged();
+    }
+}
+
 void SceneDocument::addFinding(const core::Finding& finding)
 {
     m_findings.add({finding}, tr("Mark %1").arg(QString::fromStdString(finding.name)));
@@ -94,7 +124,9 @@ meshio::SceneFile SceneDocument::content() const
     meshio::SceneFile scene = m_rest;
     scene.findings = m_findings.findings();
     for (const ui::StructureRow& row : m_model.rows()) {
-        scene.structures.push_back(row.loaded.description);
+        if (!row.isRemoved) {
+            scene.structures.push_back(row.loaded.description);
+        }
     }
     scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
     return scene;
@@ -107,7 +139,7 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     m_rest.camera->extra = unknown;
     meshio::SceneFile scene = content();
     std::map<std::filesystem::path, std::string> hashes; // what is open now is what the scene means
-    for (std::size_t i = 0; i < m_model.rows().size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m_model.presentCount()); ++i) {
         meshio::SceneStructure& structure = scene.structures[i];
         const auto [hash, isNew] = hashes.emplace(structure.mesh, std::string());
         if (isNew) {

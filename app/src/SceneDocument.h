@@ -26,6 +26,9 @@ class SceneDocument : public QObject
 
     /// Takes a scene that was just opened; the rows are the model's already.
     void take(const palpate::ui::OpenedScene& scene);
+    /// Takes what a scene that is added brings besides structures: its findings, undoably, and what could not be
+    /// opened.
+    void add(const palpate::ui::OpenedScene& scene);
     /// The scene file that it came from or was saved to; empty when there is none.
     [[nodiscard]] const std::filesystem::path& file() const noexcept { return m_file; }
     [[nodiscard]] bool isModified() const { return !m_model.undoStack().isClean(); }
@@ -50,6 +53,7 @@ class SceneDocument : public QObject
 
   private:
     [[nodiscard]] palpate::meshio::SceneFile content() const;
+    void followName(int row, const QString& before, const QString& after);
     void writeCopy();
     void dropCopy();
 

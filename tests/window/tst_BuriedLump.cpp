@@ -127,7 +127,8 @@ class BuriedLump : public QObject
         QVERIFY(!m_window->isWindowModified());
         const double beside_N = pressed(view::ViewFrom::Left);
         const double over_N = pressed(view::ViewFrom::Front);
-        QVERIFY2(beside_N > 5.9 && beside_N < 6.1, qPrintable(QString::number(beside_N)));
+        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm.
+        QVERIFY2(beside_N > 1.085 && beside_N < 1.122, qPrintable(QString::number(beside_N)));
         QVERIFY2(over_N > 1.3 * beside_N, qPrintable(QString::number(over_N)));
 
         action("Undo")->trigger();
@@ -177,9 +178,7 @@ class BuriedLump : public QObject
         open({folder() / "two/liver.stl", folder() / "two/liver.stl"});
         QVERIFY(message().isVisible());
         QCOMPARE(message().text(), QStringLiteral("liver and liver are the same surface twice."));
-        const auto* button = message().findChild<ui::MessageRow*>()->findChild<QPushButton*>();
-        QVERIFY(button == nullptr); // nothing to take back
-        QVERIFY(!action("Undo")->isEnabled());
+        QCOMPARE(action("Undo")->text(), QStringLiteral("Undo: Tissue by names")); // of their layers nothing was done
     }
 };
 

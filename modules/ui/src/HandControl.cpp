@@ -228,7 +228,7 @@ QString HandControl::inside() const
         return {};
     }
     for (const StructureRow& one : m_model.rows()) {
-        if (one.touch != nullptr && StructureModel::isFelt(one.loaded.description) &&
+        if (one.touch != nullptr && !one.isRemoved && StructureModel::isFelt(one.loaded.description) &&
             one.loaded.surface->report.isClosed() && geometry::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);
         }

@@ -30,7 +30,7 @@ QString shortened(const QString& text)
 
 } // namespace
 
-MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QString& button, QWidget* parent)
+MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringList& buttons, QWidget* parent)
     : QFrame(parent)
     , m_kind(kind)
     , m_text(text)
@@ -52,9 +52,9 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QString& 
     layout->setContentsMargins(12, 5, 6, 5);
     layout->addWidget(m_symbol, 0, Qt::AlignTop);
     layout->addWidget(line, 1, Qt::AlignVCenter);
-    if (!button.isEmpty()) {
-        auto* act = new QPushButton(button, this);
-        connect(act, &QPushButton::clicked, this, &MessageRow::answered);
+    for (int i = 0; i < buttons.size(); ++i) {
+        auto* act = new QPushButton(buttons[i], this);
+        connect(act, &QPushButton::clicked, this, [this, i] { Q_EMIT answered(i); });
         layout->addWidget(act, 0, Qt::AlignTop);
     }
     auto* close = new QToolButton(this);
@@ -101,14 +101,25 @@ void MessageBar::showError(const QString& text)
 
 void MessageBar::offer(const QString& text, const QString& button, std::function<void()> act, Keep keep)
 {
-    MessageRow* row = put(Messages::Kind::Offer, text, button, keep);
+    MessageRow* row = put(Messages::Kind::Offer, text, {button}, keep);
     connect(row, &MessageRow::answered, this, [this, row, act = std::move(act)] {
         remove(row); // first: what is done may say something itself
         act();
     });
 }
 
-MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QString& button, Keep keep)
+void MessageBar::ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
+                     std::function<void()> otherAct)
+{
+    MessageRow* row = put(Messages::Kind::Offer, text, {button, otherButton}, Keep::WithScene);
+    connect(row, &MessageRow::answered, this,
+            [this, row, act = std::move(act), otherAct = std::move(otherAct)](int chosen) {
+                remove(row);
+                (chosen == 0 ? act : otherAct)();
+            });
+}
+
+MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStringList& buttons, Keep keep)
 {
     const auto same =
         std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.row->text() == text; });
@@ -116,7 +127,7 @@ MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStr
         remove(same->row);
     }
     m_messages.add(kind, text);
-    auto* row = new MessageRow(kind, text, button, this);
+    auto* row = new MessageRow(kind, text, buttons, this);
     connect(row, &MessageRow::closed, this, [this, row] { remove(row); });
     m_entries.insert(m_entries.begin(), {row, keep});
     m_rows->insertWidget(0, row);

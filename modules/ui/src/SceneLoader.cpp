@@ -40,9 +40,8 @@ SceneLoader::SceneLoader(QObject* parent)
 SceneLoader::~SceneLoader()
 {
     finish();
-    for (std::thread& builder : m_builders) {
-        builder.join();
-    }
+    m_builders.clear();
+    m_builders.waitForDone();
 }
 
 void SceneLoader::cancel()
@@ -65,13 +64,16 @@ void SceneLoader::finish()
 class SceneLoader::Opening
 {
   public:
-    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, double unit_mm)
+    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, double unit_mm,
+            std::vector<OpenSurface> open)
         : m_loader(loader)
         , m_job(loader.m_job)
         , m_read(loader.m_reader)
         , m_unit_mm(unit_mm)
+        , m_open(std::move(open))
     {
         m_opened->files = std::move(files);
+        m_opened->addedTo = m_open.size();
     }
 
     void operator()()
@@ -190,16 +192,19 @@ class SceneLoader::Opening
             return;
         }
         std::vector<study::LayeredSurface> surfaces;
+        for (const OpenSurface& one : m_open) {
+            surfaces.push_back({one.surface.get(), one.touch.get()});
+        }
         for (const StructureRow& row : m_opened->rows) {
             surfaces.push_back({row.loaded.surface.get(), row.touch.get()});
         }
         m_opened->layering = study::layering(surfaces);
-        if (m_opened->areMeshes()) {
+        if (m_opened->areMeshes() && m_open.empty()) {
             sortByNesting();
         }
-        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        for (std::size_t i = m_open.size(); i < surfaces.size(); ++i) {
             if (const std::optional<std::size_t> in = m_opened->layering.structures[i].in) {
-                m_opened->rows[i].in = static_cast<int>(*in);
+                m_opened->rows[i - m_open.size()].in = static_cast<int>(*in);
             }
         }
     }
@@ -220,6 +225,7 @@ class SceneLoader::Opening
     std::shared_ptr<Job> m_job;
     Reader m_read;
     double m_unit_mm;
+    std::vector<OpenSurface> m_open; ///< what the files are added to
     double m_lastTold = -1.0;
     std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
     QStringList m_problems;
@@ -227,21 +233,32 @@ class SceneLoader::Opening
 
 void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
 {
+    ++m_scene;
+    start(std::move(files), unit_mm, {});
+}
+
+void SceneLoader::add(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open)
+{
+    start(std::move(files), unit_mm, std::move(open));
+}
+
+void SceneLoader::start(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open)
+{
     finish();
     m_job = std::make_shared<Job>();
     m_isBusy = true;
-    m_worker = std::thread(Opening(*this, std::move(files), unit_mm));
+    m_worker = std::thread(Opening(*this, std::move(files), unit_mm, std::move(open)));
 }
 
 void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface)
 {
-    m_builders.emplace_back([this, row, surface = std::move(surface), job = m_job] {
+    m_builders.start([this, row, surface = std::move(surface), scene = m_scene] {
         auto touch = study::indexed(*surface);
         const QString hash = QString::fromStdString(session::geometryHash(surface->mesh));
         QMetaObject::invokeMethod(
             this,
-            [this, row, touch, hash, job] {
-                if (job == m_job) { // the row is of the scene that is still open
+            [this, row, touch, hash, scene] {
+                if (scene == m_scene) { // the row is of the scene that is still open
                     Q_EMIT touchBuilt(row, touch, hash);
                 }
             },
@@ -251,7 +268,7 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
 
 void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
 {
-    m_builders.emplace_back([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), job = m_job] {
+    m_builders.start([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene] {
         std::vector<std::string> warnings, losses;
         meshio::resolveMaps(*made, warnings, losses);
         QStringList problems;
@@ -260,8 +277,8 @@ void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
         }
         QMetaObject::invokeMethod(
             this,
-            [this, row, made, problems, job] {
-                if (job == m_job) {
+            [this, row, made, problems, scene] {
+                if (scene == m_scene) {
                     Q_EMIT mapsBuilt(row, made, problems);
                 }
             },

@@ -42,28 +42,35 @@ QColor colourOf(const meshio::SceneStructure& structure)
                             static_cast<float>(structure.colour[2]));
 }
 
-/// One edit of one structure. Steps of one drag or one roll of the wheel, which come quickly, undo together.
+/// Structures described anew. Steps of one drag or one roll of the wheel, which come quickly, undo together.
 class StructureModel::Edit final : public QUndoCommand
 {
   public:
-    Edit(StructureModel& model, int row, const meshio::SceneStructure& after)
-        : QUndoCommand(tr("Change %1").arg(readableName(after.name)))
+    Edit(StructureModel& model, std::vector<Edited> after, const QString& text)
+        : QUndoCommand(text)
         , m_model(model)
-        , m_row(row)
-        , m_before(model.structure(row))
-        , m_after(after)
+        , m_after(std::move(after))
     {
+        for (const Edited& one : m_after) {
+            m_before.push_back({one.row, model.structure(one.row)});
+        }
         m_time.start();
     }
-    void undo() override { m_model.apply(m_row, m_before); }
-    void redo() override { m_model.apply(m_row, m_after); }
+    void undo() override { m_model.apply(m_before); }
+    void redo() override { m_model.apply(m_after); }
     [[nodiscard]] int id() const override { return 1; }
     bool mergeWith(const QUndoCommand* other) override
     {
         const auto* next = static_cast<const Edit*>(other);
-        if (next->m_row != m_row || m_time.elapsed() > 700 || m_before.visible != next->m_after.visible ||
-            m_before.palpable != next->m_after.palpable || m_after.layer != next->m_after.layer) {
+        if (next->m_after.size() != m_after.size() || m_time.elapsed() > 700) {
             return false;
+        }
+        for (std::size_t i = 0; i < m_after.size(); ++i) {
+            const meshio::SceneStructure &from = m_before[i].description, &to = next->m_after[i].description;
+            if (next->m_after[i].row != m_after[i].row || from.visible != to.visible || from.palpable != to.palpable ||
+                from.name != to.name || m_after[i].description.layer != to.layer) {
+                return false;
+            }
         }
         m_after = next->m_after;
         m_time.restart();
@@ -72,43 +79,28 @@ class StructureModel::Edit final : public QUndoCommand
 
   private:
     StructureModel& m_model;
-    int m_row;
-    meshio::SceneStructure m_before;
-    meshio::SceneStructure m_after;
+    std::vector<Edited> m_before, m_after;
     QElapsedTimer m_time;
 };
 
-/// The layers of all structures.
-class StructureModel::Relayer final : public QUndoCommand
+/// Structures that come into the scene or go.
+class StructureModel::Presence final : public QUndoCommand
 {
   public:
-    Relayer(StructureModel& model, std::vector<std::uint32_t> after, const QString& text)
+    Presence(StructureModel& model, std::vector<int> rows, bool isRemoving, const QString& text)
         : QUndoCommand(text)
         , m_model(model)
-        , m_after(std::move(after))
+        , m_rows(std::move(rows))
+        , m_isRemoving(isRemoving)
     {
-        for (const StructureRow& row : model.rows()) {
-            m_before.push_back(row.loaded.description.layer);
-        }
     }
-    void undo() override { apply(m_before); }
-    void redo() override { apply(m_after); }
+    void undo() override { m_model.setRemoved(m_rows, !m_isRemoving); }
+    void redo() override { m_model.setRemoved(m_rows, m_isRemoving); }
 
   private:
-    void apply(const std::vector<std::uint32_t>& layers)
-    {
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            const int row = static_cast<int>(i);
-            meshio::SceneStructure changed = m_model.structure(row);
-            if (changed.layer != layers[i]) {
-                changed.layer = layers[i];
-                m_model.apply(row, changed);
-            }
-        }
-    }
-
     StructureModel& m_model;
-    std::vector<std::uint32_t> m_before, m_after;
+    std::vector<int> m_rows;
+    bool m_isRemoving;
 };
 
 QString readableName(const std::string& name)
@@ -146,12 +138,82 @@ const meshio::SceneStructure& StructureModel::structure(int row) const
 
 void StructureModel::edit(int row, const meshio::SceneStructure& description)
 {
-    m_undo.push(new Edit(*this, row, description));
+    editAll({{row, description}}, tr("Change %1").arg(readableName(description.name)));
+}
+
+void StructureModel::editAll(std::vector<Edited> edits, const QString& text)
+{
+    if (!edits.empty()) {
+        m_undo.push(new Edit(*this, std::move(edits), text));
+    }
 }
 
 void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const QString& text)
 {
-    m_undo.push(new Relayer(*this, layers, text));
+    std::vector<Edited> edits;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const meshio::SceneStructure& now = m_rows[i].loaded.description;
+        if (now.layer != layers[i] && !m_rows[i].isRemoved) {
+            edits.push_back({static_cast<int>(i), now});
+            edits.back().description.layer = layers[i];
+        }
+    }
+    editAll(std::move(edits), text);
+}
+
+void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text)
+{
+    if (rows.empty()) {
+        return;
+    }
+    std::vector<int> numbers;
+    beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(rows.size()) - 1);
+    for (StructureRow& row : rows) {
+        numbers.push_back(rowCount());
+        row.isRemoved = true; // until the step is done
+        refreshFelt(row);
+        m_rows.push_back(std::move(row));
+    }
+    endInsertRows();
+    m_undo.push(new Presence(*this, std::move(numbers), false, text));
+}
+
+void StructureModel::removeRows(std::vector<int> rows)
+{
+    rows.erase(std::remove_if(rows.begin(), rows.end(),
+                              [this](int row) { return m_rows[static_cast<std::size_t>(row)].isRemoved; }),
+               rows.end());
+    if (rows.empty()) {
+        return;
+    }
+    const QString text = rows.size() == 1 ? tr("Remove %1").arg(readableName(structure(rows.front()).name))
+                                          : tr("Remove %1 structures").arg(rows.size());
+    m_undo.push(new Presence(*this, std::move(rows), true, text));
+}
+
+void StructureModel::setRemoved(const std::vector<int>& rows, bool isRemoved)
+{
+    for (const int row : rows) {
+        m_rows[static_cast<std::size_t>(row)].isRemoved = isRemoved;
+    }
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1)); // what lies in them reads otherwise, too
+    for (const int row : rows) {
+        Q_EMIT edited(row, Change::Look);
+        Q_EMIT edited(row, Change::Touch);
+    }
+}
+
+void StructureModel::setNesting(const std::vector<std::optional<int>>& in)
+{
+    for (std::size_t i = 0; i < std::min(in.size(), m_rows.size()); ++i) {
+        m_rows[i].in = in[i];
+    }
+}
+
+int StructureModel::presentCount() const
+{
+    return static_cast<int>(
+        std::count_if(m_rows.begin(), m_rows.end(), [](const StructureRow& row) { return !row.isRemoved; }));
 }
 
 QString StructureModel::feltText(int row, std::uint32_t layer) const
@@ -160,28 +222,46 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
         return tr("outermost");
     }
     const std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
-    if (in && structure(*in).layer + 1 == layer) {
+    if (in && !m_rows[static_cast<std::size_t>(*in)].isRemoved && structure(*in).layer + 1 == layer) {
         return tr("below %1").arg(readableName(structure(*in).name));
     }
     return tr("%1 below").arg(layer);
 }
 
-void StructureModel::apply(int row, const meshio::SceneStructure& description)
+void StructureModel::apply(const std::vector<Edited>& edits)
 {
-    meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(row)].loaded.description;
-    const meshio::SceneStructure before = now;
-    now = description;
-    const bool hasOtherMaps = before.maps != now.maps;
-    if (hasOtherMaps) {
-        resolveMaps(row);
-    } else if (before.tissue != now.tissue) {
-        refreshFelt(m_rows[static_cast<std::size_t>(row)]);
+    std::vector<meshio::SceneStructure> before;
+    int first = rowCount(), last = -1;
+    for (const Edited& one : edits) {
+        meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(one.row)].loaded.description;
+        before.push_back(now);
+        now = one.description;
+        if (before.back().maps != now.maps) {
+            resolveMaps(one.row);
+        } else if (before.back().tissue != now.tissue) {
+            refreshFelt(m_rows[static_cast<std::size_t>(one.row)]);
+        }
+        first = std::min(first, one.row);
+        last = std::max(last, one.row);
     }
-    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        tell(edits[i].row, before[i], before[i].maps != edits[i].description.maps);
+    }
+}
+
+void StructureModel::tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps)
+{
+    const meshio::SceneStructure& now = structure(row);
+    const bool isRenamed = before.name != now.name;
+    if (isRenamed) {
+        Q_EMIT renamed(row, readableName(before.name), readableName(now.name));
+    }
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
         Q_EMIT edited(row, Change::Look);
     }
-    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer || hasOtherMaps) {
+    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer || hasOtherMaps ||
+        isRenamed) {
         Q_EMIT edited(row, Change::Touch);
     }
 }
@@ -268,13 +348,20 @@ view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& stru
     return {structure.colour, structure.opacity, structure.visible};
 }
 
+view::Appearance StructureModel::appearanceOf(int row) const
+{
+    view::Appearance appearance = appearanceOf(structure(row));
+    appearance.isVisible = appearance.isVisible && !m_rows[static_cast<std::size_t>(row)].isRemoved;
+    return appearance;
+}
+
 std::vector<haptics::HapticStructure> StructureModel::feltStructures(const haptics::Tissue& greatest) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        structures.push_back(study::hapticStructure(from, isFelt(from) ? row.touch : nullptr));
+        structures.push_back(study::hapticStructure(from, isFelt(from) && !row.isRemoved ? row.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
         }
@@ -293,6 +380,10 @@ std::vector<session::StructureSource> StructureModel::sources() const
 {
     std::vector<session::StructureSource> sources;
     for (const StructureRow& row : m_rows) {
+        if (row.isRemoved) {
+            sources.emplace_back(); // its number alone
+            continue;
+        }
         sources.push_back(study::sourceOf(row.loaded.description, row.sha256));
         sources.back().embed = row.sha256.empty() ? nullptr : row.loaded.surface;
     }
@@ -332,7 +423,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
         }
         break;
     case Name:
-        if (role == Qt::DisplayRole) {
+        if (role == Qt::DisplayRole || role == Qt::EditRole) {
             return name;
         }
         if (role == Qt::AccessibleTextRole) {
@@ -395,10 +486,22 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
 
 bool StructureModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::CheckStateRole || !index.isValid()) {
+    if (!index.isValid()) {
         return false;
     }
     meshio::SceneStructure changed = structure(index.row());
+    if (role == Qt::EditRole && index.column() == Name) {
+        const QString name = value.toString().simplified(), before = readableName(changed.name);
+        if (name.isEmpty() || name == before) {
+            return false;
+        }
+        changed.name = name.toStdString();
+        editAll({{index.row(), changed}}, tr("Rename %1").arg(before));
+        return true;
+    }
+    if (role != Qt::CheckStateRole) {
+        return false;
+    }
     const bool isOn = value.toInt() == Qt::Checked;
     if (index.column() == Shown) {
         changed.visible = isOn;
@@ -413,7 +516,11 @@ bool StructureModel::setData(const QModelIndex& index, const QVariant& value, in
 
 Qt::ItemFlags StructureModel::flags(const QModelIndex& index) const
 {
-    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+    if (!index.isValid()) {
+        return Qt::NoItemFlags;
+    }
+    const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return index.column() == Name ? flags | Qt::ItemIsEditable : flags;
 }
 
 } // namespace palpate::ui

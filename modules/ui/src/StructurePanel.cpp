@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructurePanel.h"
 
+#include "StructureList.h"
+
 #include "palpate/ui/TermTexts.h"
 
 #include "palpate/ui/LawEditor.h"
@@ -11,12 +13,10 @@
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/study/DeviceLimit.h>
 
-#include <QApplication>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
@@ -24,10 +24,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
-#include <QStyle>
-#include <QStyledItemDelegate>
 #include <QToolButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -36,27 +33,6 @@
 namespace palpate::ui {
 
 namespace {
-
-/// Names of inner layers stand farther in.
-class NameDelegate final : public QStyledItemDelegate
-{
-  public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-  protected:
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
-    {
-        constexpr std::uint32_t kStep_px = 16, kMostSteps = haptics::kMaxLayers - 1;
-        QStyleOptionViewItem whole = option; // the ground, all across the column
-        initStyleOption(&whole, index);
-        const QStyle& style = whole.widget != nullptr ? *whole.widget->style() : *QApplication::style();
-        style.drawPrimitive(QStyle::PE_PanelItemViewItem, &whole, painter, whole.widget);
-        QStyleOptionViewItem moved = option;
-        const std::uint32_t steps = std::min(kMostSteps, index.data(StructureModel::kLayerRole).toUInt());
-        moved.rect.adjust(static_cast<int>(steps * kStep_px), 0, 0, 0);
-        QStyledItemDelegate::paint(painter, moved, index);
-    }
-};
 
 /// Half of the last digit that a field shows: what is shown as a limit may be asked for.
 double halfDigit(const core::TissueTerm& term)
@@ -114,41 +90,9 @@ QLabel* makeWarning(const QString& accessibleName, QWidget* box)
 StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     : QWidget(parent)
     , m_model(model)
-    , m_list(new QTreeView(this))
+    , m_list(new StructureList(model, this))
 {
-    m_list->setModel(&model);
-    m_list->setRootIsDecorated(false);
-    m_list->setUniformRowHeights(true);
-    m_list->setTextElideMode(Qt::ElideMiddle); // names of one organ differ at their ends
-    m_list->setAlternatingRowColors(true);
-    m_list->setAccessibleName(tr("Structures"));
-    m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setMinimumHeight(9 * fontMetrics().height()); // six rows; what is below scrolls
-    m_list->setIconSize(QSize(18, 18));
-    m_list->setIndentation(0);
-    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_list->installEventFilter(this);
-    m_list->setItemDelegateForColumn(StructureModel::Name, new NameDelegate(m_list));
-    // A tint, so that swatches, symbols and badges read on the selected row as on the others.
-    QPalette tint = palette();
-    const QColor accent = tint.color(QPalette::Highlight);
-    const QColor base = tint.color(QPalette::Base);
-    const float share = isDarkTheme() ? 0.45F : 0.22F;
-    tint.setColor(QPalette::Highlight, QColor::fromRgbF(base.redF() + share * (accent.redF() - base.redF()),
-                                                        base.greenF() + share * (accent.greenF() - base.greenF()),
-                                                        base.blueF() + share * (accent.blueF() - base.blueF())));
-    tint.setColor(QPalette::HighlightedText, tint.color(QPalette::Text));
-    m_list->setPalette(tint);
-    QHeaderView* header = m_list->header();
-    header->setStretchLastSection(false);
-    header->setMinimumSectionSize(24);
-    for (const int column : {StructureModel::Shown, StructureModel::Health, StructureModel::Felt}) {
-        header->setSectionResizeMode(column, QHeaderView::Fixed);
-        header->resizeSection(column, 30);
-    }
-    header->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
-    header->hide();
-
+    m_list->view().installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -158,20 +102,27 @@ StructurePanel::StructurePanel(StructureModel& model, QWidget* parent)
     scrolled->setWidget(m_tissue);
     layout->addWidget(scrolled);
 
-    connect(m_list, &QTreeView::clicked, this, &StructurePanel::click);
-    connect(m_list, &QWidget::customContextMenuRequested, this, &StructurePanel::openMenu);
-    connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    connect(&m_list->view(), &QTreeView::clicked, this, &StructurePanel::click);
+    connect(&m_list->view(), &QWidget::customContextMenuRequested, this, &StructurePanel::openMenu);
+    connect(m_list, &StructureList::selectionChanged, this, [this] {
         m_refusal->hide();
         showSelection();
+        m_isChosen = m_isChosen || m_list->view().hasFocus();
+        Q_EMIT highlighted(m_isChosen ? selectedRows() : std::vector<int>());
     });
     connect(&model, &QAbstractItemModel::dataChanged, this, &StructurePanel::showSelection);
-    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
-        m_colouredRow = -1;
+    const auto showHealth = [this] {
         bool isAnyDefective = false;
         for (int row = 0; row < m_model.rowCount(); ++row) {
             isAnyDefective = isAnyDefective || m_model.isDefective(row);
         }
-        m_list->setColumnHidden(StructureModel::Health, !isAnyDefective);
+        m_list->view().setColumnHidden(StructureModel::Health, !isAnyDefective);
+    };
+    connect(&model, &QAbstractItemModel::rowsInserted, this, showHealth);
+    connect(&model, &QAbstractItemModel::modelReset, this, [this, showHealth] {
+        m_colouredRow = -1;
+        m_isChosen = false;
+        showHealth();
         select(0);
         showSelection();
     });
@@ -234,11 +185,7 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.spokenUnit)));
     // A field shows fewer digits than a scene may have: only the one that was edited counts.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
-        if (!m_isShowing && currentRow() >= 0) {
-            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
-            tissue.*term.member = value;
-            setTissue(tissue);
-        }
+        changeTissue([&](haptics::Tissue& tissue) { tissue.*term.member = value; });
     });
     return field;
 }
@@ -260,9 +207,9 @@ void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
     m_source->setForegroundRole(QPalette::PlaceholderText);
     form.addRow(m_source);
     connect(m_preset, &QComboBox::activated, this, [this](int chosen) {
-        if (chosen > 0 && currentRow() >= 0) {
-            setTissue(withPreset(m_model.structure(currentRow()).tissue,
-                                 tissuePresets()[static_cast<std::size_t>(chosen - 1)]));
+        if (chosen > 0) {
+            const TissuePreset& preset = tissuePresets()[static_cast<std::size_t>(chosen - 1)];
+            changeTissue([&](haptics::Tissue& tissue) { tissue = withPreset(tissue, preset); });
         }
     });
 }
@@ -275,13 +222,8 @@ void StructurePanel::addLaw(QFormLayout& form, QWidget* box)
     form.getWidgetPosition(m_source, &row, &role);
     m_law = new LawEditor(box);
     form.insertRow(row + 1, m_law);
-    connect(m_law, &LawEditor::edited, this, [this](const core::ForceLaw& law) {
-        if (!m_isShowing && currentRow() >= 0) {
-            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
-            tissue.law = law;
-            setTissue(tissue);
-        }
-    });
+    connect(m_law, &LawEditor::edited, this,
+            [this](const core::ForceLaw& law) { changeTissue([&](haptics::Tissue& tissue) { tissue.law = law; }); });
     connect(m_law, &LawEditor::refused, this, &StructurePanel::refuse);
 }
 
@@ -290,7 +232,7 @@ void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
     m_map = new MapEditor(box);
     form.insertRow(place, m_map);
     connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
-        if (!m_isShowing && currentRow() >= 0) {
+        if (!m_isShowing && selectedRows().size() == 1) {
             meshio::SceneStructure changed = m_model.structure(currentRow());
             changed.maps = maps;
             m_refusal->hide();
@@ -315,11 +257,10 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     m_friction->setToolTip(tr("How much the surface holds the fingertip, by name"));
     form.addRow(tr("Friction"), m_friction);
     connect(m_friction, &QComboBox::activated, this, [this](int chosen) {
-        if (currentRow() >= 0 && static_cast<std::size_t>(chosen) < frictionPresets().size()) {
-            haptics::Tissue tissue = m_model.structure(currentRow()).tissue;
-            tissue.friction_static = tissue.friction_dynamic =
-                frictionPresets()[static_cast<std::size_t>(chosen)].coefficient;
-            setTissue(tissue);
+        if (static_cast<std::size_t>(chosen) < frictionPresets().size()) {
+            const double coefficient = frictionPresets()[static_cast<std::size_t>(chosen)].coefficient;
+            changeTissue(
+                [&](haptics::Tissue& tissue) { tissue.friction_static = tissue.friction_dynamic = coefficient; });
         }
         showFrictionTerms();
     });
@@ -396,64 +337,178 @@ void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString&
 
 int StructurePanel::currentRow() const
 {
-    return m_list->currentIndex().isValid() ? m_list->currentIndex().row() : -1;
+    return m_list->currentRow();
+}
+
+std::vector<int> StructurePanel::selectedRows() const
+{
+    return m_list->selectedRows();
 }
 
 void StructurePanel::select(int row)
 {
-    if (row >= 0 && row < m_model.rowCount()) {
-        m_list->setCurrentIndex(m_model.index(row, StructureModel::Name));
+    m_list->select(row);
+}
+
+void StructurePanel::choose(std::optional<std::size_t> row, bool adds)
+{
+    m_isChosen = row.has_value();
+    if (row) {
+        m_list->select(static_cast<int>(*row), adds);
     }
+    Q_EMIT highlighted(row ? selectedRows() : std::vector<int>());
+}
+
+void StructurePanel::focusFilter()
+{
+    m_list->focusFilter();
+}
+
+void StructurePanel::removeSelected()
+{
+    const std::vector<int> rows = selectedRows();
+    if (rows.empty()) {
+        return;
+    }
+    const QModelIndex now = m_list->view().currentIndex();
+    const int place = now.parent().isValid() ? -1 : now.row();
+    m_model.removeRows(rows);
+    const StructureTree& tree = m_list->tree();
+    if (place >= 0 && tree.rowCount() > 0) { // what moved up is at hand, to go on with
+        select(tree.rowOf(tree.index(std::min(place, tree.rowCount() - 1), StructureModel::Name)));
+    }
+}
+
+void StructurePanel::renameCurrent()
+{
+    const QModelIndex index = currentRow() < 0 ? QModelIndex() : m_list->tree().indexOf(currentRow());
+    if (index.isValid()) {
+        m_list->view().setFocus();
+        m_list->view().edit(index);
+    }
+}
+
+/// Changes structures as one step to undo. @param text  what is undone; empty: a change
+void StructurePanel::change(const std::vector<int>& rows, const Change& change, const QString& text)
+{
+    std::vector<StructureModel::Edited> edits;
+    for (const int row : rows) {
+        edits.push_back({row, m_model.structure(row)});
+        change(edits.back().description);
+    }
+    if (edits.size() == 1 && text.isEmpty()) {
+        m_model.edit(edits.front().row, edits.front().description);
+    } else {
+        m_model.editAll(std::move(edits), text.isEmpty() ? tr("Change %1 structures").arg(rows.size()) : text);
+    }
+}
+
+/// Changes the tissue of all that is selected, or of none: where one would be refused, a line says why.
+void StructurePanel::changeTissue(const std::function<void(haptics::Tissue&)>& how)
+{
+    const std::vector<int> rows = selectedRows();
+    if (m_isShowing || rows.empty()) {
+        return;
+    }
+    for (const int row : rows) {
+        const haptics::Tissue now = m_model.structure(row).tissue;
+        haptics::Tissue asked = now;
+        how(asked);
+        if (const QString why = refusal(row, asked, now); !why.isEmpty()) {
+            refuse(rows.size() == 1 ? why : tr("%1: %2").arg(readableName(m_model.structure(row).name), why));
+            return;
+        }
+    }
+    m_refusal->hide();
+    change(rows, [&](meshio::SceneStructure& structure) { how(structure.tissue); });
+}
+
+/// Shows or feels all of some structures, or none of them where the first is shown or felt.
+void StructurePanel::toggle(const std::vector<int>& rows, int column)
+{
+    if (rows.empty() || (column != StructureModel::Shown && column != StructureModel::Felt)) {
+        return;
+    }
+    bool meshio::SceneStructure::*const what =
+        column == StructureModel::Shown ? &meshio::SceneStructure::visible : &meshio::SceneStructure::palpable;
+    const bool isOn = std::any_of(rows.begin(), rows.end(), [&](int row) { return m_model.structure(row).*what; });
+    change(rows, [&](meshio::SceneStructure& structure) { structure.*what = !isOn; });
 }
 
 void StructurePanel::click(const QModelIndex& index)
 {
-    const meshio::SceneStructure& one = m_model.structure(index.row());
-    if (index.column() == StructureModel::Shown) {
-        m_model.setData(index, one.visible ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
-    } else if (index.column() == StructureModel::Felt) {
-        m_model.setData(index, one.palpable ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    const std::vector<int> here = m_list->tree().rowsOf(index), all = selectedRows();
+    const bool isSelected = !here.empty() && std::includes(all.begin(), all.end(), here.begin(), here.end());
+    toggle(isSelected ? all : here, index.column());
+}
+
+/// Deeper for steps > 0; each stays between the outermost and the innermost.
+void StructurePanel::moveLayers(int steps)
+{
+    std::vector<int> rows;
+    for (const int row : selectedRows()) {
+        const int layer = static_cast<int>(m_model.structure(row).layer) + steps;
+        if (layer >= 0 && layer < static_cast<int>(haptics::kMaxLayers)) {
+            rows.push_back(row);
+        }
     }
+    change(rows, [&](meshio::SceneStructure& structure) {
+        structure.layer = static_cast<std::uint32_t>(static_cast<int>(structure.layer) + steps);
+    });
 }
 
 bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
 {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::KeyPress && currentRow() >= 0) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        const bool isCtrl = static_cast<QKeyEvent*>(event)->modifiers() == Qt::ControlModifier;
+        const auto* press = static_cast<QKeyEvent*>(event);
+        const int key = press->key();
+        const bool isCtrl = press->modifiers() == Qt::ControlModifier;
         if (isCtrl && (key == Qt::Key_E || key == Qt::Key_H)) {
-            click(m_model.index(currentRow(), key == Qt::Key_E ? StructureModel::Shown : StructureModel::Felt));
+            toggle(selectedRows(), key == Qt::Key_E ? StructureModel::Shown : StructureModel::Felt);
             return true;
         }
-        const std::uint32_t layer = m_model.structure(currentRow()).layer;
+        if (key == Qt::Key_Delete) {
+            removeSelected();
+            return true;
+        }
         if (isCtrl && (key == Qt::Key_Down || key == Qt::Key_Up)) {
-            if (key == Qt::Key_Down ? layer + 1 < haptics::kMaxLayers : layer > 0) {
-                setLayer(key == Qt::Key_Down ? layer + 1 : layer - 1);
-            }
+            moveLayers(key == Qt::Key_Down ? 1 : -1);
             return true;
         }
     }
     return QWidget::eventFilter(watched, event);
 }
 
+void StructurePanel::showHead(const std::vector<int>& rows)
+{
+    const QString name =
+        rows.size() > 1 ? tr("%1 structures").arg(rows.size()) : readableName(m_model.structure(rows.front()).name);
+    m_title->setText(fontMetrics().elidedText(name, Qt::ElideRight, std::max(120, width() - 70)));
+    m_title->setToolTip(name);
+    const QStringList found = rows.size() > 1 ? QStringList() : m_model.findings(rows.front());
+    m_findings->setVisible(!found.isEmpty());
+    m_findings->setText(found.join(QLatin1Char('\n')));
+}
+
 void StructurePanel::showSelection()
 {
+    const std::vector<int> rows = selectedRows();
     const int row = currentRow();
-    const bool isAny = row >= 0 && row < m_model.rowCount();
+    const bool isAny = !rows.empty() && row >= 0 && row < m_model.rowCount();
     m_tissue->setEnabled(isAny);
     m_isShowing = true;
     if (isAny) {
         const meshio::SceneStructure& one = m_model.structure(row);
-        const QString name = readableName(one.name);
-        m_title->setText(fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(120, width() - 70)));
-        m_title->setToolTip(name);
-        const QStringList found = m_model.findings(row);
-        m_findings->setVisible(!found.isEmpty());
-        m_findings->setText(found.join(QLatin1Char('\n')));
+        showHead(rows);
         m_colour->setIcon(m_model.data(m_model.index(row, StructureModel::Name), Qt::DecorationRole).value<QIcon>());
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         showTissue(one.tissue);
+        m_map->setEnabled(rows.size() == 1); // arrays are of one surface
         m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
         showLayer(row);
         showBound(row);
@@ -499,12 +554,9 @@ void StructurePanel::showLayer(int row)
 
 void StructurePanel::setLayer(std::uint32_t layer)
 {
-    if (m_isShowing || currentRow() < 0) {
-        return;
+    if (!m_isShowing) {
+        change(selectedRows(), [layer](meshio::SceneStructure& structure) { structure.layer = layer; });
     }
-    meshio::SceneStructure changed = m_model.structure(currentRow());
-    changed.layer = layer;
-    m_model.edit(currentRow(), changed);
 }
 
 /// "liver takes 0.8" for each other layer; empty when there is none.
@@ -537,7 +589,7 @@ void StructurePanel::showBound(int row)
 }
 
 /// @return why a tissue can't be had in place of the one that is there; empty: it can.
-QString StructurePanel::refusal(const haptics::Tissue& asked, const haptics::Tissue& now) const
+QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const
 {
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
         QString why = QString::fromStdString(law.message());
@@ -547,7 +599,7 @@ QString StructurePanel::refusal(const haptics::Tissue& asked, const haptics::Tis
         return tr("This law is refused: %1.").arg(why);
     }
     const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
-    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(currentRow())).tissue;
+    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(row)).tissue;
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const bool isStiffness = term.member == &haptics::Tissue::stiffness_N_per_mm;
         const double value = isStiffness ? haptics::greatestStiffness(asked) : asked.*term.member;
@@ -561,7 +613,7 @@ QString StructurePanel::refusal(const haptics::Tissue& asked, const haptics::Tis
             return tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
                 .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
         }
-        const QString takers = whoTakes(felt, currentRow());
+        const QString takers = whoTakes(felt, row);
         const QString why = takers.isEmpty() ? m_why : tr("%1 Of that %2.").arg(m_why, takers);
         const QString found = locale.toString(value, 'g', 4);
         const QString allowed = locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2);
@@ -581,63 +633,60 @@ void StructurePanel::refuse(const QString& line)
     m_refusal->show();
 }
 
-void StructurePanel::setTissue(const haptics::Tissue& tissue)
-{
-    if (currentRow() < 0) {
-        return;
-    }
-    meshio::SceneStructure changed = m_model.structure(currentRow());
-    if (const QString why = refusal(tissue, changed.tissue); !why.isEmpty()) {
-        refuse(why);
-        return;
-    }
-    m_refusal->hide();
-    changed.tissue = tissue;
-    m_model.edit(currentRow(), changed);
-}
-
 void StructurePanel::editOpacity(int percent)
 {
-    if (m_isShowing || currentRow() < 0) {
-        return;
+    if (!m_isShowing) {
+        change(selectedRows(), [percent](meshio::SceneStructure& structure) { structure.opacity = percent / 100.0; });
     }
-    meshio::SceneStructure changed = m_model.structure(currentRow());
-    changed.opacity = percent / 100.0;
-    m_model.edit(currentRow(), changed);
 }
 
 void StructurePanel::chooseColour()
 {
-    if (currentRow() < 0) {
+    const std::vector<int> rows = selectedRows();
+    if (rows.empty()) {
         return;
     }
-    meshio::SceneStructure changed = m_model.structure(currentRow());
-    const QColor now = QColor::fromRgbF(static_cast<float>(changed.colour[0]), static_cast<float>(changed.colour[1]),
-                                        static_cast<float>(changed.colour[2]));
-    const QColor chosen = QColorDialog::getColor(now, this, tr("Colour of %1").arg(readableName(changed.name)));
+    const QColor now = colourOf(m_model.structure(currentRow()));
+    const QString what =
+        rows.size() == 1 ? readableName(m_model.structure(rows.front()).name) : tr("%1 structures").arg(rows.size());
+    const QColor chosen = QColorDialog::getColor(now, this, tr("Colour of %1").arg(what));
     if (chosen.isValid()) {
-        changed.colour = {chosen.redF(), chosen.greenF(), chosen.blueF()};
-        m_model.edit(currentRow(), changed);
+        change(rows, [&](meshio::SceneStructure& structure) {
+            structure.colour = {chosen.redF(), chosen.greenF(), chosen.blueF()};
+        });
     }
 }
 
 void StructurePanel::openMenu(const QPoint& place)
 {
-    const QModelIndex at = m_list->indexAt(place);
-    const auto setAll = [this](StructureModel::Column column, int only) {
+    const std::vector<int> rows = selectedRows();
+    const auto setOnly = [this](bool meshio::SceneStructure::*what, const std::vector<int>& only, const QString& text) {
+        std::vector<StructureModel::Edited> edits;
         for (int row = 0; row < m_model.rowCount(); ++row) {
-            const bool isOn = only < 0 || row == only;
-            m_model.setData(m_model.index(row, column), isOn ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+            const bool isOn = only.empty() || std::binary_search(only.begin(), only.end(), row);
+            if (m_model.structure(row).*what != isOn && !m_model.rows()[static_cast<std::size_t>(row)].isRemoved) {
+                edits.push_back({row, m_model.structure(row)});
+                edits.back().description.*what = isOn;
+            }
         }
+        m_model.editAll(std::move(edits), text);
     };
     QMenu menu(this);
-    if (at.isValid()) {
-        menu.addAction(tr("Show only this"), this, [=] { setAll(StructureModel::Shown, at.row()); });
-        menu.addAction(tr("Feel only this"), this, [=] { setAll(StructureModel::Felt, at.row()); });
+    const auto add = [&](const QString& text, bool meshio::SceneStructure::*what, const std::vector<int>& only) {
+        menu.addAction(text, this, [=] { setOnly(what, only, text); });
+    };
+    if (!rows.empty()) {
+        add(tr("Show only what is selected"), &meshio::SceneStructure::visible, rows);
+        add(tr("Feel only what is selected"), &meshio::SceneStructure::palpable, rows);
     }
-    menu.addAction(tr("Show all"), this, [=] { setAll(StructureModel::Shown, -1); });
-    menu.addAction(tr("Feel all"), this, [=] { setAll(StructureModel::Felt, -1); });
-    menu.exec(m_list->viewport()->mapToGlobal(place));
+    add(tr("Show all"), &meshio::SceneStructure::visible, {});
+    add(tr("Feel all"), &meshio::SceneStructure::palpable, {});
+    if (!rows.empty()) {
+        menu.addSeparator();
+        menu.addAction(tr("Rename…"), this, &StructurePanel::renameCurrent);
+        menu.addAction(tr("Remove from the scene"), this, &StructurePanel::removeSelected);
+    }
+    menu.exec(m_list->view().viewport()->mapToGlobal(place));
 }
 
 } // namespace palpate::ui

@@ -92,6 +92,22 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     }
 }
 
+void SceneView::addStructures(std::vector<ViewStructure> structures)
+{
+    for (ViewStructure& one : structures) {
+        m_solid->AddActor(one.picture.actor());
+        m_structures.push_back(std::move(one));
+    }
+}
+
+void SceneView::highlight(const std::vector<int>& structures)
+{
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        const bool isIn = std::find(structures.begin(), structures.end(), static_cast<int>(i)) != structures.end();
+        m_structures[i].picture.setHighlighted(isIn);
+    }
+}
+
 void SceneView::setAppearance(std::size_t i, const Appearance& appearance)
 {
     m_structures[i].picture.setAppearance(appearance);

@@ -11,6 +11,12 @@
 
 namespace palpate::view {
 
+namespace {
+
+constexpr double kAmbient = 0.06, kHighlight = 0.30; // share of the colour that is there without a light on it
+
+} // namespace
+
 StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearance, bool isClosed)
     : m_actor(vtkSmartPointer<vtkActor>::New())
     , m_isClosed(isClosed)
@@ -20,7 +26,7 @@ StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearanc
     setPicture(surface);
     vtkProperty* look = m_actor->GetProperty();
     look->SetInterpolationToPhong();
-    look->SetAmbient(0.06);
+    look->SetAmbient(kAmbient);
     look->SetDiffuse(0.92);
     look->SetSpecular(0.22);
     look->SetSpecularPower(22.0);
@@ -37,6 +43,13 @@ void StructureActor::setPicture(vtkPolyData* surface)
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
     mapper->SetColorModeToDirectScalars();
+}
+
+void StructureActor::setHighlighted(bool isOn)
+{
+    const double ambient = isOn ? kHighlight : kAmbient;
+    m_actor->GetProperty()->SetAmbient(ambient);
+    m_actor->GetBackfaceProperty()->SetAmbient(ambient);
 }
 
 void StructureActor::setAppearance(const Appearance& appearance)

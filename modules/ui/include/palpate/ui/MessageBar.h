@@ -19,13 +19,13 @@ class MessageRow : public QFrame
 {
     Q_OBJECT
   public:
-    /// @param button  empty: the message has none
-    MessageRow(Messages::Kind kind, const QString& text, const QString& button, QWidget* parent);
+    /// @param buttons  what can be done about it; none, one or two
+    MessageRow(Messages::Kind kind, const QString& text, const QStringList& buttons, QWidget* parent);
     [[nodiscard]] Messages::Kind kind() const noexcept { return m_kind; }
     [[nodiscard]] const QString& text() const noexcept { return m_text; }
 
   Q_SIGNALS:
-    void answered();
+    void answered(int button);
     void closed();
 
   protected:
@@ -59,6 +59,9 @@ class MessageBar : public QWidget
     void showError(const QString& text);
     /// Shows a line with a button that does something about it and closes the line.
     void offer(const QString& text, const QString& button, std::function<void()> act, Keep keep = Keep::WithScene);
+    /// Shows a question with two answers, each of which closes the line.
+    void ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
+             std::function<void()> otherAct);
     /// Closes what was about the scene that was open.
     void forgetScene();
     /// The texts that stand, the newest first, a line each.
@@ -74,7 +77,7 @@ class MessageBar : public QWidget
         MessageRow* row = nullptr;
         Keep keep = Keep::WithScene;
     };
-    MessageRow* put(Messages::Kind kind, const QString& text, const QString& button, Keep keep);
+    MessageRow* put(Messages::Kind kind, const QString& text, const QStringList& buttons, Keep keep);
     void remove(MessageRow* row);
     void arrange();
 

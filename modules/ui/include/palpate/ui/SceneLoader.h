@@ -6,6 +6,7 @@
 #include <palpate/study/Layers.h>
 
 #include <QObject>
+#include <QThreadPool>
 
 #include <atomic>
 #include <filesystem>
@@ -29,6 +30,16 @@ struct OpenedScene
     /// True when mesh files alone were opened, which say nothing of layers: no scene file, no recording.
     [[nodiscard]] bool areMeshes() const;
     double seconds = 0.0; ///< from the wish to open to ready
+    /// Structures of the open scene that these are added to: `layering` has them first. 0: they are a scene of their
+    /// own
+    std::size_t addedTo = 0;
+};
+
+/// A structure that is open already, as containment sees it; null surfaces where it counts for nothing.
+struct OpenSurface
+{
+    std::shared_ptr<const geometry::RepairedMesh> surface;
+    std::shared_ptr<const geometry::SurfaceIndex> touch;
 };
 
 /// Opens files on a thread of its own: reads, repairs, makes the pictures and the haptic copies. The window never
@@ -48,6 +59,8 @@ class SceneLoader : public QObject
 
     /// Opens mesh and scene files as one scene. What was being opened is cancelled.
     void open(std::vector<std::filesystem::path> files, double unit_mm);
+    /// Opens files to be added to the open scene. @param open  its structures, row by row
+    void add(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open);
     /// Builds the haptic copy of one structure.
     void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
     /// Finds what varies over a structure: reads and samples its volumes.
@@ -73,11 +86,13 @@ class SceneLoader : public QObject
     struct Job;
     class Opening;
     void finish();
+    void start(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open);
 
     Reader m_reader = [](const auto& path, const auto& options) { return meshio::loadScene(path, options); };
     std::shared_ptr<Job> m_job;
     std::thread m_worker;
-    std::vector<std::thread> m_builders;
+    QThreadPool m_builders; ///< of haptic copies and maps: hundreds may be asked for at once
+    int m_scene = 0;        ///< rows are numbers in the scene that is open
     bool m_isBusy = false;
 };
 

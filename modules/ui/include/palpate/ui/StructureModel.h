@@ -27,6 +27,9 @@ struct StructureRow
     std::optional<int> in{};                             ///< row of the smallest structure that it lies in
     haptics::TissueMaps felt{};                          ///< `loaded.maps` for the tick, where `touch` is
     QStringList mapProblems{};                           ///< why a map can't be had, one sentence an entry
+    /// Taken out of the scene: neither shown, felt, listed nor saved. It keeps its number, which recordings, undo steps
+    /// and the view know it by, and comes back with undo.
+    bool isRemoved = false;
 };
 
 /// The open scene's structures as a table: shown, name and colour, health, felt. One place holds what view, hand, panel
@@ -60,8 +63,25 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] const std::vector<StructureRow>& rows() const noexcept { return m_rows; }
     [[nodiscard]] const meshio::SceneStructure& structure(int row) const;
 
+    /// A structure as it is to be.
+    struct Edited
+    {
+        int row = 0;
+        meshio::SceneStructure description;
+    };
+
     /// Replaces a structure's description, undoably; tells what changed. The mesh stays.
     void edit(int row, const meshio::SceneStructure& description);
+    /// The same of several structures as one step to undo; nothing when there is none. @param text  what is undone
+    void editAll(std::vector<Edited> edits, const QString& text);
+    /// Appends structures, undoably. @param text  what is undone, "Add lump"
+    void addRows(std::vector<StructureRow> rows, const QString& text);
+    /// Takes structures out of the scene, undoably.
+    void removeRows(std::vector<int> rows);
+    /// Says what each structure lies in, as was found out for another set of them. Not undone.
+    void setNesting(const std::vector<std::optional<int>>& in);
+    /// Structures that are in the scene.
+    [[nodiscard]] int presentCount() const;
     /// Gives each structure its layer, as one step to undo. @param text  what is undone, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
     /// In which order a structure would be felt in a layer: "outermost", "below liver" when it lies in the liver and
@@ -80,6 +100,8 @@ class StructureModel : public QAbstractTableModel
     /// More than an open rim, which vessels and sheets have by nature: something was repaired or stands out.
     [[nodiscard]] bool isDefective(int row) const;
 
+    /// How the view shows a structure; one that was removed is hidden.
+    [[nodiscard]] view::Appearance appearanceOf(int row) const;
     /// A structure is felt when it is palpable and shown: a hidden one must not be a wall that nobody sees.
     [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
     [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
@@ -97,20 +119,24 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    /// Shown and Felt take a Qt::CheckStateRole.
+    /// Shown and Felt take a Qt::CheckStateRole, Name a Qt::EditRole.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   Q_SIGNALS:
     void edited(int row, palpate::ui::StructureModel::Change change);
+    /// A structure has another name, before `edited`.
+    void renamed(int row, const QString& before, const QString& after);
     /// A structure's maps are of volumes, which take time to read: `setMaps` brings them. Until then the old ones are
     /// felt.
     void mapsWanted(int row);
 
   private:
     class Edit;
-    class Relayer;
-    void apply(int row, const meshio::SceneStructure& description);
+    class Presence;
+    void apply(const std::vector<Edited>& edits);
+    void setRemoved(const std::vector<int>& rows, bool isRemoved);
+    void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);
     void resolveMaps(int row);
     void refreshFelt(StructureRow& row);
 

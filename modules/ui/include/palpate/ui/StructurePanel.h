@@ -7,6 +7,9 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -14,15 +17,16 @@ class QFormLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
-class QTreeView;
 
 namespace palpate::ui {
 
 class LawEditor;
 class MapEditor;
+class StructureList;
 struct TouchReading;
 
-/// The list of structures, and look and feel of the selected one.
+/// The list of structures, and look and feel of the selected ones: what is edited is edited of all of them, as one step
+/// to undo.
 class StructurePanel : public QWidget
 {
     Q_OBJECT
@@ -33,25 +37,42 @@ class StructurePanel : public QWidget
     /// @param why  the device, its limit and what sets it, for a person
     void setGreatest(const haptics::Tissue& greatest, const QString& why);
     [[nodiscard]] int currentRow() const;
+    [[nodiscard]] std::vector<int> selectedRows() const;
     void select(int row);
+    /// Selects what a person pointed at in the view, which then shows it; nothing: ends that.
+    /// @param adds  to what is selected, or takes it out when it is selected already
+    void choose(std::optional<std::size_t> row, bool adds);
+    /// Puts the cursor into the filter's field.
+    void focusFilter();
+    /// Takes the selected structures out of the scene.
+    void removeSelected();
+    /// Lets a person write another name in the list.
+    void renameCurrent();
     /// Shows in the curve of the selected structure's law how deep the hand is in it.
     void showTouch(const TouchReading& reading);
 
   Q_SIGNALS:
     /// A structure is to be coloured by numbers, and no other. @param what  a `SurfaceNumbers::what`; empty: by none
     void colourChosen(int row, const QString& what);
+    /// A person selected these, in the list or the view: the picture shows which they are.
+    void highlighted(const std::vector<int>& rows);
 
   protected:
-    /// In the list: Ctrl+E (eye) shows or hides the selected structure, Ctrl+H (hand) makes it felt or not, Ctrl+Down
-    /// and Ctrl+Up have it felt a layer deeper or farther out.
+    /// In the list: Ctrl+E shows or hides the selected structures, Ctrl+H makes them felt or not, Ctrl+Down and Ctrl+Up
+    /// have them felt a layer deeper or farther out; Del takes them out, Esc selects none.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    using Change = std::function<void(meshio::SceneStructure&)>;
+    void change(const std::vector<int>& rows, const Change& change, const QString& text = {});
+    void changeTissue(const std::function<void(haptics::Tissue&)>& change);
     void click(const QModelIndex& index);
+    void toggle(const std::vector<int>& rows, int column);
+    void moveLayers(int steps);
     void showSelection();
-    void setTissue(const haptics::Tissue& tissue);
+    void showHead(const std::vector<int>& rows);
     void refuse(const QString& line);
-    [[nodiscard]] QString refusal(const haptics::Tissue& asked, const haptics::Tissue& now) const;
+    [[nodiscard]] QString refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const;
     void setLayer(std::uint32_t layer);
     void showLayer(int row);
     void showBound(int row);
@@ -73,7 +94,7 @@ class StructurePanel : public QWidget
     QDoubleSpinBox* makeField(const core::TissueTerm& term, QWidget* box);
 
     StructureModel& m_model;
-    QTreeView* m_list = nullptr;
+    StructureList* m_list = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_findings = nullptr;
     QToolButton* m_colour = nullptr;
@@ -95,6 +116,7 @@ class StructurePanel : public QWidget
     QString m_why;
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;
+    bool m_isChosen = false; ///< what is selected was selected by a person
 };
 
 } // namespace palpate::ui

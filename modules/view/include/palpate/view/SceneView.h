@@ -48,6 +48,10 @@ class SceneView
     void detach();
 
     void setStructures(std::vector<ViewStructure> structures);
+    /// Shows more structures, numbered after those that are there.
+    void addStructures(std::vector<ViewStructure> structures);
+    /// Makes structures stand out by a light of their own, and no others.
+    void highlight(const std::vector<int>& structures);
     [[nodiscard]] std::size_t structureCount() const noexcept { return m_structures.size(); }
     [[nodiscard]] const ViewStructure& structure(std::size_t i) const { return m_structures[i]; }
     void setAppearance(std::size_t i, const Appearance& appearance);

@@ -31,6 +31,8 @@ class StructureActor
     /// Shows the same surface with other colours: those that `coloured` gave it, where it has some, instead of the
     /// structure's own.
     void setPicture(vtkPolyData* surface);
+    /// Lights the structure up a little, in its own colour.
+    void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Structures that come to the open scene and leave it; what their names say of their tissue; selecting in the view.
+#include "MainWindow.h"
+#include "Paths.h"
+
+#include <palpate/haptics/HapticScene.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/ui/TissueByName.h>
+
+#include <QFileDialog>
+#include <QSettings>
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <utility>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+namespace {
+
+/// The layer in which a structure lay by what is around it, before others were added.
+std::uint32_t layerBefore(const OpenedScene& scene, std::size_t row)
+{
+    std::uint32_t layer = 0;
+    for (auto in = scene.layering.structures[row].in; in; in = scene.layering.structures[*in].in) {
+        layer += *in < scene.addedTo ? 1 : 0;
+    }
+    return std::min<std::uint32_t>(layer, haptics::kMaxLayers - 1);
+}
+
+} // namespace
+
+void MainWindow::connectList()
+{
+    connect(m_addAction, &QAction::triggered, this, &MainWindow::chooseAdded);
+    connect(m_closeAction, &QAction::triggered, this, &MainWindow::closeScene);
+    connect(m_filterAction, &QAction::triggered, m_structures, &StructurePanel::focusFilter);
+    connect(m_renameAction, &QAction::triggered, m_structures, &StructurePanel::renameCurrent);
+    connect(m_removeAction, &QAction::triggered, m_structures, &StructurePanel::removeSelected);
+    connect(m_structures, &StructurePanel::highlighted, this, [this](const std::vector<int>& rows) {
+        m_viewport->view().highlight(rows);
+        m_viewport->update();
+    });
+}
+
+void MainWindow::chooseAdded()
+{
+    const QStringList chosen = QFileDialog::getOpenFileNames(this, tr("Add to the scene"),
+                                                             QSettings().value(QStringLiteral("folder")).toString());
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : chosen) {
+        files.push_back(toPath(file));
+    }
+    if (!files.empty()) {
+        QSettings().setValue(QStringLiteral("folder"), toText(files.front().parent_path()));
+        add(files);
+    }
+}
+
+/// Opens files beside what is open; a recording among them is opened to be played.
+void MainWindow::add(const std::vector<std::filesystem::path>& files)
+{
+    std::vector<std::filesystem::path> meshes;
+    for (const std::filesystem::path& file : files) {
+        if (session::isRecordingFile(file)) {
+            openRecording(file);
+        } else {
+            meshes.push_back(file);
+        }
+    }
+    if (m_model.rowCount() == 0) {
+        open(files);
+        return;
+    }
+    std::vector<OpenSurface> there;
+    for (const StructureRow& row : m_model.rows()) {
+        there.push_back(row.isRemoved ? OpenSurface() : OpenSurface{row.loaded.surface, row.touch});
+    }
+    if (!meshes.empty()) {
+        m_loader.add(std::move(meshes), m_unit_mm, std::move(there));
+    }
+}
+
+void MainWindow::takeAdded(OpenedScene& scene)
+{
+    const int first = m_model.rowCount();
+    std::vector<view::ViewStructure> pictures;
+    for (const StructureRow& row : scene.rows) {
+        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
+                            row.loaded.description.palpable ? row.touch : nullptr});
+    }
+    m_viewport->view().addStructures(std::move(pictures));
+    const QString text = scene.rows.size() == 1
+                             ? tr("Add %1").arg(readableName(scene.rows.front().loaded.description.name))
+                             : tr("Add %1 structures").arg(scene.rows.size());
+    const auto count = scene.rows.size();
+    std::vector<std::optional<int>> in;
+    for (const study::Layering::Structure& one : scene.layering.structures) {
+        in.push_back(one.in ? std::optional(static_cast<int>(*one.in)) : std::nullopt);
+    }
+    m_model.undoStack().beginMacro(text);
+    m_model.addRows(std::move(scene.rows), text);
+    m_model.setNesting(in);
+    if (scene.areMeshes()) {
+        nameTissues(scene.layering, first);
+    }
+    m_document->add(scene);
+    layOutAdded(scene);
+    m_model.undoStack().endMacro();
+    m_structures->select(first);
+    say(count == 1 ? tr("%1 was added to the scene.").arg(readableName(m_model.structure(first).name))
+                   : tr("%1 structures were added to the scene.").arg(count));
+    if (!scene.problems.isEmpty()) {
+        showError(scene.problems.join(QLatin1Char('\n')));
+    }
+    m_viewport->update();
+    showWhatPlays();
+    Q_EMIT ready();
+}
+
+/// What is added is felt below what it lies in, when all else is layered so already; else that is offered.
+void MainWindow::layOutAdded(const OpenedScene& scene)
+{
+    std::vector<std::uint32_t> layers;
+    std::vector<std::string> names;
+    bool isAsFound = m_document->file().empty() && scene.areMeshes();
+    bool isOther = false;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        const std::uint32_t now = m_model.structure(row).layer;
+        const study::Layering::Structure& found = scene.layering.structures[i];
+        layers.push_back(m_model.rows()[i].isRemoved ? now : found.layer);
+        names.push_back(readableName(m_model.structure(row).name).toStdString());
+        const bool isFound = i >= scene.addedTo || m_model.rows()[i].isRemoved || now == layerBefore(scene, i);
+        isAsFound = isAsFound && isFound;
+        isOther = isOther || layers.back() != now;
+    }
+    const std::vector<std::string> sentences = scene.layering.sentences(names);
+    if (!isOther || sentences.empty()) {
+        return;
+    }
+    const QString line = QString::fromStdString(sentences.back()) + QLatin1Char('.');
+    const QString text = tr("Feel what is inside below what is around it");
+    if (isAsFound) {
+        m_model.setLayers(layers, text);
+        m_message->offer(line, tr("All in one layer"), [this, count = layers.size()] {
+            m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
+        });
+    } else {
+        m_message->offer(
+            tr("What was added lies in or around other structures, but the layers that were set are kept."),
+            tr("Feel it below"), [this, layers, text] { m_model.setLayers(layers, text); });
+    }
+}
+
+/// Gives structures from `first` on the tissue that their names say, and offers the way back.
+void MainWindow::nameTissues(const study::Layering& layering, int first)
+{
+    std::vector<StructureModel::Edited> edits = tissueByName(m_model, layering, first);
+    if (edits.empty()) {
+        return;
+    }
+    std::vector<StructureModel::Edited> before;
+    for (const StructureModel::Edited& one : edits) {
+        before.push_back({one.row, m_model.structure(one.row)});
+    }
+    m_model.editAll(std::move(edits), tr("Tissue by names"));
+    offerTissueBack(std::move(before));
+}
+
+void MainWindow::offerTissueBack(std::vector<StructureModel::Edited> before)
+{
+    const QString line = before.size() == 1
+                             ? tr("%1 got its tissue by its name.").arg(readableName(before[0].description.name))
+                             : tr("%1 structures got tissue by their names.").arg(before.size());
+    m_message->offer(line, tr("Undo"), [this, before] {
+        std::vector<StructureModel::Edited> edits;
+        for (const StructureModel::Edited& one : before) { // name, layer and colour stay as they are by now
+            edits.push_back({one.row, m_model.structure(one.row)});
+            edits.back().description.tissue = one.description.tissue;
+            edits.back().description.opacity = one.description.opacity;
+            edits.back().description.palpable = one.description.palpable;
+        }
+        m_model.editAll(std::move(edits), tr("Tissue as before"));
+    });
+}
+
+/// Back to the page that the window starts with.
+void MainWindow::closeScene()
+{
+    if (!mayDiscard()) {
+        return;
+    }
+    if (m_live.recording().isRecording) {
+        toggleRecording();
+    }
+    m_loader.cancel();
+    m_palpateAction->setChecked(false);
+    m_playback->setRecording(nullptr);
+    m_live.stop();
+    m_message->hide();
+    m_viewport->view().setStructures({});
+    m_model.setRows({});
+    m_document->take({});
+    m_files.clear();
+    m_unit_mm = 1.0;
+    m_stack->setCurrentWidget(m_welcome);
+    setWindowTitle(tr("Palpate"));
+    setWindowModified(false);
+    showWhatPlays();
+    showStatus();
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/StructureModel.h"
+
+#include <palpate/study/Layers.h>
+
+#include <vector>
+
+namespace palpate::ui {
+
+/// How structures are felt and shown by what their names say (meshio::anatomyKind), with the numbers of
+/// `tissuePresets`: a lump is hard and opaque, bone is bone, an organ is soft, and translucent when others lie in it;
+/// the hand passes through vessels, nerves and ducts while anything else is felt. A structure with a map of its own
+/// keeps its tissue.
+/// @param layering  what lies in what, row by row; seeming to lie in something open counts here
+/// @param first  structures before this row are left alone
+/// @return those that this changes
+[[nodiscard]] std::vector<StructureModel::Edited> tissueByName(const StructureModel& model,
+                                                               const study::Layering& layering, int first);
+
+} // namespace palpate::ui

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/StructureTree.h"
+
+#include "palpate/ui/Theme.h"
+
+#include <palpate/haptics/ForceTable.h>
+
+#include <QFont>
+#include <QHash>
+
+#include <algorithm>
+#include <map>
+
+namespace palpate::ui {
+
+StructureTree::StructureTree(StructureModel& model, QObject* parent)
+    : QAbstractItemModel(parent)
+    , m_model(model)
+{
+    connect(&model, &QAbstractItemModel::modelReset, this, &StructureTree::rearrange);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &StructureTree::refresh);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &StructureTree::refresh);
+    rearrange();
+}
+
+void StructureTree::setOrder(Order order)
+{
+    m_order = order;
+    refresh();
+}
+
+void StructureTree::setGrouping(Grouping grouping)
+{
+    if (grouping != m_grouping) {
+        beginResetModel(); // the same structures may stand a level deeper
+        m_grouping = grouping;
+        m_groups = arranged();
+        endResetModel();
+    }
+}
+
+void StructureTree::setFilter(const QString& text)
+{
+    m_words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    refresh();
+}
+
+int StructureTree::listedCount() const
+{
+    std::size_t count = 0;
+    for (const Group& group : m_groups) {
+        count += group.rows.size();
+    }
+    return static_cast<int>(count);
+}
+
+bool StructureTree::isListed(int row) const
+{
+    if (m_model.rows()[static_cast<std::size_t>(row)].isRemoved) {
+        return false;
+    }
+    const QString name = m_words.isEmpty() ? QString() : readableName(m_model.structure(row).name);
+    return std::all_of(m_words.begin(), m_words.end(),
+                       [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
+}
+
+QString StructureTree::groupOf(int row) const
+{
+    if (m_grouping == Grouping::Layer) {
+        const std::uint32_t layer = m_model.structure(row).layer;
+        return layer == 0 ? tr("Felt outermost") : tr("Felt %1 below").arg(layer);
+    }
+    const meshio::SceneStructure& one = m_model.structure(row);
+    const std::filesystem::path from = one.part.empty() ? one.mesh.parent_path() : one.mesh;
+    const QString name = QString::fromStdU16String(from.filename().u16string());
+    return name.isEmpty() ? tr("Other") : name;
+}
+
+std::vector<StructureTree::Group> StructureTree::arranged() const
+{
+    std::vector<int> rows;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (isListed(row)) {
+            rows.push_back(row);
+        }
+    }
+    if (m_order == Order::Name) {
+        std::map<int, QString> names;
+        for (const int row : rows) {
+            names[row] = readableName(m_model.structure(row).name);
+        }
+        std::stable_sort(rows.begin(), rows.end(),
+                         [&](int a, int b) { return QString::localeAwareCompare(names.at(a), names.at(b)) < 0; });
+    } else if (m_order == Order::Tissue) {
+        std::stable_sort(rows.begin(), rows.end(), [this](int a, int b) {
+            return haptics::greatestStiffness(m_model.structure(a).tissue) <
+                   haptics::greatestStiffness(m_model.structure(b).tissue);
+        });
+    } else if (m_order == Order::Layer) {
+        std::stable_sort(rows.begin(), rows.end(),
+                         [this](int a, int b) { return m_model.structure(a).layer < m_model.structure(b).layer; });
+    }
+    std::vector<Group> groups;
+    if (!isGrouped()) {
+        groups.push_back({QString(), std::move(rows)});
+        return groups;
+    }
+    QHash<QString, std::size_t> numbers;
+    for (const int row : rows) {
+        const QString title = groupOf(row);
+        const auto known = numbers.constFind(title);
+        if (known == numbers.constEnd()) {
+            numbers.insert(title, groups.size());
+            groups.push_back({title, {row}});
+        } else {
+            groups[*known].rows.push_back(row);
+        }
+    }
+    return groups;
+}
+
+void StructureTree::rearrange()
+{
+    beginResetModel();
+    m_groups = arranged();
+    endResetModel();
+}
+
+/// What is listed where is the same after most changes: then the list keeps what is selected and open.
+void StructureTree::refresh()
+{
+    if (arranged() != m_groups) {
+        rearrange();
+        return;
+    }
+    if (rowCount() == 0) {
+        return;
+    }
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    for (int group = 0; isGrouped() && group < rowCount(); ++group) {
+        const QModelIndex above = index(group, 0);
+        Q_EMIT dataChanged(index(0, 0, above), index(rowCount(above) - 1, columnCount() - 1, above));
+    }
+}
+
+int StructureTree::rowOf(const QModelIndex& index) const
+{
+    if (!index.isValid() || (isGrouped() && index.internalId() == 0)) {
+        return -1;
+    }
+    const std::size_t group = isGrouped() ? index.internalId() - 1 : 0;
+    return m_groups[group].rows[static_cast<std::size_t>(index.row())];
+}
+
+std::vector<int> StructureTree::rowsOf(const QModelIndex& index) const
+{
+    if (!index.isValid()) {
+        return {};
+    }
+    const int row = rowOf(index);
+    return row >= 0 ? std::vector<int>{row} : m_groups[static_cast<std::size_t>(index.row())].rows;
+}
+
+QModelIndex StructureTree::indexOf(int row, int column) const
+{
+    for (std::size_t group = 0; group < m_groups.size(); ++group) {
+        const std::vector<int>& rows = m_groups[group].rows;
+        const auto found = std::find(rows.begin(), rows.end(), row);
+        if (found != rows.end()) {
+            return createIndex(static_cast<int>(found - rows.begin()), column, isGrouped() ? group + 1 : 0);
+        }
+    }
+    return {};
+}
+
+QModelIndex StructureTree::index(int row, int column, const QModelIndex& parent) const
+{
+    if (row < 0 || row >= rowCount(parent) || column < 0 || column >= columnCount()) {
+        return {};
+    }
+    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);
+}
+
+QModelIndex StructureTree::parent(const QModelIndex& index) const
+{
+    return isGrouped() && index.isValid() && index.internalId() > 0
+               ? createIndex(static_cast<int>(index.internalId()) - 1, 0, quintptr{0})
+               : QModelIndex();
+}
+
+int StructureTree::rowCount(const QModelIndex& parent) const
+{
+    if (!parent.isValid()) {
+        return static_cast<int>(isGrouped() ? m_groups.size() : m_groups.front().rows.size());
+    }
+    const bool isGroup = isGrouped() && parent.internalId() == 0 && parent.column() == 0;
+    return isGroup ? static_cast<int>(m_groups[static_cast<std::size_t>(parent.row())].rows.size()) : 0;
+}
+
+int StructureTree::columnCount(const QModelIndex& /*parent*/) const
+{
+    return StructureModel::ColumnCount;
+}
+
+QVariant StructureTree::groupData(const Group& group, int column, int role) const
+{
+    const auto hasAny = [&](bool meshio::SceneStructure::*what) {
+        return std::any_of(group.rows.begin(), group.rows.end(), [&](int row) { return m_model.structure(row).*what; });
+    };
+    const bool isText = role == Qt::ToolTipRole || role == Qt::AccessibleTextRole;
+    if (column == StructureModel::Name) {
+        if (role == Qt::DisplayRole || isText) {
+            return tr("%1 (%2)").arg(group.title).arg(group.rows.size());
+        }
+        if (role == Qt::FontRole) {
+            QFont bold;
+            bold.setBold(true);
+            return bold;
+        }
+    } else if (column == StructureModel::Shown) {
+        const bool isShown = hasAny(&meshio::SceneStructure::visible);
+        if (role == Qt::DecorationRole) {
+            return icon(isShown ? Symbol::Eye : Symbol::EyeOff);
+        }
+        if (isText) {
+            return isShown ? tr("Hide all of %1").arg(group.title) : tr("Show all of %1").arg(group.title);
+        }
+    } else if (column == StructureModel::Felt) {
+        const bool isFelt = hasAny(&meshio::SceneStructure::palpable);
+        if (role == Qt::DecorationRole) {
+            return icon(isFelt ? Symbol::Hand : Symbol::HandOff);
+        }
+        if (isText) {
+            return isFelt ? tr("Let the hand pass through all of %1").arg(group.title)
+                          : tr("Feel all of %1").arg(group.title);
+        }
+    }
+    return {};
+}
+
+QVariant StructureTree::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid()) {
+        return {};
+    }
+    const int row = rowOf(index);
+    return row >= 0 ? m_model.data(m_model.index(row, index.column()), role)
+                    : groupData(m_groups[static_cast<std::size_t>(index.row())], index.column(), role);
+}
+
+QVariant StructureTree::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    return m_model.headerData(section, orientation, role);
+}
+
+bool StructureTree::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const int row = rowOf(index);
+    return row >= 0 && m_model.setData(m_model.index(row, index.column()), value, role);
+}
+
+Qt::ItemFlags StructureTree::flags(const QModelIndex& index) const
+{
+    const int row = rowOf(index);
+    if (row >= 0) {
+        return m_model.flags(m_model.index(row, index.column()));
+    }
+    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+}
+
+} // namespace palpate::ui

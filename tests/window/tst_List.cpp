@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include "../support/Shapes.h"
+
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/session/RecordingReader.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QTreeView>
+#include <QUrl>
+
+#include <cmath>
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+
+/// The list of structures by keys and pointer: add, rename, filter, group, select, remove, undo. On a real display.
+class List : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+    std::filesystem::path m_liver, m_tumour, m_vein;
+
+    MainWindow& window() { return m_desk->window(); }
+    QTreeView& list() { return *window().findChild<ui::StructurePanel*>()->findChild<QTreeView*>(); }
+    QLineEdit& filter() { return *window().findChild<QLineEdit*>(QStringLiteral("filter")); }
+    ui::MessageBar& message() { return *window().findChild<ui::MessageBar*>(); }
+
+    QStringList names()
+    {
+        QStringList names;
+        for (int row = 0; row < list().model()->rowCount(); ++row) {
+            names << list().model()->index(row, ui::StructureModel::Name).data().toString();
+        }
+        return names;
+    }
+
+    /// Presses what the command's key is and types a file's path into the dialog that opens.
+    bool add(const std::filesystem::path& file)
+    {
+        QSignalSpy ready(&window(), &MainWindow::ready);
+        QTimer typist;
+        connect(&typist, &QTimer::timeout, this, [&] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                auto* field = dialog->findChild<QLineEdit*>();
+                field->setText(QString::fromStdString(file.string()));
+                QTest::keyClick(field, Qt::Key_Return);
+            }
+        });
+        typist.start(100);
+        m_desk->pressKeyOf("add");
+        typist.stop();
+        return QTest::qWaitFor([&] { return ready.count() > 0; }, 60000);
+    }
+
+    void drop(const std::filesystem::path& file)
+    {
+        QMimeData files;
+        files.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+        QDragEnterEvent enter({400, 400}, Qt::CopyAction, &files, Qt::LeftButton,
+                              Qt::NoModifier); // makes it the target
+        QApplication::sendEvent(&window(), &enter);
+        QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window(), &drop);
+    }
+
+    void answer(const char* text)
+    {
+        for (QPushButton* button : message().findChildren<QPushButton*>()) {
+            if (button->isVisible() && button->text() == QLatin1String(text)) {
+                button->click();
+                return;
+            }
+        }
+    }
+
+    /// A scene of many structures in one file, 4 triangles each.
+    std::filesystem::path writeMany(int count) const
+    {
+        const std::filesystem::path path = m_desk->folder() / "many.obj";
+        std::ofstream out(path);
+        for (int i = 0; i < count; ++i) {
+            const double x = 20.0 * (i % 20), z = 20.0 * (i / 20);
+            out << "g part_" << i << (i % 3 == 0 ? "_rib" : "_node") << '\n';
+            for (const Vec3& p : {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 10, 0), Vec3(0, 0, 10)}) {
+                out << "v " << p.x() + x << ' ' << p.y() << ' ' << p.z() + z << '\n';
+            }
+            for (const char* face : {"-4 -2 -3", "-4 -3 -1", "-3 -2 -1", "-4 -1 -2"}) {
+                out << "f " << face << '\n';
+            }
+        }
+        return path;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        m_desk = std::make_unique<test::Desk>();
+        m_liver = m_desk->writeStl("one/liver.stl", test::sphere(16, 20.0));
+        m_tumour = m_desk->writeStl("two/tumour.stl", test::moved(test::sphere(8, 5.0), Vec3(0, -7, 0)));
+        m_vein = m_desk->writeStl("two/portal_vein.stl", test::moved(test::sphere(8, 5.0), Vec3(60, 0, 0)));
+    }
+    void cleanup()
+    {
+        if (m_desk != nullptr) {
+            m_desk->close();
+        }
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    void aForgottenFileIsAddedRenamedFoundAndRemoved()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver}));
+        window().viewport().setFocus();
+        QVERIFY(add(m_tumour));
+        QCOMPARE(names(), QStringList({"liver", "tumour"}));
+        QCOMPARE(window().viewport().view().structureCount(), std::size_t{2});
+        QCOMPARE(message().text(), QStringLiteral("tumour lies in liver and is felt below it."));
+        QVERIFY(window().isWindowModified());
+
+        list().setFocus();
+        m_desk->press(Qt::Key_F2);
+        auto* editor = list().viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, "lesion in IV");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(names(), QStringList({"liver", "lesion in IV"}));
+
+        m_desk->pressKeyOf("filter");
+        QVERIFY(filter().hasFocus());
+        QTest::keyClicks(&filter(), "iv les");
+        QCOMPARE(names(), QStringList({"lesion in IV"}));
+        m_desk->press(Qt::Key_Escape);
+        QCOMPARE(names().size(), 2);
+        QVERIFY(list().hasFocus());
+
+        m_desk->press(Qt::Key_Delete);
+        QCOMPARE(names(), QStringList({"liver"}));
+        QVERIFY(!window().viewport().view().structure(1).picture.appearance().isVisible);
+        QVERIFY(window().viewport().view().structure(1).touchable == nullptr);
+        m_desk->pressKeyOf("undo");
+        QCOMPARE(names(), QStringList({"liver", "lesion in IV"}));
+        QVERIFY(window().viewport().view().structure(1).picture.appearance().isVisible);
+        m_desk->pressKeyOf("undo");
+        QCOMPARE(names(), QStringList({"liver", "tumour"}));
+        m_desk->pressKeyOf("undo"); // added, layered and given its tissue in one step
+        QCOMPARE(names(), QStringList({"liver"}));
+        QVERIFY(!window().isWindowModified());
+        m_desk->pressKeyOf("redo");
+        QCOMPARE(names(), QStringList({"liver", "tumour"}));
+    }
+
+    void aDropAsksWhetherToAddOrToOpen()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver}));
+        QSignalSpy ready(&window(), &MainWindow::ready);
+        drop(m_vein);
+        QCOMPARE(message().text(), QStringLiteral("Add portal_vein.stl to the open scene?"));
+        answer("Add");
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        QCOMPARE(names(), QStringList({"liver", "portal vein"}));
+    }
+
+    void severalAreChangedAsOneStep()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver, m_tumour, m_vein}));
+        list().setFocus();
+        list().selectAll();
+        m_desk->press(Qt::Key_E, Qt::ControlModifier);
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(!window().viewport().view().structure(i).picture.appearance().isVisible);
+        }
+        m_desk->pressKeyOf("undo");
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(window().viewport().view().structure(i).picture.appearance().isVisible);
+        }
+        list().selectAll();
+        m_desk->press(Qt::Key_Delete);
+        QCOMPARE(list().model()->rowCount(), 0);
+        m_desk->pressKeyOf("undo");
+        QCOMPARE(list().model()->rowCount(), 3);
+    }
+
+    /// Names that choose a colour choose tissue, opacity and what the hand meets, and it can be taken back.
+    void namesChooseTissue()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver, m_vein}));
+        QCOMPARE(message().text(), QStringLiteral("2 structures got tissue by their names."));
+        QVERIFY(!window().isWindowModified());
+        const view::SceneView& view = window().viewport().view();
+        QTRY_VERIFY(view.structure(1).touchable == nullptr);
+        QVERIFY(view.structure(0).touchable != nullptr);
+        m_desk->pressKeyOf("undo");
+        QTRY_VERIFY(view.structure(1).touchable != nullptr);
+    }
+
+    void clickingAnatomySelectsIt()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver, m_tumour,
+                              m_desk->writeStl("two/spleen.stl", test::moved(test::sphere(8, 15.0), Vec3(60, 0, 0)))}));
+        ui::VtkViewport& viewport = window().viewport();
+        viewport.view().look(view::ViewFrom::Front);
+        viewport.view().fitAll();
+        viewport.update();
+        QTest::qWait(50);
+        std::vector<QPoint> places; // of the liver's and the spleen's middle
+        for (const std::size_t wanted : {std::size_t{0}, std::size_t{2}}) {
+            for (int x = 5; x < viewport.width(); x += 5) {
+                const auto pick = viewport.view().pick(viewport.rayAt(QPointF(x, 0.5 * viewport.height())));
+                if (pick && pick->structure == wanted) {
+                    places.emplace_back(x + 10, viewport.height() / 2);
+                    break;
+                }
+            }
+        }
+        QCOMPARE(places.size(), std::size_t{2});
+        const auto selected = [this] {
+            QStringList names;
+            for (const QModelIndex& one : list().selectionModel()->selectedRows(ui::StructureModel::Name)) {
+                names << one.data().toString();
+            }
+            names.sort();
+            return names;
+        };
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, places[1]);
+        QCOMPARE(selected(), QStringList({"spleen"}));
+        QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, places[0]);
+        QCOMPARE(selected(), QStringList({"liver", "spleen"}));
+        QTest::mousePress(&viewport, Qt::LeftButton, {}, places[1]); // turning the view selects nothing
+        QTest::mouseMove(&viewport, places[1] + QPoint(40, 0));
+        QTest::mouseRelease(&viewport, Qt::LeftButton, {}, places[1] + QPoint(40, 0));
+        QCOMPARE(selected(), QStringList({"liver", "spleen"}));
+    }
+
+    /// A recording that runs meanwhile has every tick, and says what was there when.
+    void aRecordingRunsThroughAddingAndRemoving()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver}));
+        ui::PalpationController& hand = window().palpation();
+        double force_N = 0.0;
+        connect(&hand, &ui::PalpationController::touched, this,
+                [&](const ui::TouchReading& touch) { force_N = touch.force_N; });
+        window().viewport().setFocus();
+        m_desk->pressKeyOf("record");
+        hand.pressAt({0.5 * window().viewport().width(), 0.5 * window().viewport().height()});
+        QTRY_VERIFY_WITH_TIMEOUT(force_N > 0.05, 20000);
+        QSignalSpy ready(&window(), &MainWindow::ready);
+        drop(m_vein);
+        answer("Add");
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        list().setFocus();
+        list().setCurrentIndex(list().model()->index(0, ui::StructureModel::Name));
+        m_desk->press(Qt::Key_Delete); // under the hand
+        QTRY_COMPARE_WITH_TIMEOUT(force_N, 0.0, 20000);
+        m_desk->pressKeyOf("undo");
+        QTest::qWait(200);
+        hand.letGo();
+        m_desk->pressKeyOf("record");
+        const ui::RecordedTouch* recorded = window().playback().recording();
+        QVERIFY(recorded != nullptr);
+        const auto reader = session::RecordingReader::open(recorded->path());
+        QVERIFY(reader.isOk());
+        QCOMPARE(reader.value()->extent().dropped, 0);
+        std::vector<std::size_t> counts;
+        std::size_t removed = 0;
+        for (const session::SceneRecord& scene : reader.value()->scenes()) {
+            counts.push_back(scene.structures.size());
+            removed += scene.structures.front().palpable ? 0 : 1;
+        }
+        QCOMPARE(counts.front(), std::size_t{1});
+        QCOMPARE(counts.back(), std::size_t{2});
+        QCOMPARE(removed, std::size_t{1});
+        QVERIFY(reader.value()->verify().isOk());
+    }
+
+    void whatIsSavedIsWhatIsThere()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver, m_tumour, m_vein}));
+        list().setFocus();
+        list().setCurrentIndex(list().model()->index(1, ui::StructureModel::Name));
+        m_desk->press(Qt::Key_Delete);
+        const std::filesystem::path file = m_desk->folder() / "saved.palpate.json";
+        QTimer typist;
+        connect(&typist, &QTimer::timeout, this, [&] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                auto* field = dialog->findChild<QLineEdit*>();
+                field->setText(QString::fromStdString(file.string()));
+                QTest::keyClick(field, Qt::Key_Return);
+            }
+        });
+        typist.start(100);
+        m_desk->pressKeyOf("save-as");
+        typist.stop();
+        const auto saved = meshio::readScene(file);
+        QVERIFY(saved.isOk());
+        QCOMPARE(saved.value().structures.size(), std::size_t{2});
+        QCOMPARE(saved.value().structures[0].name, std::string("liver"));
+        QCOMPARE(saved.value().structures[1].name, std::string("portal_vein"));
+        QVERIFY(!saved.value().structures[1].sha256.empty());
+        QVERIFY(!window().isWindowModified());
+    }
+
+    void threeHundredAreFilteredAtOnce()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({writeMany(300)}));
+        QCOMPARE(list().model()->rowCount(), 300);
+        m_desk->pressKeyOf("filter");
+        QElapsedTimer timer;
+        timer.start();
+        QTest::keyClicks(&filter(), "rib");
+        QCOMPARE(list().model()->rowCount(), 100);
+        qInfo("filtered 300 by three letters in %lld ms", static_cast<long long>(timer.elapsed()));
+        timer.restart();
+        m_desk->press(Qt::Key_Escape);
+        QCoreApplication::processEvents();
+        QCOMPARE(list().model()->rowCount(), 300);
+        qInfo("listed 300 in %lld ms", static_cast<long long>(timer.elapsed()));
+        list().selectAll();
+        timer.restart();
+        m_desk->press(Qt::Key_E, Qt::ControlModifier);
+        qInfo("hid 300 in %lld ms", static_cast<long long>(timer.elapsed()));
+        QVERIFY(!window().viewport().view().structure(299).picture.appearance().isVisible);
+    }
+
+    void closingGoesBackToTheStart()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver}));
+        m_desk->pressKeyOf("close");
+        QVERIFY(!window().viewport().isVisible());
+        QCOMPARE(list().model()->rowCount(), 0);
+        QVERIFY(!m_desk->command("add").isEnabled());
+        QVERIFY(m_desk->open({m_tumour}));
+        QCOMPARE(names(), QStringList({"tumour"}));
+    }
+};
+
+PALPATE_TEST(List)
+#include "tst_List.moc"
