@@ -15,6 +15,8 @@
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -32,6 +34,7 @@ struct Source
 {
     std::filesystem::path path;
     double unit_mm = 1.0;
+    FileFrame frame = FileFrame::Untagged; ///< chosen
     std::optional<Result<MeshFile>> file;
 };
 
@@ -53,11 +56,14 @@ class Loader
     }
 
     Result<LoadedScene> load(const std::filesystem::path& path);
+    Result<LoadedScene> load(SceneFile scene, const std::filesystem::path& path);
 
   private:
-    Status addScene(const std::filesystem::path& path);
+    Status addScene(SceneFile scene, const std::string& name);
+    Result<LoadedScene> finish(const std::filesystem::path& path);
     Status addFolder(const std::filesystem::path& path);
-    std::size_t sourceOf(const std::filesystem::path& path, double unit_mm);
+    std::size_t sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame);
+    std::size_t sourceOf(const SceneStructure& one) { return sourceOf(one.mesh, one.unit_mm, one.frame); }
     void readSources();
     void expandFiles();
     void findChanged();
@@ -71,34 +77,37 @@ class Loader
     const ReadOptions& m_options;
     bool m_isSceneFile = false;
     std::vector<Source> m_sources;
-    std::map<std::pair<std::filesystem::path, double>, std::size_t> m_sourceOf;
+    std::map<std::tuple<std::filesystem::path, double, FileFrame>, std::size_t> m_sourceOf;
     std::vector<Pending> m_pending;
     std::atomic<bool> m_isCancelled{false};
     Status m_firstFailure;
     LoadedScene m_scene;
 };
 
-std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm)
+std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame)
 {
-    const auto [found, isNew] = m_sourceOf.emplace(std::pair(path, unit_mm), m_sources.size());
+    const auto [found, isNew] = m_sourceOf.emplace(std::tuple(path, unit_mm, frame), m_sources.size());
     if (isNew) {
-        m_sources.push_back({path, unit_mm, std::nullopt});
+        m_sources.push_back({path, unit_mm, frame, std::nullopt});
     }
     return found->second;
 }
 
-Status Loader::addScene(const std::filesystem::path& path)
+Status Loader::addScene(SceneFile scene, const std::string& name)
 {
-    Result<SceneFile> scene = readScene(path);
-    if (!scene.isOk()) {
-        return scene.status();
+    if (scene.structures.empty()) {
+        return fault(StatusCode::Empty, name, "structures", "none", "at least one");
     }
-    if (scene.value().structures.empty()) {
-        return fault(StatusCode::Empty, path.filename().string(), "structures", "none", "at least one");
-    }
-    m_scene.scene = std::move(scene).value();
-    for (const SceneStructure& structure : m_scene.scene.structures) {
-        (void)sourceOf(structure.mesh, structure.unit_mm);
+    m_scene.scene = std::move(scene);
+    for (SceneStructure& structure : m_scene.scene.structures) {
+        if (structure.frame == FileFrame::Untagged) {
+            structure.frame = m_options.frame;
+        } else if (m_options.frame != FileFrame::Untagged && structure.frame != m_options.frame) {
+            m_scene.warnings.push_back(structure.name + ": taken as " + std::string(core::axesOf(structure.frame)) +
+                                       ", as the scene file says; not as " +
+                                       std::string(core::axesOf(m_options.frame)));
+        }
+        (void)sourceOf(structure);
     }
     m_isSceneFile = true;
     return {};
@@ -124,7 +133,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
     }
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files) {
-        (void)sourceOf(file, m_options.unit_mm);
+        (void)sourceOf(file, m_options.unit_mm, m_options.frame);
     }
     return {};
 }
@@ -138,6 +147,8 @@ void Loader::readSources()
         Source& source = m_sources[i];
         ReadOptions options;
         options.unit_mm = source.unit_mm;
+        options.frame = source.frame;
+        options.readsScale = m_options.readsScale && !m_isSceneFile;
         options.isPartial = m_options.isPartial;
         // The caller's function is called on the caller's thread only.
         options.progress = [&, isCaller = thread == 0](double share) {
@@ -170,7 +181,8 @@ void Loader::expandFiles()
             SceneStructure& d = pending.description;
             d.mesh = source.path;
             d.part = file.structures.size() > 1 ? structure.name : std::string();
-            d.unit_mm = source.unit_mm;
+            d.unit_mm = file.unit_mm;
+            d.frame = source.frame;
             d.name = structure.name;
             d.colour = structure.colour.value_or(anatomyColour(structure.name, m_pending.size() - 1));
             pending.frame = file.frame;
@@ -184,7 +196,7 @@ void Loader::findChanged()
 {
     std::set<std::filesystem::path> seen;
     for (const SceneStructure& wanted : m_scene.scene.structures) {
-        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        const Source& source = m_sources[sourceOf(wanted)];
         if (wanted.sha256.empty() || !source.file->isOk() || !seen.insert(wanted.mesh).second) {
             continue;
         }
@@ -201,7 +213,7 @@ void Loader::findChanged()
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {
-        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        const Source& source = m_sources[sourceOf(wanted)];
         if (!source.file->isOk()) {
             m_scene.unopened.push_back(wanted);
             continue;
@@ -285,7 +297,13 @@ void Loader::noteFrames()
         for (const std::string& note : file.notes) {
             m_scene.warnings.push_back(name + ": " + note);
         }
-        if (file.frame == FileFrame::Untagged) {
+        if (source.frame != FileFrame::Untagged) {
+            if (file.frame != FileFrame::Untagged && file.frame != source.frame) {
+                m_scene.warnings.push_back(name + ": tagged SPACE=" + std::string(core::axesOf(file.frame)) +
+                                           ", but taken as " + std::string(core::axesOf(source.frame)) +
+                                           ", as was chosen");
+            }
+        } else if (file.frame == FileFrame::Untagged) {
             untagged.push_back(name);
         } else if (file.frame == FileFrame::Ras) {
             m_scene.warnings.push_back(name + ": tagged SPACE=RAS: x and y negated to get LPS");
@@ -337,17 +355,27 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
 {
     const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
     std::error_code error;
-    Status status;
     if (std::filesystem::is_directory(whole, error)) {
-        status = addFolder(whole.has_filename() ? whole : whole.parent_path());
+        if (Status status = addFolder(whole.has_filename() ? whole : whole.parent_path()); !status.isOk()) {
+            return status;
+        }
     } else if (isSceneFile(whole)) {
-        status = addScene(whole);
+        Result<SceneFile> scene = readScene(whole);
+        return scene.isOk() ? load(std::move(scene).value(), path) : scene.status();
     } else {
-        (void)sourceOf(whole, m_options.unit_mm);
+        (void)sourceOf(whole, m_options.unit_mm, m_options.frame);
     }
-    if (!status.isOk()) {
-        return status;
-    }
+    return finish(path);
+}
+
+Result<LoadedScene> Loader::load(SceneFile scene, const std::filesystem::path& path)
+{
+    const Status status = addScene(std::move(scene), path.filename().string());
+    return status.isOk() ? finish(path) : status;
+}
+
+Result<LoadedScene> Loader::finish(const std::filesystem::path& path)
+{
     readSources();
     const Status cancelled(StatusCode::Cancelled, path.filename().string() + ": opening was cancelled");
     if (m_isCancelled) {
@@ -384,13 +412,31 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
 
 } // namespace
 
+namespace {
+
+Status tooLarge(const std::filesystem::path& path)
+{
+    return fault(StatusCode::OutOfRange, path.filename().string(), "", "not enough memory to open it",
+                 "a scene that fits");
+}
+
+} // namespace
+
 core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options)
 {
     try {
         return Loader(options).load(path);
     } catch (const std::bad_alloc&) {
-        return fault(StatusCode::OutOfRange, path.filename().string(), "", "not enough memory to open it",
-                     "a scene that fits");
+        return tooLarge(path);
+    }
+}
+
+core::Result<LoadedScene> reloadScene(SceneFile scene, const std::filesystem::path& path, const ReadOptions& options)
+{
+    try {
+        return Loader(options).load(std::move(scene), path);
+    } catch (const std::bad_alloc&) {
+        return tooLarge(path);
     }
 }
 

@@ -93,6 +93,7 @@ struct TextHeader
 {
     Eigen::Matrix3d directions = Eigen::Matrix3d::Identity(); ///< a column each, unit, in the file's space
     bool isRas = false;                                       ///< the file's space; else LPS
+    bool hasSpace = false;                                    ///< the file says it
     bool isPacked = false;                                    ///< its voxels are compressed
 };
 
@@ -136,6 +137,7 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
             axes.directions = *matrix;
         }
         if (const auto space = valueAfter("space:")) {
+            axes.hasSpace = true;
             axes.isRas =
                 space->find("right-anterior-superior") != std::string::npos || space->find("RAS") != std::string::npos;
         }
@@ -175,7 +177,8 @@ Eigen::Affine3d fromNifti(vtkNIFTIImageReader& reader)
     return X;
 }
 
-Result<Volume> readVolume(const std::filesystem::path& path)
+/// @param frame  of a file that says none
+Result<Volume> readVolume(const std::filesystem::path& path, core::FileFrame frame)
 {
     const std::string file = path.filename().string();
     std::error_code error;
@@ -257,6 +260,10 @@ Result<Volume> readVolume(const std::filesystem::path& path)
         volume.toVoxel.linear() = back;
         volume.toVoxel.translation() = origin - axes->directions.inverse() * origin;
     }
+    const bool isNrrd = endsWith(file, ".nrrd") || endsWith(file, ".nhdr");
+    if (endsWith(file, ".vti") || (isNrrd && !header->hasSpace)) {
+        volume.toVoxel.rotate(core::lpsRotation(frame).transpose());
+    }
     volume.values = volume.image->GetPointData()->GetScalars();
     const vtkIdType points = volume.image->GetNumberOfPoints();
     if (volume.values == nullptr || volume.values->GetNumberOfComponents() != 1 ||
@@ -313,9 +320,10 @@ std::vector<Vec3> normalsOf(const geometry::TriangleMesh& mesh)
 
 } // namespace
 
-Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, const geometry::RepairedMesh& surface)
+Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, const geometry::RepairedMesh& surface,
+                                        core::FileFrame frame)
 {
-    const Result<Volume> read = readVolume(mapping.file);
+    const Result<Volume> read = readVolume(mapping.file, frame);
     if (!read.isOk()) {
         return read.status();
     }

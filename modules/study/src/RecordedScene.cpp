@@ -30,6 +30,23 @@ std::vector<std::string> feltHashes(const RecordingReader& reader)
     return hashes;
 }
 
+/// How a mesh file was read for a recording. One that it does not name (a scene or a folder) as its first.
+meshio::ReadOptions readAs(const RecordingReader& reader, const std::filesystem::path& file)
+{
+    meshio::ReadOptions options;
+    options.readsScale = false; // the unit is said
+    if (reader.scenes().empty() || reader.scenes().front().structures.empty()) {
+        return options;
+    }
+    const std::vector<session::StructureRecord>& all = reader.scenes().front().structures;
+    const auto named =
+        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.source.mesh == file.string(); });
+    const session::StructureSource& source = (named == all.end() ? all.front() : *named).source;
+    options.unit_mm = source.unit_mm;
+    options.frame = source.frame;
+    return options;
+}
+
 } // namespace
 
 Result<meshio::LoadedScene> openScene(const std::filesystem::path& path, const meshio::ReadOptions& options)
@@ -68,11 +85,8 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
     if (files.empty()) {
         return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
     }
-    meshio::ReadOptions options;
-    if (!reader.scenes().empty() && !reader.scenes().front().structures.empty()) {
-        options.unit_mm = reader.scenes().front().structures.front().source.unit_mm;
-    }
     for (std::filesystem::path file : files) {
+        const meshio::ReadOptions options = readAs(reader, file);
         std::error_code error;
         if (!std::filesystem::exists(file, error)) { // as it was said then; else beside the recording
             const std::filesystem::path beside = reader.path().parent_path() / file;
@@ -108,7 +122,6 @@ Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& record
         }
         meshio::LoadedStructure& loaded = out.structures.emplace_back();
         loaded.description = descriptionOf(structure);
-        loaded.frame = meshio::FileFrame::Lps;
         loaded.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
         out.scene.structures.push_back(loaded.description);
     }
