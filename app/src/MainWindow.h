@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CoordinatesChoice.h"
 #include "SceneDocument.h"
 
 #include <palpate/ui/ActionList.h>
@@ -41,7 +42,9 @@ class MainWindow : public QMainWindow
     ~MainWindow() override;
 
     /// Opens meshes and scenes as one scene, and the last recording among them to play in it.
-    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0);
+    /// @param frame  axes of mesh files, whatever their tags say; Untagged: as these say
+    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
+              palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged);
 
     [[nodiscard]] const palpate::ui::ActionList& commands() const noexcept { return m_actions; }
     [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
@@ -61,6 +64,8 @@ class MainWindow : public QMainWindow
     void ready();
     void openFailed(const QString& line);
     void deviceRefused(const QString& line);
+    /// What was repaired, assumed or not read in the files that were opened; a line each.
+    void noted(const QStringList& lines);
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -87,6 +92,9 @@ class MainWindow : public QMainWindow
     bool saveSceneTo(const std::filesystem::path& path);
     bool mayDiscard();
     void offerLeftover();
+    void readAs(palpate::core::FileFrame frame);
+    void showCoordinates();
+    void tellNotes(const QStringList& notes);
     void showTitle();
     [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
@@ -131,6 +139,7 @@ class MainWindow : public QMainWindow
     palpate::ui::Playback* m_playback = nullptr;
     palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
+    CoordinatesChoice* m_coordinates = nullptr;
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;

@@ -13,6 +13,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 
@@ -22,7 +23,7 @@
 using namespace palpate;
 using namespace palpate::ui;
 
-void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm)
+void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm, core::FileFrame frame)
 {
     std::vector<std::filesystem::path> meshes;
     std::optional<std::filesystem::path> recording;
@@ -46,6 +47,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
                     std::filesystem::exists(mesh, error)) {
                     meshes.push_back(mesh);
                     unit_mm = one.source.unit_mm;
+                    frame = one.source.frame;
                 }
             }
         }
@@ -62,7 +64,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     }
     m_waitingRecording = recording;
     m_unit_mm = unit_mm;
-    m_loader.open(meshes, unit_mm);
+    m_loader.open(meshes, unit_mm, frame);
 }
 
 void MainWindow::offerMetres()
@@ -76,7 +78,42 @@ void MainWindow::offerMetres()
     }
     m_message->offer(
         tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
-        tr("Read as metres"), [this] { open(m_files, 1000.0); });
+        tr("Read as metres"), [this] { open(m_files, 1000.0, m_model.structure(0).frame); });
+}
+
+/// Reads the open meshes again, along other axes.
+void MainWindow::readAs(core::FileFrame frame)
+{
+    if (m_live.recording().isRecording) {
+        say(tr("Stop the recording first: it holds the surfaces as they lie now."));
+        return;
+    }
+    m_waitingRecording.reset();
+    m_loader.reopen(m_document->inFrame(frame), m_files);
+}
+
+/// What is known of the patient's sides: the button in the status bar and the cube in the view.
+void MainWindow::showCoordinates()
+{
+    m_coordinates->show(m_model.rows(), std::any_of(m_files.begin(), m_files.end(),
+                                                    [](const auto& file) { return session::isRecordingFile(file); }));
+    m_viewport->view().cube().setSidesKnown(m_coordinates->isKnown());
+    m_viewport->update();
+}
+
+void MainWindow::tellNotes(const QStringList& notes)
+{
+    Q_EMIT noted(notes);
+    const QString how = howToTouch();
+    const auto count = static_cast<int>(notes.size());
+    const QString told = count == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(count);
+    say(count == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
+    constexpr int kToolTipLines = 24;
+    QStringList lines = notes.mid(0, kToolTipLines);
+    if (count > kToolTipLines) {
+        lines << tr("… and %1 more").arg(count - kToolTipLines);
+    }
+    m_hint->setToolTip(count == 0 ? how : lines.join(QLatin1Char('\n')));
 }
 
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
@@ -119,16 +156,12 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (m_files.size() == 1 && !m_files.front().empty()) { // parts opened one by one are no scene to come back to
         remember(m_files.front());
     }
-    const QString how = howToTouch();
-    const auto notes = static_cast<int>(scene->warnings.size());
-    const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
-    say(notes == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
-    constexpr int kToolTipLines = 24;
-    QStringList lines = scene->warnings.mid(0, kToolTipLines);
-    if (notes > kToolTipLines) {
-        lines << tr("… and %1 more").arg(notes - kToolTipLines);
+    tellNotes(scene->warnings);
+    if (scene->isReopened) {
+        say(tr("Read again with coordinates %1: tissue and findings are kept, undo starts anew.")
+                .arg(m_coordinates->button().text()),
+            20000);
     }
-    m_hint->setToolTip(notes == 0 ? how : lines.join(QLatin1Char('\n')));
     showWhatPlays();
     layOut(*scene);
     if (!scene->problems.isEmpty()) {
@@ -174,7 +207,24 @@ meshio::SceneCamera MainWindow::cameraNow() const
 
 bool MainWindow::saveScene()
 {
-    return m_document->file().empty() ? saveSceneAs() : saveSceneTo(m_document->file());
+    if (m_document->file().empty()) {
+        return saveSceneAs();
+    }
+    if (m_document->isFileChanged()) {
+        QMessageBox box(QMessageBox::Warning, tr("The scene was changed elsewhere"),
+                        tr("%1 was saved by another window or program since it was opened here. To save it would "
+                           "replace what was saved there.")
+                            .arg(toText(m_document->file().filename())),
+                        QMessageBox::Cancel, this);
+        QPushButton* const anyway = box.addButton(tr("Save anyway"), QMessageBox::DestructiveRole);
+        QPushButton* const elsewhere = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+        box.setDefaultButton(elsewhere);
+        box.exec();
+        if (box.clickedButton() != anyway) {
+            return box.clickedButton() == elsewhere && saveSceneAs();
+        }
+    }
+    return saveSceneTo(m_document->file());
 }
 
 bool MainWindow::saveSceneAs()
@@ -215,8 +265,11 @@ bool MainWindow::mayDiscard()
 
 void MainWindow::showTitle()
 {
-    const QString name =
+    QString name =
         m_files.empty() || m_files.front().empty() ? tr("Unsaved scene") : toText(m_files.front().filename());
+    if (m_files.size() > 1) {
+        name = tr("%1 and %2 more").arg(name).arg(m_files.size() - 1);
+    }
     setWindowTitle(tr("%1[*] – Palpate").arg(name));
     setWindowModified(m_document->isModified());
 }
@@ -226,7 +279,13 @@ void MainWindow::offerLeftover()
     const auto copy = SceneDocument::findLeftover();
     if (copy && m_model.rowCount() == 0) {
         m_message->offer(tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
-                         [this, copy] { open({*copy}); });
+                         [this, copy] {
+                             if (m_document->claimLeftover(*copy)) {
+                                 open({*copy});
+                             } else {
+                                 say(tr("These changes were already restored in another window."));
+                             }
+                         });
     }
 }
 

@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QUndoCommand>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kCopyDelay_ms = 1500; // after the newest edit
 constexpr const char* kCopyOf = "copy_of";
+constexpr const char* kCopyOfHash = "copy_of_sha256";
 
 QString copyFolder()
 {
@@ -96,14 +98,21 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         // Unsaved changes come back as such: of the file that they were made on, which is as it was.
         QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(m_rest.extra)).object();
         m_file = toPath(extra.take(QLatin1String(kCopyOf)).toString());
+        m_rest.sha256 = extra.take(QLatin1String(kCopyOfHash)).toString().toStdString();
         m_rest.extra =
             extra.isEmpty() ? std::string() : QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
         m_model.undoStack().resetClean();
         writeCopy();
         if (m_copy != scene.files.front()) {
             discardLeftover(scene.files.front());
+        } else { // of a program with the same number
+            m_lock = std::move(m_claim);
         }
+    } else if (scene.isReopened) {
+        m_model.undoStack().resetClean();
+        writeCopy();
     }
+    m_claim.reset();
     Q_EMIT findingsChanged();
 }
 
@@ -119,6 +128,33 @@ meshio::SceneFile SceneDocument::content() const
         scene.structures.push_back(row.loaded.description);
     }
     scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
+    return scene;
+}
+
+bool SceneDocument::isFileChanged() const
+{
+    const std::string now = m_rest.sha256.empty() ? std::string() : meshio::fileHash(m_file);
+    return !now.empty() && now != m_rest.sha256;
+}
+
+meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
+{
+    meshio::SceneFile scene = content();
+    scene.camera.reset();
+    for (core::Finding& finding : scene.findings) {
+        const auto& rows = m_model.rows();
+        const auto named = std::find_if(rows.begin(), rows.end(), [&](const ui::StructureRow& row) {
+            return row.loaded.description.name == finding.structure ||
+                   ui::readableName(row.loaded.description.name).toStdString() == finding.structure;
+        });
+        const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
+        const core::Vec3 p_M = core::lpsRotation(core::takenFrame(on.description.frame, on.frame)).transpose() *
+                               (on.description.X_WM.inverse() * finding.p_W);
+        finding.p_W = on.description.X_WM * core::toLps(frame, p_M);
+    }
+    for (meshio::SceneStructure& structure : scene.structures) {
+        structure.frame = frame;
+    }
     return scene;
 }
 
@@ -140,6 +176,7 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     const core::Status saved = meshio::writeScene(file, scene);
     if (saved.isOk()) {
         m_file = file;
+        m_rest.sha256 = meshio::fileHash(file);
         m_model.undoStack().setClean();
         m_copyTimer.stop();
         dropCopy();
@@ -162,6 +199,7 @@ void SceneDocument::writeCopy()
     meshio::SceneFile scene = content();
     QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();
     extra[QLatin1String(kCopyOf)] = toText(m_file);
+    extra[QLatin1String(kCopyOfHash)] = QString::fromStdString(m_rest.sha256);
     scene.extra = QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
     (void)meshio::writeScene(m_copy, scene); // a copy for bad days; the next edit tries again
 }
@@ -188,6 +226,18 @@ std::optional<std::filesystem::path> SceneDocument::findLeftover()
         }
     }
     return std::nullopt;
+}
+
+bool SceneDocument::claimLeftover(const std::filesystem::path& copy)
+{
+    auto lock = std::make_unique<QLockFile>(lockOf(copy));
+    lock->setStaleLockTime(0);
+    std::error_code error;
+    if (!lock->tryLock(0) || !std::filesystem::exists(copy, error)) {
+        return false;
+    }
+    m_claim = std::move(lock);
+    return true;
 }
 
 void SceneDocument::discardLeftover(const std::filesystem::path& copy)
