@@ -234,6 +234,7 @@ void MainWindow::connectLoading()
             });
     connect(m_structures, &StructurePanel::colourChosen, m_maps, &MapDisplay::show);
     connect(m_coordinates, &CoordinatesChoice::chosen, this, &MainWindow::readAs);
+    connect(&m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_isEditedMeanwhile = true; });
     connect(&m_model, &QAbstractItemModel::modelReset, this, &MainWindow::showCoordinates);
     connect(&m_model, &QAbstractItemModel::rowsInserted, this, &MainWindow::showCoordinates);
     connect(&m_model, &QAbstractItemModel::rowsRemoved, this, &MainWindow::showCoordinates);

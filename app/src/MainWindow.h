@@ -140,6 +140,7 @@ class MainWindow : public QMainWindow
     palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
     CoordinatesChoice* m_coordinates = nullptr;
+    bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;

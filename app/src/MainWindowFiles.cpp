@@ -84,11 +84,15 @@ void MainWindow::offerMetres()
 /// Reads the open meshes again, along other axes.
 void MainWindow::readAs(core::FileFrame frame)
 {
+    if (m_model.rowCount() == 0) {
+        return;
+    }
     if (m_live.recording().isRecording) {
         say(tr("Stop the recording first: it holds the surfaces as they lie now."));
         return;
     }
     m_waitingRecording.reset();
+    m_isEditedMeanwhile = false;
     m_loader.reopen(m_document->inFrame(frame), m_files);
 }
 
@@ -118,6 +122,10 @@ void MainWindow::tellNotes(const QStringList& notes)
 
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
+    if (scene->isReopened && m_isEditedMeanwhile) { // it lacks what was changed while it was read
+        readAs(scene->rows.front().loaded.description.frame);
+        return;
+    }
     m_playback->setRecording(nullptr);
     m_files = scene->files;
     std::vector<view::ViewStructure> pictures;
