@@ -177,6 +177,27 @@ Eigen::Affine3d fromNifti(vtkNIFTIImageReader& reader)
     return X;
 }
 
+/// Turns a volume as its text header says, and one that says no axes as `frame` does.
+/// @param header  of MetaImage and NRRD; nothing where a direction is said that can't be read
+Status place(Volume& volume, const std::optional<TextHeader>& header, const std::string& file, core::FileFrame frame)
+{
+    const bool isNrrd = endsWith(file, ".nrrd") || endsWith(file, ".nhdr");
+    if (isNrrd || endsWith(file, ".mha") || endsWith(file, ".mhd")) {
+        if (!header) {
+            return fault(StatusCode::BadFormat, file, "", "directions of its axes that can't be read",
+                         "three vectors that are not in a plane");
+        }
+        const Vec3 origin(volume.image->GetOrigin());
+        const Eigen::Matrix3d flip = header->isRas ? Vec3(-1, -1, 1).asDiagonal() : Vec3(1, 1, 1).asDiagonal();
+        volume.toVoxel.linear() = header->directions.inverse() * flip;
+        volume.toVoxel.translation() = origin - header->directions.inverse() * origin;
+    }
+    if (endsWith(file, ".vti") || (isNrrd && !header->hasSpace)) {
+        volume.toVoxel.rotate(core::lpsRotation(frame).transpose());
+    }
+    return {};
+}
+
 /// @param frame  of a file that says none
 Result<Volume> readVolume(const std::filesystem::path& path, core::FileFrame frame)
 {
@@ -248,21 +269,8 @@ Result<Volume> readVolume(const std::filesystem::path& path, core::FileFrame fra
         return fault(StatusCode::BadFormat, file, "", "VTK could not read it: " + messages.firstError(),
                      "a readable volume");
     }
-    if (endsWith(file, ".nrrd") || endsWith(file, ".nhdr") || endsWith(file, ".mha") || endsWith(file, ".mhd")) {
-        const std::optional<TextHeader>& axes = header;
-        if (!axes) {
-            return fault(StatusCode::BadFormat, file, "", "directions of its axes that can't be read",
-                         "three vectors that are not in a plane");
-        }
-        const Vec3 origin(volume.image->GetOrigin());
-        const Eigen::Matrix3d flip = axes->isRas ? Vec3(-1, -1, 1).asDiagonal() : Vec3(1, 1, 1).asDiagonal();
-        const Eigen::Matrix3d back = axes->directions.inverse() * flip;
-        volume.toVoxel.linear() = back;
-        volume.toVoxel.translation() = origin - axes->directions.inverse() * origin;
-    }
-    const bool isNrrd = endsWith(file, ".nrrd") || endsWith(file, ".nhdr");
-    if (endsWith(file, ".vti") || (isNrrd && !header->hasSpace)) {
-        volume.toVoxel.rotate(core::lpsRotation(frame).transpose());
+    if (Status status = place(volume, header, file, frame); !status.isOk()) {
+        return status;
     }
     volume.values = volume.image->GetPointData()->GetScalars();
     const vtkIdType points = volume.image->GetNumberOfPoints();
