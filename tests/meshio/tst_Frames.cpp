@@ -277,6 +277,10 @@ class Frames : public QObject
                                << "F.mrk.json: is a list of 3D Slicer marks, not a Palpate scene";
         QTest::newRow("any") << "a.json" << std::string(R"({"name": "x"})")
                              << "a.json: is not a Palpate scene: found neither `version` nor `structures`";
+        QTest::newRow("glTF")
+            << "a.glb" << std::string("glTF\x02")
+            << "a.glb: is a glTF file, which Palpate does not read; expected an STL, VTP, PLY, VTK or "
+               "OBJ mesh: save it as one of these";
         QTest::newRow("no version") << "a.json" << std::string(R"({"structures": []})")
                                     << "a.json: version: found nothing, expected 1";
     }
