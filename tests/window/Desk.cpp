@@ -48,7 +48,8 @@ bool Desk::openPhantom()
     const std::filesystem::path phantom = folder() / "phantom"; // a copy: the window may save it
     std::error_code error;
     std::filesystem::copy(std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom", phantom,
-                          std::filesystem::copy_options::overwrite_existing, error);
+                          std::filesystem::copy_options::overwrite_existing | std::filesystem::copy_options::recursive,
+                          error);
     return !error && open({phantom / "phantom.palpate.json", phantom / "palpation.palpate"});
 }
 
