@@ -5,7 +5,9 @@
 
 #include <palpate/session/Findings.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/ui/PointedStructure.h>
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/ViewKeys.h>
 
 #include <QCoreApplication>
 #include <QDockWidget>
@@ -50,6 +52,7 @@ MainWindow::MainWindow()
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    m_recording = new RecordingControl(m_live, *m_recordingChip, *m_session, this);
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
@@ -164,6 +167,15 @@ void MainWindow::connectActions()
     });
     connect(m_palpateAction, &QAction::toggled, this, &MainWindow::setPalpating);
     connect(m_recordAction, &QAction::triggered, this, &MainWindow::toggleRecording);
+    connect(m_recording, &RecordingControl::troubled, this, &MainWindow::showError);
+    connect(m_recording, &RecordingControl::failed, this, [this](const QString& line) {
+        m_recordAction->setChecked(false);
+        showWhatPlays();
+        m_message->offer(line, tr("Open what was recorded"), [this] { openRecording(m_recording->path()); });
+    });
+    for (QAction* action : m_actions.all()) {
+        connect(action, &QAction::triggered, m_recording, &RecordingControl::acknowledge);
+    }
     connect(m_playAction, &QAction::triggered, this, &MainWindow::togglePlaying);
     connect(m_restartAction, &QAction::triggered, m_playback, &Playback::toStart);
     connect(m_snapshotAction, &QAction::triggered, this, &MainWindow::saveSnapshot);
@@ -205,9 +217,13 @@ void MainWindow::connectLoading()
     connect(&m_loader, &SceneLoader::opened, this, &MainWindow::takeScene);
     connect(&m_loader, &SceneLoader::failed, this, [this, loadingEnded](const QString& line) {
         loadingEnded();
-        m_waitingRecording.reset();
         showError(line);
-        Q_EMIT openFailed(line);
+        const auto recording = std::exchange(m_waitingRecording, std::nullopt);
+        if (recording && m_model.rowCount() == 0) {
+            openRecording(*recording); // it can be played without what it was made on
+        } else {
+            Q_EMIT openFailed(line);
+        }
     });
     connect(&m_loader, &SceneLoader::cancelled, this, [this, loadingEnded] {
         loadingEnded();
@@ -251,7 +267,16 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_palpation, &PalpationController::handGone, m_touch, &TouchPanel::showNoHand);
-    connect(m_palpation, &PalpationController::depthChanged, this, &MainWindow::showStatus);
+    connect(m_palpation, &PalpationController::textChanged, this, &MainWindow::showMode);
+    connect(m_palpation, &PalpationController::palpationWanted, this, [this] { setPalpating(true); });
+    connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
+    new ViewKeys(*m_viewport, *m_palpation, this);
+    auto* pointed = new PointedStructure(*m_viewport, m_model, *m_maps, this);
+    connect(pointed, &PointedStructure::clicked, this, [this](int row) {
+        if (row >= 0) {
+            m_structures->select(row);
+        }
+    });
     connect(m_viewport, &VtkViewport::spaceHeld, this, [this](bool isDown) { m_palpateAction->setChecked(isDown); });
     connect(m_viewport, &VtkViewport::panelsToggled, this, &MainWindow::togglePanels);
     connect(m_viewport, &VtkViewport::centreWanted, this, [this](const QPointF& place) {
@@ -261,6 +286,7 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
+    connect(m_playback, &Playback::stateChanged, this, &MainWindow::showFindings);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
     connect(&m_live, &LiveTouch::greatestChanged, this, [this] {

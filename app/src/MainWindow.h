@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoordinatesChoice.h"
+#include "RecordingControl.h"
 #include "SceneDocument.h"
 
 #include <palpate/ui/ActionList.h>
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow
     void letGo();
     void togglePanels();
     void showStatus();
+    void showMode();
     void showWhatPlays();
     void remember(const std::filesystem::path& file);
     void refreshRecent();
@@ -178,5 +180,5 @@ class MainWindow : public QMainWindow
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there
-    std::filesystem::path m_recordingPath;
+    RecordingControl* m_recording = nullptr;
 };

@@ -4,6 +4,8 @@
 #include "Language.h"
 #include "MainWindow.h"
 
+#include <palpate/ui/ViewKeys.h>
+
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -75,6 +77,7 @@ void MainWindow::makeViewActions()
     m_actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
     m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
     m_actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
+    ViewKeys::describe(m_actions);
     m_actions.addGesture(ActionGroup::InView, tr("Tab"), tr("hide or show the panels"));
     connect(m_actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
                           {QKeySequence(Qt::Key_Escape)}),

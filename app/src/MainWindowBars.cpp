@@ -66,33 +66,23 @@ void MainWindow::makeToolBar()
     bar->addWidget(chips);
 }
 
+void MainWindow::showMode()
+{
+    const bool isSlidOff = m_palpation != nullptr && m_palpation->isSlidOff();
+    m_depthChip->say(m_palpation != nullptr ? m_palpation->text() : tr("camera"),
+                     isSlidOff ? Chip::Tone::Warning : Chip::Tone::Quiet);
+    m_depthChip->setToolTip(tr("What the pointer does: it moves the camera, or it presses this far along the line of "
+                               "sight [mm]; the wheel sets it (P switches)"));
+}
+
 void MainWindow::showStatus()
 {
-    m_depthChip->say(
-        m_palpation != nullptr && m_palpation->isPalpating()
-            ? tr("depth %1 mm")
-                  .arg(QLocale().toString(m_palpation->depth_mm(), 'f', m_palpation->depth_mm() < 1.0 ? 2 : 1))
-            : tr("camera"));
-    m_depthChip->setToolTip(
-        tr("What the pointer does: it moves the camera, or it presses this deep [mm]; the wheel sets it (P switches)"));
+    showMode();
     if (m_devices != nullptr) {
         m_deviceChip->say(m_devices->summary(), m_devices->isTroubled() ? Chip::Tone::Warning : Chip::Tone::Quiet);
         m_deviceChip->setToolTip(m_devices->details());
     }
-    const session::RecorderStatus recording = m_live.recording();
-    if (recording.isRecording) {
-        m_recordingChip->say(
-            tr("● recording %1, %2 dropped")
-                .arg(clockText(recording.duration_s), QLocale().toString(static_cast<qulonglong>(recording.dropped))),
-            Chip::Tone::Recording);
-        m_session->showRecording(recording.duration_s, recording.dropped);
-        if (!recording.problem.empty()) {
-            showError(QString::fromStdString(recording.problem));
-        }
-    } else {
-        m_recordingChip->say({});
-    }
-    m_recordingChip->setToolTip(tr("Length of the recording [min:s] and ticks lost because the disk was slow"));
+    m_recording->refresh();
     if (!m_live.isRunning()) {
         m_rateChip->say({});
         m_realtimeChip->say({});

@@ -35,22 +35,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
         }
     }
     if (meshes.empty() && recording && m_model.rowCount() == 0) {
-        // A recording alone: what it was made on is opened with it, as far as it holds it itself or it is still there.
-        const auto reader = session::RecordingReader::open(*recording);
-        if (reader.isOk() && !reader.value()->embeddedHashes().empty()) {
-            meshes.push_back(*recording);
-        } else if (reader.isOk() && !reader.value()->scenes().empty()) {
-            for (const session::StructureRecord& one : reader.value()->scenes().front().structures) {
-                const std::filesystem::path mesh = one.source.mesh;
-                std::error_code error;
-                if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end() &&
-                    std::filesystem::exists(mesh, error)) {
-                    meshes.push_back(mesh);
-                    unit_mm = one.source.unit_mm;
-                    frame = one.source.frame;
-                }
-            }
-        }
+        meshes.push_back(*recording); // alone: what it was made on is opened with it, see study::sceneOfRecording
     }
     if (!meshes.empty() && !mayDiscard()) {
         return;
@@ -131,7 +116,9 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     std::vector<view::ViewStructure> pictures;
     pictures.reserve(scene->rows.size());
     for (const StructureRow& row : scene->rows) {
-        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description)),
+        const geometry::MeshReport& report = row.loaded.surface->report;
+        pictures.push_back({view::StructureActor(row.picture, StructureModel::appearanceOf(row.loaded.description),
+                                                 report.isClosed() && report.insideOutComponents == 0),
                             row.loaded.description.palpable ? row.touch : nullptr});
     }
     view::SceneView& view = m_viewport->view();
@@ -339,7 +326,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayDiscard()) {
+    if (!m_recording->mayEnd(this) || !mayDiscard()) {
         event->ignore();
         return;
     }

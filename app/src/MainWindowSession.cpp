@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QLocale>
 
+#include <algorithm>
 #include <utility>
 
 using namespace palpate;
@@ -16,31 +17,27 @@ using namespace palpate::ui;
 
 void MainWindow::toggleRecording()
 {
-    if (m_live.recording().isRecording) {
-        const core::Status stopped = m_live.stopRecording();
-        if (!stopped.isOk()) {
-            showError(QString::fromStdString(stopped.message()));
-        }
+    if (m_recording->isOn()) {
+        const core::Status stopped = m_recording->stop();
         m_recordAction->setChecked(false);
-        const bool wasPalpating = m_palpation->isPalpating();
-        openRecording(m_recordingPath);
-        setPalpating(wasPalpating);
-        if (stopped.isOk()) {
-            m_message->offer(tr("Recorded to %1").arg(toText(m_recordingPath)), tr("What it says…"),
-                             [this] { showMeasures(); });
+        if (!m_recording->hasFailed()) {
+            const bool wasPalpating = m_palpation->isPalpating();
+            openRecording(m_recording->path());
+            setPalpating(wasPalpating);
+            m_message->offer(stopped.isOk() ? tr("Recorded to %1").arg(toText(m_recording->path()))
+                                            : QString::fromStdString(stopped.message()),
+                             tr("Results…"), [this] { showMeasures(); });
         }
     } else {
         m_playback->setRecording(nullptr);
-        m_recordingPath = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
-        const core::Status started =
-            m_live.startRecording(m_recordingPath, m_files.size() == 1 ? m_files.front() : std::filesystem::path(),
-                                  m_embedAction->isChecked());
+        const core::Status started = m_recording->start(m_files.size() == 1 ? m_files.front() : std::filesystem::path(),
+                                                        m_embedAction->isChecked());
         m_recordAction->setChecked(started.isOk());
         if (!started.isOk()) {
             showError(QString::fromStdString(started.message()));
         } else {
             m_touch->clearHistory();
-            m_session->showTitle(tr("Recording %1").arg(toText(m_recordingPath.filename())));
+            m_session->showTitle(tr("Recording %1").arg(toText(m_recording->path().filename())));
             setPalpating(true);
         }
     }
@@ -106,6 +103,13 @@ void MainWindow::showFindings()
     std::vector<core::Vec3> places;
     for (const core::Finding& finding : m_document->findings()) {
         places.push_back(finding.p_W);
+    }
+    if (m_playback->recording() != nullptr) { // its own are drawn too, where the scene has them not
+        for (const core::Finding& finding : m_playback->recording()->findings()) {
+            if (std::find(places.begin(), places.end(), finding.p_W) == places.end()) {
+                places.push_back(finding.p_W);
+            }
+        }
     }
     m_viewport->view().findings().set(places);
     m_viewport->update();

@@ -1,112 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuresDialog.h"
 
-#include <palpate/study/SessionExport.h>
-#include <palpate/ui/SessionPanel.h>
-#include <palpate/ui/StructureModel.h>
+#include "Paths.h"
 
+#include <palpate/session/AtomicFile.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/SessionExport.h>
+
+#include <QAccessible>
+#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QFileDialog>
-#include <QLocale>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QVBoxLayout>
 
-#include <memory>
 #include <utility>
 
 using namespace palpate;
 
 namespace {
 
-QString number(double value, int digits = 2)
+constexpr int kShort_ms = 300; // an export that takes no longer shows no progress
+
+/// What an export is called, how its files end, and what they are.
+struct Kind
 {
-    return QLocale().toString(value, 'f', digits);
+    const char* title;
+    const char* ending;
+    const char* filter;
+};
+
+Kind kindOf(MeasuresDialog::Export what)
+{
+    switch (what) {
+    case MeasuresDialog::Export::Csv:
+        return {QT_TRANSLATE_NOOP("MeasuresDialog", "Data table (CSV)"), ".csv",
+                QT_TRANSLATE_NOOP("MeasuresDialog", "Data table (*.csv)")};
+    case MeasuresDialog::Export::Vtp:
+        return {QT_TRANSLATE_NOOP("MeasuresDialog", "Path and map for 3D Slicer"), ".vtp",
+                QT_TRANSLATE_NOOP("MeasuresDialog", "VTK poly data (*.vtp)")};
+    case MeasuresDialog::Export::Json:
+        break;
+    }
+    return {QT_TRANSLATE_NOOP("MeasuresDialog", "Results (JSON)"), ".json",
+            QT_TRANSLATE_NOOP("MeasuresDialog", "Results (*.json)")};
 }
 
-/// A table of cells that are escaped here; the first row is its head. A little narrower than the view: Qt rounds 100 %
-/// up.
-QString table(const QString& title, const std::vector<QStringList>& rows)
+/// @return true when something was felt whose surface is not there.
+bool lacksSurface(const session::RecordingReader& reader, const session::MeshesByHash& meshes)
 {
-    QString html = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='4' width='99%'>").arg(title);
-    bool isHead = true;
-    for (const QStringList& row : rows) {
-        html += QStringLiteral("<tr>");
-        for (qsizetype i = 0; i < row.size(); ++i) {
-            const QString tag = isHead ? QStringLiteral("th") : QStringLiteral("td");
-            html += QStringLiteral("<%1 align='%2'>%3</%1>")
-                        .arg(tag, i == 0 ? QStringLiteral("left") : QStringLiteral("right"), row[i].toHtmlEscaped());
-        }
-        html += QStringLiteral("</tr>");
-        isHead = false;
-    }
-    return html + QStringLiteral("</table>");
-}
-
-QString toHtml(const session::SessionMeasures& m)
-{
-    const auto tr = [](const char* text) { return MeasuresDialog::tr(text); };
-    const session::ContactMeasures& all = m.sums.contact;
-    QString html =
-        table(tr("Session"),
-              {{tr("Duration"), tr("In contact"), tr("Contacts"), tr("Path of the hand"), tr("Path on the surface")},
-               {ui::clockText(m.sums.duration_s), ui::clockText(all.time_s),
-                QLocale().toString(static_cast<qlonglong>(m.sums.contact.contacts)),
-                tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)), tr("%1 mm").arg(number(m.sums.contactPath_mm, 0))}});
-    std::vector<QStringList> rows{{tr("Force and depth"), tr("Time [s]"), tr("Mean [N]"), tr("Median [N]"),
-                                   tr("95 % [N]"), tr("Peak [N]"), tr("Deepest [mm]"), tr("Presses")}};
-    const auto contact = [&](const QString& name, const session::ContactMeasures& c,
-                             const std::vector<session::Phase>& phases) {
-        const session::PhaseSummary presses = session::summary(phases, session::Phase::Kind::Press);
-        rows.push_back({name, number(c.time_s, 1), number(c.meanForce_N), number(c.medianForce_N), number(c.p95Force_N),
-                        number(c.peakForce_N), number(c.peakDepth_mm, 1), QString::number(presses.phases)});
-    };
-    contact(tr("All"), all, m.phases);
-    for (const auto& [name, part] : m.sums.structures) {
-        const auto phases = m.structurePhases.find(name);
-        contact(ui::readableName(name), part,
-                phases != m.structurePhases.end() ? phases->second : std::vector<session::Phase>());
-    }
-    html += table(tr("Touch"), rows);
-    rows = {{tr("Hand"), tr("Phases"), tr("Time [s]"), tr("Mean [N]"), tr("Peak [N]")}};
-    for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
-        const session::PhaseSummary sum = session::summary(m.phases, kind);
-        rows.push_back({kind == session::Phase::Kind::Search ? tr("Searching") : tr("Pressing"),
-                        QString::number(sum.phases), number(sum.time_s, 1), number(sum.meanForce_N),
-                        number(sum.peakForce_N)});
-    }
-    html += table(tr("Search and press"), rows);
-    rows = {{tr("Surface"), tr("Area [cm²]"), tr("Covered [%]"), tr("Longest dwell [s]")}};
-    for (const session::SurfaceMeasures& surface : m.surfaces) {
-        rows.push_back({ui::readableName(surface.structure), number(0.01 * surface.area_mm2, 1),
-                        number(100.0 * surface.coverage(), 1), number(surface.longestDwell_s, 1)});
-    }
-    for (const std::string& name : m.unmeasured) {
-        rows.push_back({ui::readableName(name), tr("its mesh is not open"), {}, {}});
-    }
-    html += table(tr("Coverage, within %1 mm").arg(number(m.distance_mm, 0)), rows);
-    if (!m.findings.empty()) {
-        rows = {{tr("Finding"), tr("Marked"), tr("First touched"), tr("Dwell [s]"), tr("Visits"), tr("Mean [N]"),
-                 tr("Peak [N]")}};
-        for (const session::FindingMeasures& one : m.findings) {
-            rows.push_back({QString::fromStdString(one.finding.name), ui::clockText(one.marked_s),
-                            one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"),
-                            number(one.dwell_s, 1), QString::number(one.visits), number(one.meanForce_N),
-                            number(one.peakForce_N)});
-        }
-        html += table(tr("Findings"), rows);
-        rows = {{tr("Felt when marked"), tr("Structure"), tr("Force [N]"), tr("Depth [mm]")}};
-        for (const session::FindingMeasures& one : m.findings) {
-            for (const core::FeltLayer& layer : one.finding.layers) {
-                rows.push_back({QString::fromStdString(one.finding.name), QString::fromStdString(layer.structure),
-                                number(layer.force_N), number(layer.depth_mm, 1)});
+    for (const session::SceneRecord& scene : reader.scenes()) {
+        for (const session::StructureRecord& structure : scene.structures) {
+            if (structure.palpable && !meshes.contains(structure.source.sha256)) {
+                return true;
             }
         }
-        if (rows.size() > 1) {
-            html += table(tr("Findings, layer by layer"), rows);
-        }
     }
-    return html + QStringLiteral("<p>%1</p>").arg(tr("Research measures, not a diagnosis."));
+    return false;
+}
+
+QString lineOf(const core::Status& status)
+{
+    return QString::fromStdString(status.message());
 }
 
 } // namespace
@@ -115,91 +77,237 @@ MeasuresDialog::MeasuresDialog(const std::filesystem::path& recording, session::
     : QDialog(parent)
     , m_recording(recording)
 {
-    setWindowTitle(tr("What %1 says").arg(QString::fromStdString(recording.filename().string())));
+    setWindowTitle(tr("Results of %1").arg(toText(recording.filename())));
     setAttribute(Qt::WA_DeleteOnClose);
     m_text = new QTextBrowser(this);
-    m_text->setAccessibleName(tr("Measures of the session"));
+    m_text->setAccessibleName(tr("Results of the session"));
     m_text->setPlainText(tr("Measuring…"));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    QPushButton* csv = buttons->addButton(tr("Ticks as CSV…"), QDialogButtonBox::ActionRole);
-    m_vtp = buttons->addButton(tr("Path and surface as VTP…"), QDialogButtonBox::ActionRole);
-    m_vtp->setEnabled(false);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(csv, &QPushButton::clicked, this, &MeasuresDialog::exportCsv);
-    connect(m_vtp, &QPushButton::clicked, this, &MeasuresDialog::exportVtp);
+    m_text->installEventFilter(this);
+    m_said = new QLabel(this);
+    m_said->setWordWrap(true);
+    m_said->setTextFormat(Qt::PlainText);
+    m_said->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_said->setAccessibleDescription(tr("What became of the newest export"));
+    m_said->hide();
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_cancel = new QPushButton(tr("Cancel the export"), this);
+    m_cancel->setAutoDefault(false);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_isCancelled = true; });
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_progress, 1);
+    line->addWidget(m_cancel);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(m_text);
-    layout->addWidget(buttons);
-    resize(720, 640);
-    m_worker = std::thread([this, meshes = std::move(meshes)]() mutable {
-        using Measured = core::Result<session::SessionMeasures>;
-        const auto reader = session::RecordingReader::open(m_recording);
-        auto measured = std::make_shared<Measured>(reader.status());
-        if (reader.isOk()) {
-            for (const std::string& hash : reader.value()->embeddedHashes()) {
-                auto surface = reader.value()->embedded(hash);
-                if (surface.isOk()) {
-                    meshes[hash] = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
-                }
-            }
-            session::MeasureOptions options;
-            options.isCancelled = &m_isCancelled;
-            *measured = session::measureSession(*reader.value(), meshes, options);
-        }
-        if (!m_isCancelled) {
-            QMetaObject::invokeMethod(
-                this, [this, measured] { present(std::move(*measured)); }, Qt::QueuedConnection);
-        }
-    });
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_said);
+    layout->addLayout(line);
+    makeButtons();
+    setBusy(false);
+    resize(760, 680);
+    measure(std::move(meshes));
 }
 
 MeasuresDialog::~MeasuresDialog()
 {
+    m_isClosing = true;
     m_isCancelled = true;
     m_worker.join();
+    if (m_exporter.joinable()) {
+        m_exporter.join();
+    }
 }
 
-void MeasuresDialog::present(core::Result<session::SessionMeasures> measured)
+void MeasuresDialog::makeButtons()
+{
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    QPushButton* const copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
+    copy->setToolTip(tr("Copy all tables, to be pasted into a spreadsheet (Ctrl+C)"));
+    connect(copy, &QPushButton::clicked, this, &MeasuresDialog::copy);
+    m_ofMeasures.push_back(copy);
+    const auto add = [&](Export what, const QString& tip) {
+        QPushButton* const button =
+            buttons->addButton(tr(kindOf(what).title) + QStringLiteral("…"), QDialogButtonBox::ActionRole);
+        button->setToolTip(tip);
+        connect(button, &QPushButton::clicked, this, [this, what] { choose(what); });
+        return button;
+    };
+    m_csv = add(Export::Csv, tr("Every tick with its time, places, forces, depth and events"));
+    m_ofMeasures.push_back(
+        add(Export::Vtp, tr("The path of the hand, and beside it the touched surface with time spent and peak force")));
+    m_ofMeasures.push_back(add(Export::Json, tr("The tables above, and more, for a program")));
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout()->addWidget(buttons);
+}
+
+void MeasuresDialog::measure(session::MeshesByHash meshes)
+{
+    m_worker = std::thread([this, meshes = std::move(meshes)]() mutable {
+        using Measured = core::Result<session::SessionMeasures>;
+        const auto reader = session::RecordingReader::open(m_recording);
+        auto measured = std::make_shared<Measured>(reader.status());
+        bool isFingertip = false;
+        if (reader.isOk()) {
+            if (lacksSurface(*reader.value(), meshes)) {
+                if (auto found = study::recordedSurfaces(*reader.value()); found.isOk()) {
+                    meshes.merge(found.value());
+                }
+            }
+            session::MeasureOptions options;
+            options.isCancelled = &m_isClosing;
+            options.distance_mm = study::usualDistance_mm(*reader.value());
+            isFingertip = study::hasFingertip(*reader.value());
+            *measured = session::measureSession(*reader.value(), meshes, options);
+        }
+        if (!m_isClosing) {
+            QMetaObject::invokeMethod(
+                this, [this, measured, isFingertip] { present(std::move(*measured), isFingertip); },
+                Qt::QueuedConnection);
+        }
+    });
+}
+
+void MeasuresDialog::present(core::Result<session::SessionMeasures> measured, bool isFingertip)
 {
     if (!measured.isOk()) {
-        m_text->setPlainText(QString::fromStdString(measured.status().message()));
+        m_text->setPlainText(lineOf(measured.status()));
         return;
     }
-    m_measures = std::move(measured).value();
-    m_text->setHtml(toHtml(*m_measures));
-    m_vtp->setEnabled(true);
+    m_measures = std::make_shared<const session::SessionMeasures>(std::move(measured).value());
+    m_tables = resultTables(*m_measures, isFingertip);
+    m_text->setHtml(toHtml(m_tables));
+    setBusy(m_isBusy);
 }
 
-void MeasuresDialog::tell(const core::Status& status, const QString& done)
+void MeasuresDialog::setBusy(bool isBusy)
 {
-    setWindowTitle(status.isOk() ? done : QString::fromStdString(status.message()));
+    m_isBusy = isBusy;
+    m_csv->setEnabled(!isBusy);
+    for (QPushButton* button : m_ofMeasures) {
+        button->setEnabled(!isBusy && m_measures != nullptr);
+    }
+    m_progress->setVisible(false);
+    m_cancel->setVisible(false);
+    if (isBusy) {
+        QTimer::singleShot(kShort_ms, this, [this] {
+            m_progress->setVisible(m_isBusy);
+            m_cancel->setVisible(m_isBusy);
+        });
+    }
 }
 
-void MeasuresDialog::exportCsv()
+void MeasuresDialog::say(const QString& line)
 {
-    const QString chosen = QFileDialog::getSaveFileName(this, tr("Ticks as CSV"), {}, tr("CSV (*.csv)"));
-    if (chosen.isEmpty()) {
+    m_said->setText(line);
+    m_said->setVisible(!line.isEmpty());
+    QAccessibleEvent event(m_said, QAccessible::Alert);
+    QAccessible::updateAccessibility(&event);
+}
+
+void MeasuresDialog::copy()
+{
+    if (!m_tables.empty()) {
+        QGuiApplication::clipboard()->setText(toTsv(m_tables));
+        say(tr("Copied: paste it into a spreadsheet."));
+    }
+}
+
+/// Without a selection Ctrl+C in the text takes all of it, which the text alone would not do.
+bool MeasuresDialog::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy) &&
+        !m_text->textCursor().hasSelection()) {
+        copy();
+        return true;
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+void MeasuresDialog::keyPressEvent(QKeyEvent* event)
+{
+    event->matches(QKeySequence::Copy) ? copy() : QDialog::keyPressEvent(event);
+}
+
+void MeasuresDialog::choose(Export what)
+{
+    const Kind kind = kindOf(what);
+    std::filesystem::path suggested = m_recording;
+    suggested.replace_extension(kind.ending);
+    const QString chosen = QFileDialog::getSaveFileName(this, tr(kind.title), toText(suggested), tr(kind.filter));
+    if (!chosen.isEmpty()) {
+        exportTo(what, toPath(chosen));
+    }
+}
+
+void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
+{
+    const Kind kind = kindOf(what);
+    const QString ending = QLatin1String(kind.ending);
+    const QString found = QString::fromStdString(path.extension().string());
+    std::error_code error;
+    if (found.isEmpty()) {
+        path += kind.ending;
+        if (std::filesystem::exists(path, error)) { // what was confirmed is another name
+            say(tr("Nothing was written: %1 is there already. Choose it by its whole name to replace it.")
+                    .arg(toText(path)));
+            return;
+        }
+    } else if (found.compare(ending, Qt::CaseInsensitive) != 0) {
+        say(tr("Nothing was written: %1 ends in %2. A name for %3 ends in %4.")
+                .arg(toText(path.filename()), found, tr(kind.title), ending));
         return;
     }
-    const auto reader = session::RecordingReader::open(m_recording);
-    tell(reader.isOk() ? study::exportTicks(*reader.value(), chosen.toStdU16String()) : reader.status(),
-         tr("Written to %1").arg(chosen));
+    const auto written = [path](const core::Status& status) {
+        return status.isOk() ? tr("Written to %1.").arg(toText(path)) : lineOf(status);
+    };
+    run([=, measures = m_measures, recording = m_recording](const std::function<bool(double)>& progress) {
+        if (what == Export::Json) {
+            return written(session::writeAtomically(path, study::measuresJson(*measures)));
+        }
+        const auto reader = session::RecordingReader::open(recording);
+        if (!reader.isOk()) {
+            return lineOf(reader.status());
+        }
+        if (what == Export::Csv) {
+            return written(study::exportTicks(*reader.value(), path, progress));
+        }
+        if (const core::Status status = study::exportPath(*reader.value(), path, progress); !status.isOk()) {
+            return lineOf(status);
+        }
+        const std::filesystem::path surface = study::surfaceFileOf(path);
+        const core::Status status = study::exportSurface(*measures, surface);
+        return status.isOk() ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
+                             : tr("The path is written to %1; the map is not: %2").arg(toText(path), lineOf(status));
+    });
 }
 
-void MeasuresDialog::exportVtp()
+void MeasuresDialog::run(const std::function<QString(const std::function<bool(double)>& progress)>& work)
 {
-    QString chosen = QFileDialog::getSaveFileName(this, tr("Path and surface as VTP"), {}, tr("VTK poly data (*.vtp)"));
-    if (chosen.isEmpty()) {
+    if (m_isBusy) {
         return;
     }
-    if (!chosen.endsWith(QLatin1String(".vtp"))) {
-        chosen += QStringLiteral(".vtp");
+    if (m_exporter.joinable()) {
+        m_exporter.join(); // it has said what came of it
     }
-    const std::filesystem::path path = chosen.toStdU16String();
-    const auto reader = session::RecordingReader::open(m_recording);
-    core::Status status = reader.isOk() ? study::exportPath(*reader.value(), path) : reader.status();
-    if (status.isOk()) {
-        status = study::exportSurface(*m_measures, study::surfaceFileOf(path));
-    }
-    tell(status, tr("Written to %1 and beside it").arg(chosen));
+    m_isCancelled = false;
+    m_progress->setValue(0);
+    say({});
+    setBusy(true);
+    m_exporter = std::thread([this, work] {
+        const QString line = work([this](double share) {
+            QMetaObject::invokeMethod(
+                m_progress, [this, share] { m_progress->setValue(static_cast<int>(1000.0 * share)); },
+                Qt::QueuedConnection);
+            return !m_isCancelled;
+        });
+        if (!m_isClosing) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, line] {
+                    setBusy(false);
+                    say(line);
+                },
+                Qt::QueuedConnection);
+        }
+    });
 }

@@ -10,6 +10,10 @@ void printMeasures(const session::SessionMeasures& m)
     const session::ContactMeasures& all = m.sums.contact;
     print("duration %.3f s, contact %.3f s in %s contact%s\n", m.sums.duration_s, all.time_s,
           grouped(m.sums.contact.contacts).c_str(), m.sums.contact.contacts == 1 ? "" : "s");
+    if (m.lostTicks > 0 || m.lateTicks.value_or(0) > 0) {
+        print("ticks late %s, lost %s\n", m.lateTicks ? grouped(*m.lateTicks).c_str() : "not said",
+              grouped(m.lostTicks).c_str());
+    }
     print("path of the hand %.4g mm, on the surface %.4g mm\n", m.sums.pathLength_mm, m.sums.contactPath_mm);
     print("force in contact: peak %.4g N, mean %.4g N, median %.4g N, 95th percentile %.4g N\n", all.peakForce_N,
           all.meanForce_N, all.medianForce_N, all.p95Force_N);

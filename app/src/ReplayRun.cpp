@@ -244,7 +244,7 @@ Status ReplayRun::feel()
         return feelLive();
     }
     session::RecordingInfo info;
-    info.scene = m_options.scene.string();
+    study::nameScene(info, m_options.scene, m_options.record);
     info.device.id = "replay";
     info.device.name = "Replay of " + m_options.motion.filename().string();
     info.dt_s = m_motion.dt_s;
@@ -307,7 +307,7 @@ Status ReplayRun::feelLive()
     LiveHand hand = std::move(made).value();
     const auto begin = [this, &hand](const servo::RecordingStart& start) {
         session::RecordingInfo info;
-        info.scene = m_options.scene.string();
+        study::nameScene(info, m_options.scene, m_options.record);
         info.device = hand.device->info();
         info.dt_s = m_motion.dt_s;
         info.rate_Hz = 1.0 / m_motion.dt_s;

@@ -29,7 +29,7 @@ namespace {
 struct SessionOptions
 {
     std::filesystem::path file, scene, csv, vtp, json, out;
-    std::string distance = "5";
+    std::string distance; ///< empty: as the fingertip was
 };
 
 int runInfo(const SessionOptions& options)
@@ -99,7 +99,8 @@ int runRecover(const SessionOptions& options)
 core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
                                                bool& isWhole)
 {
-    const auto distance = numberOption("--distance", options.distance, 0.0, true);
+    const auto distance = options.distance.empty() ? core::Result<double>(study::usualDistance_mm(reader))
+                                                   : numberOption("--distance", options.distance, 0.0, true);
     if (!distance.isOk()) {
         return distance.status();
     }
@@ -131,11 +132,12 @@ int runMeasure(const SessionOptions& options)
     if (!opened.isOk()) {
         return report(opened.status());
     }
-    if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !status.isOk()) {
+    const bool isPiped = options.json == "-"; // then nothing else is said there
+    if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !isPiped && !status.isOk()) {
         return report(status);
     }
     std::optional<session::AtomicFile> json;
-    if (!options.json.empty()) {
+    if (!options.json.empty() && !isPiped) {
         auto file = session::AtomicFile::create(options.json);
         if (!file.isOk()) {
             return report(file.status());
@@ -147,7 +149,11 @@ int runMeasure(const SessionOptions& options)
     if (!measures.isOk()) {
         return report(measures.status());
     }
-    printMeasures(measures.value());
+    if (isPiped) {
+        print("%s", study::measuresJson(measures.value()).c_str());
+    } else {
+        printMeasures(measures.value());
+    }
     if (json) {
         json->write(study::measuresJson(measures.value()));
         if (const Status status = json->finish(); !status.isOk()) {
@@ -220,11 +226,12 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
         ->required();
     const auto addSurfaceOptions = [&](CLI::App* sub) {
         sub->add_option("--scene", options->scene, "Where the scene is that it was made on");
-        sub->add_option("--distance", options->distance, "How near the contact must come to count as touched [mm]")
-            ->capture_default_str();
+        sub->add_option("--distance", options->distance,
+                        "How near the contact must come to count as touched [mm]; else the fingertip's radius, 5 for a "
+                        "point");
     };
     CLI::App* measure = add("measure", "Say what the hand did, in numbers", runMeasure);
-    measure->add_option("--json", options->json, "Write the measures as JSON");
+    measure->add_option("--json", options->json, "Write the measures as JSON; - for stdout, and nothing else there");
     addSurfaceOptions(measure);
     CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
     exporter->add_option("--csv", options->csv, "Write the ticks as CSV");

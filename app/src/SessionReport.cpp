@@ -14,10 +14,12 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     const session::RecordingExtent& extent = reader.extent();
     print("%s: recording of version %d\n", file.string().c_str(), info.version);
     print("  made %s by Palpate %s (%s)\n", info.startedUtc.c_str(), info.palpate.c_str(), info.build.c_str());
-    print("  %s, %s ticks (%lld to %lld) at %g Hz, %.3f s\n", extent.isComplete ? "complete" : "cut off by a crash",
-          grouped(extent.ticks).c_str(), static_cast<long long>(extent.firstTick),
-          static_cast<long long>(extent.lastTick), info.rate_Hz, extent.duration_s);
-    print("  %s ticks missing\n", grouped(extent.dropped).c_str());
+    print("  %s\n", session::endingText(extent).c_str());
+    print("  %s ticks (%lld to %lld) at %g Hz, %.3f s\n", grouped(extent.ticks).c_str(),
+          static_cast<long long>(extent.firstTick), static_cast<long long>(extent.lastTick), info.rate_Hz,
+          extent.duration_s);
+    const std::string late = extent.late ? grouped(*extent.late) + " late, " : std::string();
+    print("  %s%s lost between the first and the last\n", late.c_str(), grouped(extent.dropped).c_str());
     print("  device: %s, up to %g N\n", info.device.name.c_str(), info.device.maxForce_N);
     print("  scene: %s, %zu generation%s\n", info.scene.empty() ? "not said" : info.scene.c_str(),
           reader.scenes().size(), reader.scenes().size() == 1 ? "" : "s");

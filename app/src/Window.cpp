@@ -15,7 +15,6 @@
 #include <QTimer>
 
 #include <clocale>
-#include <cmath>
 #include <cstdio>
 #include <langinfo.h>
 #include <memory>
@@ -73,7 +72,7 @@ class ScreenshotRun : public QObject
             });
             return;
         }
-        if (const auto place = findSurface()) {
+        if (const auto place = m_window.viewport().palpablePlace()) {
             m_place = *place;
             m_window.setPalpating(true);
             m_window.palpation().pressAt(m_place);
@@ -105,23 +104,6 @@ class ScreenshotRun : public QObject
             }
         });
         look->start(100);
-    }
-
-    /// A place of the view, near its middle, that shows something palpable.
-    [[nodiscard]] std::optional<QPointF> findSurface()
-    {
-        ui::VtkViewport& view = m_window.viewport();
-        const QPointF centre(0.5 * view.width(), 0.5 * view.height());
-        for (int ring = 0; ring < 24; ++ring) {
-            for (int spoke = 0; spoke < 12; ++spoke) {
-                const double angle = 0.5236 * spoke;
-                const QPointF place = centre + 0.02 * ring * view.height() * QPointF(std::cos(angle), std::sin(angle));
-                if (view.view().pick(view.rayAt(place))) {
-                    return place;
-                }
-            }
-        }
-        return std::nullopt;
     }
 
     void shoot()

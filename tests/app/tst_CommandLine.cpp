@@ -127,10 +127,10 @@ class CommandLine : public QObject
                         array("type=\"Int64\" Name=\"offsets\"", ends) + "</Polys></Piece></PolyData></VTKFile>");
     }
 
-    Outcome run(const QStringList& arguments) const
+    Outcome run(const QStringList& arguments, const char* folder = "") const
     {
         QProcess process;
-        process.setWorkingDirectory(m_folder->path());
+        process.setWorkingDirectory(file(folder));
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
             environment.remove(display); // no subcommand needs one
@@ -461,7 +461,44 @@ class CommandLine : public QObject
         QCOMPARE(run({"session", "measure", "r.palpate", "--json", "measures.json"}).exitCode, 0);
         QVERIFY(read("measures.json").contains("\"box\""));
         QCOMPARE(run({"session", "export", "r.palpate", "--csv", "e.csv"}).exitCode, 0);
-        QCOMPARE(withoutTimes(read("e.csv")), withoutTimes(read("t.csv")));
+        // The same bytes, then what a recording knows besides.
+        const QList<QByteArray> shown = withoutTimes(read("e.csv")).split('\n');
+        const QList<QByteArray> plain = withoutTimes(read("t.csv")).split('\n');
+        QCOMPARE(shown.size(), plain.size());
+        QCOMPARE(shown[0], plain[0] + ",time_s,sent_x_N,sent_y_N,sent_z_N,force_N,depth_mm,felt_N_per_mm,events");
+        for (qsizetype i = 1; i < 1001; ++i) {
+            QVERIFY2(shown[i].startsWith(plain[i] + ','), shown[i]);
+        }
+    }
+
+    /// From anywhere, though the scene was named from where it was recorded; and where the pair was moved together.
+    void aRecordingFindsItsSceneFromAnotherFolder()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath("case/elsewhere"));
+        QVERIFY(QFile::copy(file("box.stl"), file("case/box.stl")));
+        QCOMPARE(run({"replay", "box.stl", "--motion", "../m.csv", "--record", "r.palpate"}, "case").exitCode, 0);
+        const Outcome verified = run({"session", "verify", "../r.palpate"}, "case/elsewhere");
+        QCOMPARE(verified.error, QByteArray());
+        QVERIFY(verified.out.contains("the same bit for bit"));
+        QVERIFY(QDir(m_folder->path()).rename("case", "moved"));
+        const Outcome moved = run({"session", "verify", "moved/r.palpate"});
+        QCOMPARE(moved.error, QByteArray());
+        QVERIFY(moved.out.contains("the same bit for bit"));
+    }
+
+    void measuresGoToStdout()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        const Outcome piped = run({"session", "measure", "r.palpate", "--json", "-"});
+        QCOMPARE(piped.exitCode, 0);
+        const QJsonObject json = QJsonDocument::fromJson(piped.out).object(); // nothing else is there
+        QCOMPARE(json["ticks"].toInt(), 1000);
+        QCOMPARE(json["lost_ticks"].toInt(-1), 0);
+        QCOMPARE(json["coverage_distance_mm"].toDouble(), 5.0);
+        QVERIFY(!QFile::exists(file("-")));
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate", "--radius", "2"}).exitCode, 0);
+        const Outcome ball = run({"session", "measure", "r.palpate", "--json", "-"});
+        QCOMPARE(QJsonDocument::fromJson(ball.out).object()["coverage_distance_mm"].toDouble(), 2.0);
     }
 
     void aRecordingOfAnotherBuildIsToldFromADifferentOne_data()

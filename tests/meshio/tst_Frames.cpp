@@ -129,7 +129,7 @@ class Frames : public QObject
         meshio::SceneFile turned = again.value().scene;
         turned.structures[0].frame = FileFrame::Ras;
         turned.structures[0].tissue.stiffness_N_per_mm = 0.75;
-        const auto reloaded = meshio::reloadScene(turned, path);
+        const auto reloaded = meshio::loadScene(turned, path);
         QVERIFY2(reloaded.isOk(), reloaded.status().message().c_str());
         QVERIFY(reloaded.value().structures[0].surface->report.bounds.max() == Vec3(-1, -2, 33));
         QCOMPARE(reloaded.value().structures[0].description.tissue.stiffness_N_per_mm, 0.75);
@@ -221,7 +221,7 @@ class Frames : public QObject
             QCOMPARE(scene.value().scene.structures[0].unit_mm, taken_mm);
             meshio::SceneFile one = scene.value().scene;
             one.structures[0].unit_mm = 1.0;
-            const auto again = meshio::reloadScene(one, path);
+            const auto again = meshio::loadScene(one, path);
             QVERIFY(again.value().structures[0].surface->report.bounds.max() == Vec3(2.5, 1.5, 0));
         }
     }

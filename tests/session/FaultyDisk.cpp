@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <new>
 
 namespace palpate::test {
@@ -126,7 +127,8 @@ int openFile(sqlite3_vfs*, const char* path, sqlite3_file* out, int flags, int* 
     file.head.pMethods = nullptr;
     std::error_code error;
     if ((flags & SQLITE_OPEN_CREATE) != 0 && path != nullptr && !std::filesystem::exists(path, error)) {
-        if (theDisk->ask(Kind::Create, nameOf(path), 0, nullptr, 0) != 0) {
+        if (const int failed = theDisk->ask(Kind::Create, nameOf(path), 0, nullptr, 0); failed != 0) {
+            errno = failed == SQLITE_FULL ? ENOSPC : EIO;
             return SQLITE_CANTOPEN;
         }
     }

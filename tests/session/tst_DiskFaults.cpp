@@ -11,6 +11,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <sqlite3.h>
@@ -235,10 +236,67 @@ class DiskFaults : public QObject
         const auto reader = RecordingReader::open(path("stall.palpate"));
         QVERIFY2(reader.isOk(), reader.status().message().c_str());
         QCOMPARE(reader.value()->extent().dropped, std::int64_t{0});
+        QCOMPARE(reader.value()->extent().late, std::optional(static_cast<std::int64_t>(recorder.status().late)));
         QVERIFY(reader.value()->extent().ticks >= 3900);
         QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
         qInfo("three stalls of 1000 ticks: %lld ticks recorded, none dropped",
               static_cast<long long>(reader.value()->extent().ticks));
+    }
+
+    void aDiskThatGetsFullEndsTheRecording_data()
+    {
+        QTest::addColumn<bool>("hasRoomForLastWords");
+        QTest::newRow("with room for its last words") << true;
+        QTest::newRow("without") << false;
+    }
+
+    /// The recording ends at once, says why, and what is there is sound; the touch goes on.
+    void aDiskThatGetsFullEndsTheRecording()
+    {
+        QFETCH(bool, hasRoomForLastWords);
+        FaultyDisk disk;
+        device::PlaybackDevice device(circling(60000));
+        servo::ServoLoop loop;
+        servo::ServoOptions options;
+        options.askRealtime = false;
+        loop.setScene(test::boxScene(0.5, 0.001));
+        session::Recorder recorder(loop);
+        QVERIFY(loop.start(device, options).isOk());
+        const auto file = path("full.palpate");
+        QVERIFY(recorder.start(file, {}, test::palpationScenes()[0]).isOk());
+        QVERIFY(letPass(loop, 900));
+        disk.failAt(0, !hasRoomForLastWords, SQLITE_FULL); // the reserve is room for all but the first
+        QTRY_VERIFY_WITH_TIMEOUT(!recorder.status().isRecording, 20000);
+        const session::RecorderStatus status = recorder.status();
+        QVERIFY(status.hasFailed);
+        QVERIFY2(
+            QString::fromStdString(status.problem)
+                .contains(QRegularExpression("^.*full\\.palpate: the recording ended at \\d\\.\\d s because the disk "
+                                             "is full; what was felt after is not in it$")),
+            status.problem.c_str());
+        QVERIFY(letPass(loop, 300));
+        const core::Status stopped = recorder.stop();
+        QCOMPARE(stopped.code(), core::StatusCode::NoSpace);
+        QCOMPARE(stopped.message(), status.problem);
+        disk.heal();
+
+        const auto reader = RecordingReader::open(file);
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
+        const session::RecordingExtent& extent = reader.value()->extent();
+        QCOMPARE(extent.ticks, status.ticks);
+        QVERIFY(extent.ticks > 500 && std::abs(extent.duration_s - status.duration_s) < 0.01);
+        QCOMPARE(extent.dropped, std::int64_t{0});
+        QVERIFY(!extent.isComplete);
+        QCOMPARE(extent.end, hasRoomForLastWords ? session::RecordingEnd::DiskFull : session::RecordingEnd::CutOff);
+        QVERIFY(session::endingText(extent).find(hasRoomForLastWords ? "because the disk was full"
+                                                                     : "or a full disk") != std::string::npos);
+        QVERIFY(session::resimulate(*reader.value(), test::boxSurfaces()).value().isSame());
+        // And the next one is whole.
+        QVERIFY(recorder.start(path("next.palpate"), {}, test::palpationScenes()[0]).isOk());
+        QVERIFY(letPass(loop, 300) && !recorder.status().hasFailed);
+        QVERIFY(recorder.stop().isOk());
+        QCOMPARE(RecordingReader::open(path("next.palpate")).value()->extent().end, session::RecordingEnd::Closed);
     }
 
     /// With a small ring there is no room for what a stall lasts: what is lost is counted, and the rest is valid.

@@ -38,6 +38,19 @@ class TickColumns : public QObject
         }
     }
 
+    void pageTellsEachColumnThatOnlyTheCsvHas()
+    {
+        QFile page(QStringLiteral(PALPATE_SOURCE_DIR "/resources/docs/recording.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QString table;
+        for (const CsvColumn& column : kCsvColumns) {
+            table += QStringLiteral("| %1 | %2 |\n")
+                         .arg(QString::fromUtf8(column.name.data(), qsizetype(column.name.size())),
+                              QString::fromUtf8(column.meaning.data(), qsizetype(column.meaning.size())));
+        }
+        QVERIFY2(QString::fromUtf8(page.readAll()).contains("|---|---|\n" + table + '\n'), qPrintable(table));
+    }
+
     void eachBitOfWhatIsStoredCountsInTheChecksum()
     {
         servo::TickRecord tick;

@@ -68,6 +68,47 @@ class TickCsv : public QObject
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 
+    /// Of a recording: the same columns and bytes, then time, what was sent, depth and events; a tick without a hand
+    /// has a row too.
+    void aSessionHasEveryTickAndMoreAtTheEnd()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&folder](const char* name) { return folder.filePath(name).toStdString(); };
+        auto plain = session::TickCsv::create(path("plain.csv"));
+        auto csv = session::TickCsv::create(path("session.csv"), session::TickCsv::Rows::Session);
+        servo::TickRecord tick;
+        tick.tick = 50770;
+        tick.time_ns = 1500000;
+        tick.p_WH = core::Vec3(0, 0, -4);
+        tick.felt.f_W = core::Vec3(0, 3, 4);
+        tick.felt.structure = 1;
+        tick.felt.contactCount = 1;
+        tick.felt.contacts[0] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 3, 4), 4, 1, 0, 0,
+                                 haptics::Friction::None};
+        tick.fSent_W = core::Vec3(0, 0.75, 1);
+        tick.solve_ns = 9;
+        const std::vector<session::RecordingEvent> events{{50770, "note", R"({"text": "hard, 50 %|here"})"},
+                                                          {50770, "clutch", R"({"engaged": true})"}};
+        plain.value().write(tick, kNames);
+        csv.value().write(tick, kNames, events);
+        tick.tick = 50771;
+        tick.time_ns = 2500000;
+        tick.flags = servo::kNoHand;
+        csv.value().write(tick, kNames, std::span(events).last(1));
+        tick.flags = 0;
+        tick.felt = {};
+        csv.value().write(tick, kNames);
+        QVERIFY(plain.value().finish().isOk());
+        QVERIFY(csv.value().finish().isOk());
+        const QList<QByteArray> before = contents(folder.filePath("plain.csv")).split('\n');
+        const QList<QByteArray> rows = contents(folder.filePath("session.csv")).split('\n');
+        QCOMPARE(rows[0], before[0] + ",time_s,sent_x_N,sent_y_N,sent_z_N,force_N,depth_mm,felt_N_per_mm,events");
+        QCOMPARE(rows[1], before[1] + ",0.0015,0,0.75,1,5,4,1.25,note=hard%2C 50 %25%7Chere|clutch");
+        QCOMPARE(rows[2], QByteArray("50771,,,,,,,,,,,,,,,,,,0.0025000000000000001,,,,,,,clutch"));
+        QVERIFY(rows[3].endsWith(",0.0025000000000000001,0,0.75,1,0,0,,"));
+        QCOMPARE(rows[2].count(','), rows[0].count(','));
+    }
+
     void everyDoubleComesBack()
     {
         std::uint64_t bits = 88172645463325252u;

@@ -83,7 +83,7 @@ class LiveSession : public QObject
         QVERIFY2(opened.isOk(), opened.status().message().c_str());
         const session::RecordingReader& reader = *opened.value();
         QVERIFY(reader.verify().isOk());
-        QCOMPARE(reader.info().scene, std::string("box.palpate.json"));
+        QCOMPARE(reader.info().scene, std::filesystem::absolute("box.palpate.json").string());
         QCOMPARE(reader.info().device.id, device->info().id);
         QCOMPARE(reader.scenes().size(), std::size_t{2});
         QCOMPARE(reader.scenes()[0].structures.at(0).tissue.stiffness_N_per_mm, 0.3);

@@ -95,6 +95,76 @@ class Palpation : public QObject
         QTRY_VERIFY(!m_reading.has_value());
         QVERIFY(!m_viewport->view().cursor().state().isPresent);
     }
+    /// Near the ball's rim, deep: the surface leads the finger aside, and that is said.
+    void slidingOffIsSaid()
+    {
+        m_palpation->setPalpating(true);
+        QCOMPARE(m_palpation->text(), QStringLiteral("presses 4.0 mm"));
+        m_palpation->pressAt({300, 200});
+        QTRY_COMPARE_WITH_TIMEOUT(m_palpation->text(), QStringLiteral("pressing 4.0 mm"), 10000);
+        QVERIFY(!m_palpation->isSlidOff() && !m_reading->isSlidOff);
+        m_palpation->letGo();
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        double rim = 300.0;
+        while (m_viewport->view().pick(m_viewport->rayAt({rim + 1.0, 200}))) {
+            rim += 1.0;
+        }
+        m_palpation->stepDepth(52); // 30 mm
+        m_palpation->pressAt({rim, 200});
+        QTRY_VERIFY_WITH_TIMEOUT(m_palpation->isSlidOff() && m_palpation->text().startsWith("pressing 30 mm, slid"),
+                                 10000);
+        QVERIFY(m_reading->isSlidOff && m_reading->depth_mm < 12.0);
+        m_palpation->letGo();
+        QVERIFY(!m_palpation->isSlidOff());
+    }
+    void theDeepestPressIsSaid()
+    {
+        QSignalSpy said(m_palpation.get(), &ui::PalpationController::said);
+        m_palpation->setPalpating(true);
+        Q_EMIT m_viewport->depthTurned(40.0);
+        QCOMPARE(said.count(), 0);
+        Q_EMIT m_viewport->depthTurned(400.0);
+        QCOMPARE(m_palpation->depth_mm(), 200.0); // the scene's size
+        QCOMPARE(said.count(), 1);
+        QCOMPARE(said.first().first().toString(),
+                 QStringLiteral("200 mm is the deepest press: the scene is no larger."));
+        Q_EMIT m_viewport->depthTurned(-400.0);
+        QCOMPARE(said.count(), 1); // not at all deep needs no words
+    }
+    /// The hand is put in the middle, moved, pressed and let go without a pointer.
+    void keysPressWithoutAPointer()
+    {
+        connect(m_palpation.get(), &ui::PalpationController::palpationWanted, this,
+                [this] { m_palpation->setPalpating(true); });
+        m_palpation->stepAlongScreen(1, 0);
+        QVERIFY(m_palpation->isPalpating() && m_palpation->isByKeys());
+        QTRY_VERIFY(m_reading.has_value());
+        const view::TouchState& shown = m_viewport->view().cursor().state();
+        QTRY_VERIFY(shown.isPresent && shown.hasCrosshair && std::abs(shown.p_WH.x()) > 1.0);
+        // Seen from the front, 2 mm to the right are 2 mm to the patient's left.
+        QVERIFY2(std::abs(shown.p_WH.x() - 2.0) < 0.2 && std::abs(shown.p_WH.z()) < 0.2,
+                 qPrintable(QString::number(shown.p_WH.x())));
+        m_palpation->stepAlongScreen(0, 2);
+        QTRY_VERIFY(std::abs(shown.p_WH.z() - 4.0) < 0.3);
+        m_palpation->togglePress();
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        m_palpation->stepDepth(4);
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 5.8, 10000);
+        // A turned camera leaves a pressed hand where it is; steps go along the new screen.
+        const core::Vec3 before = shown.p_WH;
+        view::turn(m_viewport->view().camera(), 15.0, 0.0);
+        m_palpation->followCamera();
+        Q_EMIT m_viewport->pointerMoved();
+        QTest::qWait(100);
+        QVERIFY((shown.p_WH - before).norm() < 0.01);
+        m_palpation->stepAlongScreen(-1, 0);
+        QTest::qWait(100);
+        QVERIFY((shown.p_WH - before).norm() < 3.0 && shown.p_WH.x() < before.x() - 1.0);
+        m_palpation->togglePress();
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        Q_EMIT m_viewport->pointerMoved();
+        QVERIFY(!m_palpation->isByKeys());
+    }
     void everyPressBeginsOutside()
     {
         m_palpation->setPalpating(true);

@@ -195,8 +195,75 @@ class PointerHand : public QObject
         QCOMPARE(ui::settingsForSize(1700.0).depth_mm, 4.0);
         QCOMPARE(ui::settingsForSize(20.0).depth_mm, 0.4);
         QVERIFY(ui::settingsForSize(0.0).depth_mm > 0.0);
-        QCOMPARE(ui::settingsForSize(1700.0).deepest_mm, 30.0);
+        QCOMPARE(ui::settingsForSize(1700.0).deepest_mm, 1700.0);              // through all of it
         QVERIFY(ui::settingsForSize(40.0 * std::sqrt(3.0)).deepest_mm > 12.0); // a ball 40 mm across
+    }
+    void aNotchGrowsWithTheDepth()
+    {
+        ui::PointerHand hand;
+        hand.setSettings(ui::settingsForSize(300.0));
+        const auto depthAfter = [&hand](double notches) {
+            (void)hand.turnDepth(notches);
+            return hand.settings().depth_mm;
+        };
+        QCOMPARE(depthAfter(12), 10.0); // 0.5 mm each
+        QCOMPARE(depthAfter(1), 11.0);
+        QCOMPARE(depthAfter(-1), 10.0);
+        QCOMPARE(depthAfter(-1), 9.5);
+        QCOMPARE(depthAfter(1 + 10 + 1), 22.0); // 1 mm each, then 2
+        QCOMPARE(depthAfter(14 + 1), 55.0);     // then 5
+        QCOMPARE(depthAfter(0.5), 57.5);        // a touch pad's
+        QVERIFY(hand.turnDepth(40));
+        QVERIFY(!hand.turnDepth(40));
+        QCOMPARE(hand.settings().depth_mm, 300.0);
+        QCOMPARE(depthAfter(-4.0), 280.0);
+        QVERIFY(!hand.turnDepth(-1000));
+        QCOMPARE(hand.settings().depth_mm, 0.0);
+        QVERIFY(hand.stepDepth(3));
+        QCOMPARE(hand.settings().depth_mm, 1.5);
+        QVERIFY(!hand.stepDepth(-4));
+    }
+    /// A click with a depth of 27 mm set before: it goes in from the surface, gently, and goes on while it is held.
+    void aDeepPressGoesInOverTime()
+    {
+        Touch touch;
+        while (touch.hand.settings().depth_mm < 27.0) {
+            (void)touch.hand.stepDepth(1);
+        }
+        touch.press(1.0);
+        double before = touch.hand.settings().hover_mm;
+        double fastest_mm_per_s = 0.0;
+        for (int tick = 1; tick <= 2000; ++tick) {
+            const double z = touch.hip(1.0 + 1e-3 * tick).z();
+            fastest_mm_per_s = std::max(fastest_mm_per_s, (before - z) / 1e-3);
+            before = z;
+            QVERIFY2(tick != 150 || z > -6.0, qPrintable(QString::number(z)));
+        }
+        QVERIFY(std::abs(before + 27.0) < 1e-9);
+        QVERIFY2(fastest_mm_per_s < 61.0, qPrintable(QString::number(fastest_mm_per_s))); // of 4 mm: 60
+        // Let go and pressed again: from the surface again.
+        touch.hand.release(3.0);
+        (void)touch.tick(3.0);
+        (void)touch.tick(3.5);
+        touch.press(4.0);
+        QVERIFY(touch.hip(4.001).z() > 0.0);
+        QVERIFY(touch.hip(4.15).z() > -6.0);
+        // The wheel while it goes in: no jump.
+        double z = touch.hip(4.5).z();
+        (void)touch.hand.turnDepth(3);
+        for (int tick = 1; tick <= 2500; ++tick) {
+            const double next = touch.hip(4.5 + 1e-3 * tick).z();
+            QVERIFY(next <= z + 1e-12 && z - next < 0.061);
+            z = next;
+        }
+        QVERIFY(std::abs(z + 33.0) < 1e-9);
+    }
+    void saysHowFarItPresses()
+    {
+        ui::PointerHand hand = over(Vec3(3, 4, 0));
+        QCOMPARE(hand.pressedDepth_mm(Vec3(3, 4, -7)), 7.0);
+        hand.goAway();
+        QCOMPARE(hand.pressedDepth_mm(Vec3(3, 4, -7)), 0.0);
     }
 };
 

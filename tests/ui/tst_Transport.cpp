@@ -61,7 +61,9 @@ class Transport : public QObject
         QLocale::setDefault(QLocale::c());
         QCOMPARE(ui::clockText(0.0), QStringLiteral("00:00.0"));
         QCOMPARE(ui::clockText(62.34), QStringLiteral("01:02.3"));
-        QCOMPARE(ui::clockText(59.999), QStringLiteral("00:59.9"));
+        QCOMPARE(ui::clockText(59.94), QStringLiteral("00:59.9"));
+        QCOMPARE(ui::clockText(59.999), QStringLiteral("01:00.0"));
+        QCOMPARE(ui::clockText(12.977), QStringLiteral("00:13.0"));
         QCOMPARE(ui::clockText(-1.0), QStringLiteral("00:00.0"));
     }
     void timelineSeeksWhereItIsClicked()

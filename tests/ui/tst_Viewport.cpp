@@ -94,6 +94,53 @@ class Viewport : public QObject
         QCOMPARE(depth.count(), 1);
         QCOMPARE(depth.first().first().toDouble(), 1.0);
     }
+    void aClickIsNoDrag()
+    {
+        QSignalSpy clicked(m_viewport.get(), &ui::VtkViewport::clicked);
+        QSignalSpy hovered(m_viewport.get(), &ui::VtkViewport::hovered);
+        QTest::mouseMove(m_viewport.get(), {210, 190});
+        QTRY_VERIFY(hovered.count() > 0);
+        QTest::mouseClick(m_viewport.get(), Qt::LeftButton, Qt::ControlModifier, {210, 190});
+        QCOMPARE(clicked.count(), 1);
+        QCOMPARE(clicked.first().first().toPointF(), QPointF(210, 190));
+        QCOMPARE(clicked.first().last().value<Qt::KeyboardModifiers>(), Qt::KeyboardModifiers(Qt::ControlModifier));
+        QTest::mousePress(m_viewport.get(), Qt::LeftButton, {}, {210, 190});
+        QTest::mouseMove(m_viewport.get(), {240, 190});
+        QTest::mouseRelease(m_viewport.get(), Qt::LeftButton, {}, {240, 190});
+        QCOMPARE(clicked.count(), 1);
+        m_viewport->setMode(ui::VtkViewport::Mode::Palpate);
+        QTest::mouseClick(m_viewport.get(), Qt::LeftButton, {}, {210, 190});
+        QCOMPARE(clicked.count(), 1);
+    }
+    void translucencyIsTheSameAtRestAndInMotion()
+    {
+        const ui::StructureRow row = test::row("ball", test::ball(20.0, 4));
+        std::vector<view::ViewStructure> pictures;
+        pictures.push_back({view::StructureActor(row.picture, {{0.9, 0.4, 0.3}, 0.45, true}, true), row.touch});
+        m_viewport->view().setStructures(std::move(pictures));
+        m_viewport->refineNext();
+        const QImage still = m_viewport->grabFramebuffer();
+        m_viewport->view().setSortedTransparency(false);
+        const QImage moving = m_viewport->grabFramebuffer();
+        const QPoint middle(still.width() / 2, still.height() / 2);
+        QVERIFY(still.pixelColor(middle).red() > still.pixelColor(middle).blue() + 20);
+        for (int dy = -60; dy <= 60; dy += 3) { // well inside the ball
+            for (int dx = -60; dx <= 60; dx += 3) {
+                const QColor a = still.pixelColor(middle + QPoint(dx, dy)),
+                             b = moving.pixelColor(middle + QPoint(dx, dy));
+                QVERIFY(std::abs(a.red() - b.red()) <= 2 && std::abs(a.green() - b.green()) <= 2 &&
+                        std::abs(a.blue() - b.blue()) <= 2);
+            }
+        }
+    }
+    void placesAndRaysAreInverse()
+    {
+        const view::Ray ray = m_viewport->rayAt({320, 110});
+        const QPointF place = m_viewport->placeOf(ray.p_W + 40.0 * ray.d_W);
+        QVERIFY((place - QPointF(320, 110)).manhattanLength() < 1e-6);
+        const auto palpable = m_viewport->palpablePlace();
+        QVERIFY(palpable && (*palpable - QPointF(250, 200)).manhattanLength() < 1.0);
+    }
     void spaceAndTabAreTheViews()
     {
         QSignalSpy space(m_viewport.get(), &ui::VtkViewport::spaceHeld);

@@ -80,6 +80,29 @@ class CameraPresets : public QObject
         view::fit(*camera, core::Box(), 1.0);
         QCOMPARE(Vec3(camera->GetPosition()), before);
     }
+
+    void turnsAboutTheFocusAndShiftsAlongTheScreen()
+    {
+        vtkNew<vtkCamera> camera;
+        const core::Box box(core::Vec3(-10, -10, -10), core::Vec3(10, 10, 10));
+        view::lookFrom(*camera, view::ViewFrom::Front, box, 1.5);
+        const double distance_mm = camera->GetDistance();
+        for (int i = 0; i < 6; ++i) {
+            view::turn(*camera, 15.0, 0.0);
+        }
+        // From the front by 90° to the viewer's right: the patient's left.
+        QVERIFY((core::Vec3(camera->GetPosition()) - distance_mm * core::Vec3::UnitX()).norm() < 1e-6);
+        for (int i = 0; i < 24; ++i) { // over the head and round
+            view::turn(*camera, 0.0, 15.0);
+        }
+        QVERIFY((core::Vec3(camera->GetPosition()) - distance_mm * core::Vec3::UnitX()).norm() < 1e-6);
+        view::lookFrom(*camera, view::ViewFrom::Front, box, 1.5);
+        view::shift(*camera, 0.0, 0.5);
+        QVERIFY(camera->GetFocalPoint()[2] > 5.0 && std::abs(camera->GetFocalPoint()[0]) < 1e-9);
+        QVERIFY(std::abs(camera->GetDistance() - distance_mm) < 1e-9);
+        view::shift(*camera, 0.25, 0.0);
+        QVERIFY(camera->GetFocalPoint()[0] > 2.0);
+    }
 };
 
 PALPATE_TEST(CameraPresets)

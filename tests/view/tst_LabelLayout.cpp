@@ -110,6 +110,26 @@ class LabelLayout : public QObject
         QVERIFY(!labels.back().isMoved);
         QVERIFY(labels.back().offset_px == labels.front().offset_px);
     }
+
+    void aTextBesideAPointStaysWhereItWas()
+    {
+        view::PointLabel label{Eigen::Vector2d(0, 0), Eigen::Vector2d(60, 20), Eigen::Vector2d(1, 0), -1};
+        const Eigen::AlignedBox2d view(Eigen::Vector2d(-200, -100), Eigen::Vector2d(200, 100));
+        const auto box = [](double x, double y, double half) {
+            return Eigen::AlignedBox2d(Eigen::Vector2d(x - half, y - half), Eigen::Vector2d(x + half, y + half));
+        };
+        const Eigen::Vector2d first = view::placeBeside(label, {box(0, 0, 5)}, view);
+        QVERIFY(first.x() > 30.0 && std::abs(first.y()) < 1e-9);
+        // Something comes in its way, and goes again: it gives way and stays there.
+        const Eigen::Vector2d other = view::placeBeside(label, {box(0, 0, 5), box(40, 0, 8)}, view);
+        QVERIFY((other - first).norm() > 5.0);
+        QCOMPARE(view::placeBeside(label, {box(0, 0, 5)}, view), other);
+        // At the border it goes to the other side; where nothing is free it is inside all the same.
+        label.point_px = Eigen::Vector2d(190, 0);
+        QVERIFY(view::placeBeside(label, {box(190, 0, 5)}, view).x() <= 170.0);
+        const Eigen::Vector2d inside = view::placeBeside(label, {box(0, 0, 500)}, view);
+        QVERIFY(std::abs(inside.x()) <= 170.0 && std::abs(inside.y()) <= 90.0);
+    }
 };
 
 PALPATE_TEST(LabelLayout)

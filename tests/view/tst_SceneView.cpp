@@ -74,6 +74,42 @@ class SceneView : public QObject
         QVERIFY(after[2] > before[2] + 20);
         QVERIFY(after[0] > after[1]); // still reddish
     }
+    /// Sorted by depth peeling or drawn once: the same colours, also of what lies translucent in something translucent.
+    void translucentColoursAreTheSameAtRestAndInMotion()
+    {
+        for (const bool isInnerFirst : {true, false}) {
+            std::vector<view::ViewStructure> structures;
+            const auto add = [&](double radius_mm, const view::Appearance& look) {
+                const auto mesh = geometry::repair(test::ball(radius_mm, 4));
+                structures.push_back({view::StructureActor(view::makeSurface(mesh), look, true), nullptr});
+            };
+            for (const bool isInner : {isInnerFirst, !isInnerFirst}) {
+                isInner ? add(9.0, {{0.1, 0.2, 0.9}, 0.5, true}) : add(20.0, {{0.9, 0.3, 0.1}, 0.4, true});
+            }
+            m_view->setStructures(std::move(structures));
+            m_view->setSortedTransparency(true);
+            const auto still = picture();
+            m_view->setSortedTransparency(false);
+            const auto moving = picture();
+            QVERIFY(still[150 * 400 + 200] != still[150 * 400 + 270]); // the inner one shows
+            int compared = 0;
+            for (int y = 1; y < 299; ++y) {
+                for (int x = 1; x < 399; ++x) {
+                    if (isEdge(still, x, y)) {
+                        continue;
+                    }
+                    ++compared;
+                    const auto &a = still[static_cast<std::size_t>(y * 400 + x)],
+                               &b = moving[static_cast<std::size_t>(y * 400 + x)];
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        QVERIFY2(std::abs(a[c] - b[c]) <= 2,
+                                 qPrintable(QStringLiteral("%1 %2: %3 %4").arg(x).arg(y).arg(a[c]).arg(b[c])));
+                    }
+                }
+            }
+            QVERIFY2(compared > 100000, qPrintable(QString::number(compared)));
+        }
+    }
     void pointerFindsTheFrontOfTheNearestStructure()
     {
         (void)pixel(0, 0);
@@ -212,6 +248,32 @@ class SceneView : public QObject
     }
 
   private:
+    using Picture = std::vector<std::array<int, 3>>;
+    Picture picture()
+    {
+        (void)pixel(0, 0);
+        Picture all;
+        for (int i = 0; i < 400 * 300; ++i) {
+            all.push_back(pixelOf(i % 400, i / 400, false));
+        }
+        return all;
+    }
+    /// A neighbour differs: edges may fall on another pixel there.
+    static bool isEdge(const Picture& picture, int x, int y)
+    {
+        const auto& own = picture[static_cast<std::size_t>(y * 400 + x)];
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                const auto& other = picture[static_cast<std::size_t>((y + dy) * 400 + x + dx)];
+                for (std::size_t c = 0; c < 3; ++c) {
+                    if (std::abs(own[c] - other[c]) > 5) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
     std::array<int, 3> pixelOf(int x, int y, bool isDrawn)
     {
         if (isDrawn || m_pixels->GetNumberOfTuples() == 0) {

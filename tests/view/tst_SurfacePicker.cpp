@@ -102,6 +102,25 @@ class SurfacePicker : public QObject
         QVERIFY2(static_cast<double>(timer.nsecsElapsed()) * 1e-6 / kPicks < 10.0,
                  qPrintable(QString::number(timer.elapsed())));
     }
+
+    void aMeshWithoutAHierarchyIsHitAlike()
+    {
+        const auto mesh = geometry::repair(test::ball(20.0, 3));
+        const auto index = geometry::SurfaceIndex::build(mesh);
+        for (int i = 0; i < 200; ++i) {
+            view::Ray ray{core::Vec3(0.2 * i - 20.0, 0.07 * i - 7.0, 60.0), -core::Vec3::UnitZ()};
+            ray.d_W = (ray.d_W + core::Vec3(0.001 * i, 0.0, 0.0)).normalized();
+            const auto one = view::firstHit(mesh.mesh, mesh.report.bounds, ray);
+            const auto other = view::firstHit(index, ray);
+            QCOMPARE(one.has_value(), other.has_value());
+            if (one) {
+                QVERIFY(std::abs(one->distance_mm - other->distance_mm) < 1e-9);
+                QVERIFY((one->n_W - other->n_W).norm() < 1e-9 ||
+                        one->triangle != index.sourceTriangle(other->triangle));
+            }
+        }
+        QVERIFY(!view::firstHit(mesh.mesh, mesh.report.bounds, {core::Vec3(0, 0, 60), core::Vec3::UnitX()}));
+    }
 };
 
 PALPATE_TEST(SurfacePicker)

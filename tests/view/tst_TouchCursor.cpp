@@ -118,6 +118,120 @@ class TouchCursor : public QObject
         cursor.place(frameAt(300));
         QVERIFY(!cursor.innerMark(0)->GetVisibility());
     }
+    /// Along the line of sight an arrow is a dot: the force is a circle there, which grows with it.
+    void forceAtTheViewerIsACircle()
+    {
+        view::TouchCursor cursor;
+        const auto radius_px = [&cursor](const Vec3& f_W) {
+            cursor.setState(contact(f_W));
+            cursor.place(frameAt(300));
+            return cursor.arrow().circle()->GetVisibility() ? cursor.arrow().radius_px() : 0.0;
+        };
+        const Vec3 at = (Vec3(0, 0, 300) - contact({}).p_WG).normalized();
+        const double one = radius_px(at), three = radius_px(3.0 * at);
+        QVERIFY(!cursor.arrow().shaft()->GetVisibility());
+        QVERIFY2(one > 0.5 * view::TouchCursor::kBall_px && three > one + 10.0, qPrintable(QString::number(three)));
+        QVERIFY(radius_px(500.0 * at) < 0.15 * frameAt(300).height_px);
+        QCOMPARE(radius_px(3.0 * Vec3::UnitX()), 0.0);
+        QVERIFY(cursor.arrow().shaft()->GetVisibility());
+        const double* b = cursor.arrow().shaft()->GetBounds();
+        QVERIFY(b[1] - b[0] > 15.0); // 24 mm, without its head
+        // In between both are there, and neither comes at once.
+        QVERIFY(radius_px(3.0 * (at + 0.6 * Vec3::UnitX()).normalized()) > 0.0);
+        QVERIFY(cursor.arrow().shaft()->GetVisibility());
+    }
+    void contactIsADiscOnTheSurface()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state = contact(Vec3(0, 0, 2));
+        state.n_W = Vec3::UnitX();
+        cursor.setState(state);
+        cursor.place(frameAt(30)); // near: a disc of mm
+        QVERIFY(cursor.contactDisc()->GetVisibility());
+        const double* b = cursor.contactDisc()->GetBounds();
+        QVERIFY(std::abs(b[0] - 1.0) < 1e-9 && std::abs(b[1] - 1.0) < 1e-9); // flat, through the god-object
+        const double pixel_mm = frameAt(30).mmPerPixel(state.p_WG);
+        const double radius_mm = 0.5 * (b[3] - b[2]);
+        QVERIFY(radius_mm > 14.9 * pixel_mm && radius_mm < 40.1 * pixel_mm);
+        QVERIFY(std::abs(0.5 * (b[3] + b[2]) - 2.0) < 0.01);
+        // A fingertip's god-object is its centre: the disc is as wide, and lies where it touches.
+        state.fingertip_mm = 8.0;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        b = cursor.contactDisc()->GetBounds();
+        QVERIFY(std::abs(b[0] + 7.0) < 1e-9 && std::abs(b[3] - b[2] - 16.0) < 0.1);
+        QVERIFY(cursor.bounds().contains(Vec3(-7, 9, 3)));
+        state.isInContact = false;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(!cursor.contactDisc()->GetVisibility());
+    }
+    void depthsAreSaidInMillimetres()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state = contact(Vec3(0, 0, 2));
+        state.p_WH = Vec3(1, 2, -15.1);
+        state.innerCount = 1;
+        state.inner[0] = {Vec3(1, 2, -6), {0.25, 0.5, 0.75}, 9.12};
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        const std::vector<std::string> wanted{"2.00 N", "18.1 mm", "9.1 mm"};
+        QCOMPARE(cursor.labels().texts(), wanted);
+        // The line goes on in the inner structure's colour from where it holds the hand.
+        QVERIFY(cursor.innerLine(0)->GetVisibility());
+        const double* b = cursor.innerLine(0)->GetBounds();
+        QVERIFY(std::abs(b[5] - b[4] - 9.1) < 0.2);
+        state.isInContact = false;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(cursor.labels().texts().empty() && !cursor.innerLine(0)->GetVisibility());
+    }
+    /// Wherever the hand is, at the border and in the corners too.
+    void labelsStayInTheViewAndOffTheCursor()
+    {
+        view::TouchCursor cursor;
+        const view::ViewFrame frame = frameAt(300);
+        const double pixel_mm = frame.mmPerPixel(Vec3::Zero());
+        for (int x = -390; x <= 390; x += 65) {
+            for (int y = -290; y <= 290; y += 58) {
+                for (const Vec3& f_W : {Vec3(0, 0, 9), Vec3(9, 0, 0), Vec3(-6, 6, 0), Vec3(0, -9, 1)}) {
+                    view::TouchState state = contact(f_W);
+                    state.p_WG = pixel_mm * Vec3(x, y, 0);
+                    state.p_WH = state.p_WG - 2.0 * f_W;
+                    state.innerCount = 1;
+                    state.inner[0] = {state.p_WG - f_W, {0.2, 0.4, 0.6}, 9.0};
+                    cursor.setState(state);
+                    cursor.place(frame);
+                    const auto& boxes = cursor.labels().boxes();
+                    QCOMPARE(boxes.size(), std::size_t{3});
+                    for (std::size_t i = 0; i < boxes.size(); ++i) {
+                        QVERIFY(Eigen::AlignedBox2d(Eigen::Vector2d(-400, -300), Eigen::Vector2d(400, 300))
+                                    .contains(boxes[i]));
+                        QVERIFY(!boxes[i].contains(frame.pixelOf(state.p_WG)));
+                        QVERIFY(!boxes[i].contains(frame.pixelOf(state.p_WH)));
+                        for (std::size_t k = 0; k < i; ++k) {
+                            QVERIFY(boxes[i].intersection(boxes[k]).isEmpty());
+                        }
+                    }
+                }
+            }
+        }
+    }
+    void keysHaveACrosshair()
+    {
+        view::TouchCursor cursor;
+        view::TouchState state;
+        state.isPresent = true;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        QVERIFY(!cursor.crosshair(0)->GetVisibility());
+        state.hasCrosshair = true;
+        cursor.setState(state);
+        cursor.place(frameAt(300));
+        for (std::size_t i = 0; i < 4; ++i) {
+            QVERIFY(cursor.crosshair(i)->GetVisibility());
+        }
+    }
     void frictionHoldsWithinADiscOnTheSurface()
     {
         view::TouchCursor cursor;

@@ -89,10 +89,12 @@ class MappedLiver : public QObject
         ui::PalpationController& hand = m_window->palpation();
         m_window->setPalpating(true);
         QTest::qWait(200);
-        const double before_mm = hand.depth_mm();
-        Q_EMIT viewport.depthTurned(1.0);
-        const double notch_mm = hand.depth_mm() - before_mm;
-        Q_EMIT viewport.depthTurned((6.0 - hand.depth_mm()) / notch_mm);
+        for (int i = 0; i < 8 && std::abs(hand.depth_mm() - 6.0) > 1e-9; ++i) { // a notch of the wheel grows with depth
+            const double before_mm = hand.depth_mm();
+            Q_EMIT viewport.depthTurned(1.0);
+            const double notch_mm = hand.depth_mm() - before_mm;
+            Q_EMIT viewport.depthTurned((6.0 - hand.depth_mm()) / notch_mm);
+        }
         m_depth_mm = m_force_N = 0.0;
         hand.pressAt({share * viewport.width(), 0.5 * viewport.height()});
         (void)QTest::qWaitFor([this] { return m_depth_mm > 2.0; }, 20000);

@@ -3,14 +3,48 @@
 #include "MeasuresDialog.h"
 #include "TestRunner.h"
 
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTemporaryDir>
+#include <QTest>
 #include <QTextBrowser>
+
+#include <filesystem>
+#include <memory>
+
+using namespace palpate;
 
 class Measures : public QObject
 {
     Q_OBJECT
+
+    /// The dialog on the phantom's recording, when it has its results.
+    static std::unique_ptr<MeasuresDialog> measured()
+    {
+        auto dialog = std::make_unique<MeasuresDialog>(PALPATE_SOURCE_DIR "/data/phantom/palpation.palpate",
+                                                       session::MeshesByHash());
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog->show();
+        auto* text = dialog->findChild<QTextBrowser*>();
+        (void)QTest::qWaitFor([text] { return text->toPlainText().contains(QStringLiteral("Session")); }, 60'000);
+        return dialog;
+    }
+
+    static QLabel* line(const MeasuresDialog& dialog)
+    {
+        for (QLabel* label : dialog.findChildren<QLabel*>()) {
+            if (label->wordWrap()) {
+                return label;
+            }
+        }
+        qFatal("the dialog has no line");
+    }
+
   private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
@@ -21,9 +55,10 @@ class Measures : public QObject
         dialog.show();
         auto* text = dialog.findChild<QTextBrowser*>();
         QVERIFY(text->toPlainText().contains(QStringLiteral("Measuring")));
-        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("Coverage")), 60'000);
-        for (const char* part :
-             {"Duration", "Touch", "liver", "Peak [N]", "Deepest [mm]", "Searching", "not a diagnosis"}) {
+        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("examined")), 60'000);
+        for (const char* part : {"Duration", "Ticks late", "Ticks lost", "Touch", "liver", "Time spent [s]",
+                                 "Nearly highest [N]", "Peak [N]", "Deepest [mm]", "Searching", "within 5 mm", "698.2",
+                                 "Longest time at one place [s]", "not a diagnosis"}) {
             QVERIFY2(text->toPlainText().contains(QLatin1String(part)), part);
         }
         if (const QByteArray to = qgetenv("PALPATE_MEASURES_PICTURE"); !to.isEmpty()) {
@@ -33,6 +68,65 @@ class Measures : public QObject
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
             QVERIFY2(button->isEnabled(), qPrintable(button->text()));
         }
+    }
+
+    /// Ctrl+C gives what a spreadsheet takes: rows of as many cells as their head has.
+    void copiesItsTables()
+    {
+        const auto dialog = measured();
+        QGuiApplication::clipboard()->clear();
+        QTest::keyClick(dialog->findChild<QTextBrowser*>(), Qt::Key_C, Qt::ControlModifier);
+        const QStringList tables = QGuiApplication::clipboard()->text().split(QStringLiteral("\n\n"));
+        QVERIFY(tables.size() >= 4);
+        for (const QString& table : tables) {
+            const QStringList rows = table.split(QLatin1Char('\n'), Qt::SkipEmptyParts); // cells may be empty
+            QVERIFY2(rows.size() >= 3, qPrintable(table));                               // title, head, row
+            for (qsizetype i = 2; i < rows.size(); ++i) {
+                QCOMPARE(rows[i].count(QLatin1Char('\t')), rows[1].count(QLatin1Char('\t')));
+            }
+        }
+    }
+
+    void exportsAndSaysSoInItsLine()
+    {
+        const auto dialog = measured();
+        const QString title = dialog->windowTitle();
+        const QTemporaryDir folder;
+        const auto path = [&folder](const char* name) {
+            return std::filesystem::path(folder.filePath(QLatin1String(name)).toStdString());
+        };
+        QLabel* said = line(*dialog);
+        dialog->exportTo(MeasuresDialog::Export::Csv, path("ticks"));
+        QTRY_VERIFY2(said->text() == QStringLiteral("Written to %1.").arg(folder.filePath("ticks.csv")),
+                     qPrintable(said->text()));
+        QFile csv(folder.filePath("ticks.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QVERIFY(csv.readLine().endsWith(
+            ",layers,time_s,sent_x_N,sent_y_N,sent_z_N,force_N,depth_mm,felt_N_per_mm,events\n"));
+        dialog->exportTo(MeasuresDialog::Export::Json, path("results.json"));
+        QTRY_VERIFY(said->text().contains("results.json"));
+        QTRY_VERIFY(QFile::exists(folder.filePath("results.json")));
+        QCOMPARE(dialog->windowTitle(), title);
+    }
+
+    void refusesANameOfAnotherKind()
+    {
+        const auto dialog = measured();
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("session.vtp").toStdString();
+        dialog->exportTo(MeasuresDialog::Export::Csv, path);
+        QCOMPARE(line(*dialog)->text(), QStringLiteral("Nothing was written: session.vtp ends in .vtp. A name for Data "
+                                                       "table (CSV) ends in .csv."));
+        // What is there under the name with an ending was not agreed to be replaced.
+        QFile old(folder.filePath("ticks.csv"));
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        dialog->exportTo(MeasuresDialog::Export::Csv, folder.filePath("ticks").toStdString());
+        QVERIFY(line(*dialog)->text().contains("ticks.csv is there already"));
+        QCOMPARE(QFileInfo(old).size(), qint64{3});
+        QVERIFY(!std::filesystem::exists(path));
+        dialog->exportTo(MeasuresDialog::Export::Json, "/nowhere/results.json");
+        QTRY_VERIFY(line(*dialog)->text().contains("/nowhere/results.json: cannot be written"));
     }
 
     void saysWhyThereIsNothingToSay()

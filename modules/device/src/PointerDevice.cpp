@@ -44,7 +44,12 @@ DeviceState PointerDevice::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKIN
         m_isHandHere = true;
     }
     if (const double to = isDown ? pointer.depth_mm : -pointer.hover_mm; to != m_depth.target()) {
-        m_depth.aim(to, isDown ? pointer.pressTime_s : pointer.liftTime_s, now_ns);
+        double over_s = isDown ? pointer.pressTime_s : pointer.liftTime_s;
+        const double way_mm = to - m_depth.at(now_ns);
+        if (pointer.deeper_mm_per_s > 0.0 && way_mm > pointer.gentle_mm) {
+            over_s += (way_mm - pointer.gentle_mm) / pointer.deeper_mm_per_s;
+        }
+        m_depth.aim(to, over_s, now_ns);
     }
     state.p_D += m_depth.at(now_ns) * pointer.d_D;
     if (!isDown && pointer.hover_mm > 0.0 && m_depth.isThere(now_ns)) {

@@ -56,11 +56,12 @@ class Loader
     }
 
     Result<LoadedScene> load(const std::filesystem::path& path);
-    Result<LoadedScene> load(SceneFile scene, const std::filesystem::path& path);
+    Result<LoadedScene> load(SceneFile scene, const std::string& name);
 
   private:
+    Status addScene(const std::filesystem::path& path);
     Status addScene(SceneFile scene, const std::string& name);
-    Result<LoadedScene> finish(const std::filesystem::path& path);
+    Result<LoadedScene> open(const std::string& name);
     Status addFolder(const std::filesystem::path& path);
     std::size_t sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame);
     std::size_t sourceOf(const SceneStructure& one) { return sourceOf(one.mesh, one.unit_mm, one.frame); }
@@ -91,6 +92,12 @@ std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm, 
         m_sources.push_back({path, unit_mm, frame, std::nullopt});
     }
     return found->second;
+}
+
+Status Loader::addScene(const std::filesystem::path& path)
+{
+    Result<SceneFile> scene = readScene(path);
+    return scene.isOk() ? addScene(std::move(scene).value(), path.filename().string()) : scene.status();
 }
 
 Status Loader::addScene(SceneFile scene, const std::string& name)
@@ -355,29 +362,28 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
 {
     const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
     std::error_code error;
+    Status status;
     if (std::filesystem::is_directory(whole, error)) {
-        if (Status status = addFolder(whole.has_filename() ? whole : whole.parent_path()); !status.isOk()) {
-            return status;
-        }
+        status = addFolder(whole.has_filename() ? whole : whole.parent_path());
     } else if (isSceneFile(whole)) {
-        Result<SceneFile> scene = readScene(whole);
-        return scene.isOk() ? load(std::move(scene).value(), path) : scene.status();
+        status = addScene(whole);
     } else {
         (void)sourceOf(whole, m_options.unit_mm, m_options.frame);
     }
-    return finish(path);
+    return status.isOk() ? open(path.filename().string()) : status;
 }
 
-Result<LoadedScene> Loader::load(SceneFile scene, const std::filesystem::path& path)
+Result<LoadedScene> Loader::load(SceneFile scene, const std::string& name)
 {
-    const Status status = addScene(std::move(scene), path.filename().string());
-    return status.isOk() ? finish(path) : status;
+    const Status status = addScene(std::move(scene), name);
+    return status.isOk() ? open(name) : status;
 }
 
-Result<LoadedScene> Loader::finish(const std::filesystem::path& path)
+/// Reads and repairs what was added.
+Result<LoadedScene> Loader::open(const std::string& name)
 {
     readSources();
-    const Status cancelled(StatusCode::Cancelled, path.filename().string() + ": opening was cancelled");
+    const Status cancelled(StatusCode::Cancelled, name + ": opening was cancelled");
     if (m_isCancelled) {
         return cancelled;
     }
@@ -401,43 +407,41 @@ Result<LoadedScene> Loader::finish(const std::filesystem::path& path)
     }
     collect();
     if (m_scene.structures.empty()) {
-        return !m_firstFailure.isOk()
-                   ? m_firstFailure
-                   : Status(StatusCode::Empty, path.filename().string() + ": " + m_scene.losses.front());
+        return !m_firstFailure.isOk() ? m_firstFailure
+                                      : Status(StatusCode::Empty, name + ": " + m_scene.losses.front());
     }
     noteFrames();
     noteUnit();
     return std::move(m_scene);
 }
 
-} // namespace
-
-namespace {
-
-Status tooLarge(const std::filesystem::path& path)
+/// Turns what is too large for the memory into a message.
+template<class Load>
+Result<LoadedScene> guarded(const std::string& name, Load&& load)
 {
-    return fault(StatusCode::OutOfRange, path.filename().string(), "", "not enough memory to open it",
-                 "a scene that fits");
+    try {
+        return load();
+    } catch (const std::bad_alloc&) {
+        return fault(StatusCode::OutOfRange, name, "", "not enough memory to open it", "a scene that fits");
+    }
 }
 
 } // namespace
 
 core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options)
 {
-    try {
-        return Loader(options).load(path);
-    } catch (const std::bad_alloc&) {
-        return tooLarge(path);
-    }
+    return guarded(path.filename().string(), [&] { return Loader(options).load(path); });
 }
 
-core::Result<LoadedScene> reloadScene(SceneFile scene, const std::filesystem::path& path, const ReadOptions& options)
+core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path, const ReadOptions& options)
 {
-    try {
-        return Loader(options).load(std::move(scene), path);
-    } catch (const std::bad_alloc&) {
-        return tooLarge(path);
-    }
+    const std::string name = path.filename().string();
+    return guarded(name, [&] { return Loader(options).load(std::move(scene), name); });
+}
+
+std::array<double, 3> usualColour(const std::string& name, std::size_t number)
+{
+    return anatomyColour(name, number);
 }
 
 } // namespace palpate::meshio

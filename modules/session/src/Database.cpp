@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <limits>
 
 namespace palpate::session::internal {
@@ -145,8 +146,23 @@ std::int64_t Database::integer(const char* sql) const
 
 core::Status Database::error(std::string_view doing) const
 {
-    const char* what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
+    const char* const what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
+    if (isFull()) {
+        return {core::StatusCode::NoSpace, m_path.string() + ": " + std::string(doing) + ": the disk is full"};
+    }
     return {core::StatusCode::Unreadable, m_path.string() + ": " + std::string(doing) + ": " + oneLine(what)};
+}
+
+bool Database::isFull() const
+{
+    if (!m_database) {
+        return false;
+    }
+    const int code = sqlite3_errcode(m_database.get());
+    // A journal that cannot be made, or a quota, has a code that says less.
+    const bool isOfSystem = (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_CANTOPEN;
+    const int system = isOfSystem ? sqlite3_system_errno(m_database.get()) : 0;
+    return code == SQLITE_FULL || system == ENOSPC || system == EDQUOT || system == EFBIG;
 }
 
 int Database::errorCode() const

@@ -73,8 +73,9 @@ class Database
     [[nodiscard]] Statement prepare(const char* sql) const;
     /// @return the first column of the first row, 0 without one
     [[nodiscard]] std::int64_t integer(const char* sql) const;
-    /// The newest error as one line. @param doing  "cannot be written"
+    /// The newest error as one line, with the code NoSpace for a full disk. @param doing  "cannot be written"
     [[nodiscard]] core::Status error(std::string_view doing) const;
+    [[nodiscard]] bool isFull() const;   ///< the newest error is that of a full disk, quota or file size
     [[nodiscard]] int errorCode() const; ///< SQLite's extended code
     /// True after SQLite rolled back on its own or outside of a transaction.
     [[nodiscard]] bool isIdle() const;

@@ -192,6 +192,8 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     out.structurePhases = structurePhases.result();
     out.findings = findings.result();
     surfaces.finish(out);
+    out.lostTicks = reader.extent().dropped;
+    out.lateTicks = reader.extent().late;
     return out;
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace palpate::session::internal {
 
@@ -21,6 +22,10 @@ std::string text(double value)
     core::appendNumber(out, value);
     return out;
 }
+
+/// What only recordings have to which it applies.
+constexpr std::pair<const char*, std::string RecordingInfo::*> kOptional[] = {
+    {"scene_beside", &RecordingInfo::sceneBeside}, {"scene_sha256", &RecordingInfo::sceneSha256}};
 
 /// Takes values out of the table and keeps the first complaint.
 class MetaReader
@@ -81,7 +86,7 @@ class MetaReader
 
 MetaTable toMeta(const RecordingInfo& info)
 {
-    return {
+    MetaTable meta{
         {"palpate", info.palpate},
         {"build", info.build},
         {"started_utc", info.startedUtc},
@@ -104,6 +109,12 @@ MetaTable toMeta(const RecordingInfo& info)
         {"first_generation", std::to_string(info.firstGeneration)},
         {"start", packState(info.start)},
     };
+    for (const auto& [key, member] : kOptional) {
+        if (!(info.*member).empty()) {
+            meta[key] = info.*member;
+        }
+    }
+    return meta;
 }
 
 core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
@@ -115,6 +126,11 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
     info.build = in.string("build");
     info.startedUtc = in.string("started_utc");
     info.scene = in.string("scene");
+    for (const auto& [key, member] : kOptional) {
+        if (const auto found = meta.find(key); found != meta.end()) {
+            info.*member = found->second;
+        }
+    }
     info.rate_Hz = in.number("rate_Hz", kAboveZero);
     info.dt_s = in.number("dt_s", kAboveZero);
     info.device.id = in.string("device_id");

@@ -6,8 +6,11 @@
 
 #include <palpate/core/Clock.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -58,6 +61,11 @@ struct Recorder::Private
     void run();
     void drain(bool isLast);
     void store(bool isLast);
+    void note(const Status& status);
+    [[nodiscard]] bool isOver(bool isLast) const;
+    void giveUp();
+    void addTiming();
+    [[nodiscard]] double duration_s() const;
     void publish(bool isRecording);
 
     servo::ServoLoop& loop;
@@ -79,12 +87,69 @@ struct Recorder::Private
     std::unique_ptr<RecordingWriter> writer;
     std::filesystem::path path;
     std::uint64_t droppedAtStart = 0;
+    std::uint64_t skippedAtStart = 0;
+    std::uint64_t late = 0;
     std::optional<servo::TickRecord> first;
     std::vector<TimedEvent> waiting; // for the first tick after them
     std::int64_t lastTick = 0;
     std::int64_t lastTime_ns = 0;
     std::string problem;
+    bool isFull = false; // `problem` is that the disk is
+    bool hasFailed = false;
+    bool hasTiming = false; // the event is written
 };
+
+/// Takes what came of writing.
+void Recorder::Private::note(const Status& status)
+{
+    if (!status.isOk()) {
+        problem = status.message();
+        isFull = status.code() == StatusCode::NoSpace;
+    }
+}
+
+/// Tells whether writing has no hope: the disk is full, it took nothing for so long that ticks were lost, or it fails
+/// at the end.
+bool Recorder::Private::isOver(bool isLast) const
+{
+    return isFull || writer->ticksDropped() > 0 || (isLast && !problem.empty());
+}
+
+void Recorder::Private::addTiming()
+{
+    if (std::exchange(hasTiming, true)) {
+        return;
+    }
+    const servo::TimingReport timing = loop.timing();
+    late = timing.skipped - skippedAtStart;
+    (void)writer->addEvent({lastTick, "timing", timingJson(timing, loop.realtime().isRealtime, late)});
+}
+
+/// Ends a recording that cannot go on, with its last words.
+void Recorder::Private::giveUp()
+{
+    loop.stopRecording();
+    addTiming();
+    (void)writer->abandon({lastTick, "ended", isFull ? R"({"why": "disk-full"})" : R"({"why": "disk-failed"})"});
+    hasFailed = true;
+    const double felt_s = duration_s();
+    const std::string why = isFull ? "the disk is full" : "the disk cannot be written (" + problem + ")";
+    problem = path.string() + ": ";
+    if (writer->newestStored_ns()) {
+        std::array<char, 32> at{};
+        std::snprintf(at.data(), at.size(), "%.1f", felt_s);
+        problem += std::string("the recording ended at ") + at.data() + " s because " + why +
+                   "; what was felt after is not in it";
+    } else {
+        problem += "nothing was recorded because " + why;
+    }
+}
+
+double Recorder::Private::duration_s() const
+{
+    const std::int64_t last_ns = hasFailed ? writer->newestStored_ns().value_or(0) : lastTime_ns;
+    return first ? std::max(0.0, static_cast<double>(last_ns - first->time_ns) * 1e-9) : 0.0;
+}
 
 void Recorder::Private::drain(bool isLast)
 {
@@ -113,9 +178,7 @@ void Recorder::Private::drain(bool isLast)
         }
         lastTick = tick.tick;
         lastTime_ns = tick.time_ns;
-        if (const Status status = writer->append(tick); !status.isOk()) {
-            problem = status.message();
-        }
+        note(writer->append(tick));
     }
     if (isLast) {
         tellUntil(std::numeric_limits<std::int64_t>::max());
@@ -131,16 +194,19 @@ void Recorder::Private::store(bool isLast)
         (void)writer->addEvent({lastTick, "dropped", "{\"ticks\": " + std::to_string(lost) + "}"});
     }
     if (isLast) {
-        (void)writer->addEvent({lastTick, "timing", timingJson(loop.timing(), loop.realtime().isRealtime)});
+        addTiming();
+    } else {
+        late = loop.timing().skipped - skippedAtStart;
     }
     const bool hadProblem = !problem.empty();
     const Status status = isLast ? writer->finish() : writer->commit();
-    if (!status.isOk()) {
-        problem = status.message();
-    } else if (hadProblem && !isLast) {
+    note(status);
+    if (status.isOk() && hadProblem) {
         // It is over; the recording tells of it and the status no longer does.
         problem.clear();
-        (void)writer->addEvent({lastTick, "disk", "{\"what\": \"writing failed for a while\"}"});
+        if (!isLast) {
+            (void)writer->addEvent({lastTick, "disk", "{\"what\": \"writing failed for a while\"}"});
+        }
     }
 }
 
@@ -152,7 +218,9 @@ void Recorder::Private::publish(bool isRecording)
     published.isRecording = isRecording;
     published.ticks = writer->ticksWritten();
     published.dropped = loop.droppedTicks() - droppedAtStart + writer->ticksDropped();
-    published.duration_s = first ? static_cast<double>(lastTime_ns - first->time_ns) * 1e-9 : 0.0;
+    published.late = late;
+    published.duration_s = duration_s();
+    published.hasFailed = hasFailed;
     published.fileBytes = ignored ? 0 : bytes;
     published.problem = problem;
 }
@@ -176,13 +244,19 @@ void Recorder::Private::run()
         try {
             drain(isLast);
             const auto now = std::chrono::steady_clock::now();
-            if (isLast || now - lastCommit >= kCommitInterval) {
+            const bool isDue = isLast || now - lastCommit >= kCommitInterval;
+            if (isDue && !isOver(false)) {
                 lastCommit = now;
                 store(isLast);
+            }
+            if (isOver(isLast)) {
+                giveUp();
+                isLast = true;
             }
         } catch (const std::exception& error) { // out of memory: the touch goes on without the recording
             problem = path.string() + ": recording ended: " + error.what();
             loop.stopRecording();
+            hasFailed = true;
             isLast = true;
         }
         publish(!isLast);
@@ -212,6 +286,8 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
         return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop is not running"};
     }
     d.droppedAtStart = d.loop.droppedTicks();
+    d.skippedAtStart = d.loop.timing().skipped;
+    d.late = 0;
     const auto start = beginRecording(d.loop);
     if (!start) {
         return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop does not answer"};
@@ -232,6 +308,7 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
     d.first.reset();
     d.lastTick = start->tick;
     d.problem.clear();
+    d.isFull = d.hasFailed = d.hasTiming = false;
     d.isStopRequested = false;
     d.scenes.clear();
     d.events.clear();
@@ -277,7 +354,7 @@ Status Recorder::stop()
     d.writer.reset();
     const RecorderStatus last = status();
     if (!last.problem.empty()) {
-        return {StatusCode::Unreadable, last.problem};
+        return {d.isFull ? StatusCode::NoSpace : StatusCode::Unreadable, last.problem};
     }
     if (last.dropped > 0) {
         return {StatusCode::OutOfRange, d.path.string() + ": " + std::to_string(last.dropped) + " ticks were lost"};

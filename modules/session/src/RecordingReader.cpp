@@ -7,10 +7,14 @@
 #include "RecordingTables.h"
 #include "Schema.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include <sqlite3.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -44,6 +48,7 @@ struct RecordingReader::Private
     Status readMeta();
     Status readScenes();
     Status readEvents();
+    void readEnding();
     Status readExtent();
 
     Database database;
@@ -99,8 +104,28 @@ Status RecordingReader::Private::readEvents()
     return status;
 }
 
+/// Takes from the events how the recording ended and how the servo kept time.
+void RecordingReader::Private::readEnding()
+{
+    extent.end = extent.isComplete ? RecordingEnd::Closed : RecordingEnd::CutOff;
+    for (const RecordingEvent& event : events) {
+        const bool isEnd = event.kind == "ended";
+        if (!isEnd && event.kind != "timing") {
+            continue;
+        }
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
+        if (isEnd) {
+            extent.end = json[QLatin1String("why")].toString() == QLatin1String("disk-full") ? RecordingEnd::DiskFull
+                                                                                             : RecordingEnd::DiskFailed;
+        } else if (const QJsonValue late = json[QLatin1String("late")]; late.isDouble()) {
+            extent.late = late.toInteger();
+        }
+    }
+}
+
 Status RecordingReader::Private::readExtent()
 {
+    readEnding();
     // From the checks: counting the rows would read the whole file.
     std::vector<internal::Check> checks;
     if (Status status = tables.readChecks(checks); !status.isOk()) {
@@ -287,6 +312,23 @@ Status RecordingReader::verify() const
         return what.empty() ? m_d->damaged() : m_d->wrong(StatusCode::BadFormat, "damaged: " + what);
     }
     return {};
+}
+
+std::string endingText(const RecordingExtent& extent)
+{
+    std::array<char, 48> at{};
+    std::snprintf(at.data(), at.size(), "ended at %.1f s", extent.duration_s);
+    switch (extent.end) {
+    case RecordingEnd::Closed:
+        return "complete";
+    case RecordingEnd::DiskFull:
+        return at.data() + std::string(" because the disk was full; what was felt after is not in it");
+    case RecordingEnd::DiskFailed:
+        return at.data() + std::string(" because the disk could not be written; what was felt after is not in it");
+    case RecordingEnd::CutOff:
+        break;
+    }
+    return at.data() + std::string(" without being closed (a crash, or a full disk); what was felt after is not in it");
 }
 
 bool isRecordingFile(const std::filesystem::path& path)

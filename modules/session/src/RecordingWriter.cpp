@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/RecordingWriter.h"
 
+#include "DiskReserve.h"
 #include "MetaTable.h"
 #include "RecordingStore.h"
 #include "SceneChanges.h"
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,6 +28,8 @@ namespace {
 
 constexpr double kCommitInterval_s = 0.25;
 constexpr double kKept_s = 60.0; // of ticks, while the disk cannot take them
+/// For the ticks of two commits, of two layers each, and for the journal of the pages that they change.
+constexpr std::size_t kReserve_bytes = 128 * 1024;
 
 void removeSideFiles(const std::filesystem::path& path)
 {
@@ -48,6 +53,8 @@ struct RecordingWriter::Private
     internal::RecordingBatch pending; ///< not yet committed
     std::size_t ticksPerCommit = 250;
     std::size_t mostPending = 60000;
+    std::unique_ptr<internal::DiskReserve> reserve; ///< for `abandon`
+    std::optional<servo::TickRecord> stored;        ///< newest tick that is committed
     std::int64_t written = 0;
     std::uint64_t dropped = 0;
     std::optional<std::int64_t> lastTick;
@@ -103,6 +110,9 @@ Status RecordingWriter::Private::store()
     findChanges();
     const Status status = file->store(pending);
     if (status.isOk()) {
+        if (!pending.ticks.empty()) {
+            stored = pending.ticks.back();
+        }
         pending.clear();
     }
     return status;
@@ -170,6 +180,9 @@ RecordingWriter::create(const std::filesystem::path& path, const RecordingInfo& 
     d->file = std::move(opened).value();
     if (Status status = d->file->waitForDisk(sync == Sync::EachCommit); !status.isOk()) {
         return status;
+    }
+    if (sync == Sync::EachCommit) {
+        d->reserve = std::make_unique<internal::DiskReserve>(path, kReserve_bytes);
     }
     d->derive = events;
     return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(d)));
@@ -251,6 +264,27 @@ Status RecordingWriter::finish(Ending ending)
     return status;
 }
 
+Status RecordingWriter::abandon(RecordingEvent why)
+{
+    Private& d = *m_d;
+    d.isFinished = true;
+    d.reserve.reset();
+    why.tick = d.lastTick.value_or(why.tick);
+    d.pending.events.push_back(why);
+    Status status = d.store();
+    if (!status.isOk()) {
+        d.written -= static_cast<std::int64_t>(d.pending.ticks.size());
+        d.pending.ticks.clear();
+        d.pending.scenes.clear();
+        const std::int64_t last = d.stored ? d.stored->tick : why.tick;
+        for (RecordingEvent& event : d.pending.events) {
+            event.tick = std::min(event.tick, last);
+        }
+        status = d.store();
+    }
+    return status;
+}
+
 std::int64_t RecordingWriter::ticksWritten() const noexcept
 {
     return m_d->written;
@@ -264,6 +298,11 @@ std::uint64_t RecordingWriter::ticksDropped() const noexcept
 std::size_t RecordingWriter::ticksPending() const noexcept
 {
     return m_d->pending.ticks.size();
+}
+
+std::optional<std::int64_t> RecordingWriter::newestStored_ns() const noexcept
+{
+    return m_d->stored ? std::optional(m_d->stored->time_ns) : std::nullopt;
 }
 
 } // namespace palpate::session

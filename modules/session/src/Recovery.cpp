@@ -341,7 +341,7 @@ class Rescue
     {
         const bool isComplete = m_chosen->meta.contains(internal::kComplete);
         if (!isComplete) {
-            lose("the end: the recording was cut off; nothing is known after tick " + std::to_string(m_last));
+            lose("the end: the recording was not closed; nothing is known after tick " + std::to_string(m_last));
         }
         QJsonArray missing;
         for (const std::string& loss : m_result.losses) {

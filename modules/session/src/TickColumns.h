@@ -89,6 +89,29 @@ inline constexpr TickColumn kTickColumns[] = {
      Stored::Never},
 };
 
+/// A column that only the CSV has, after the values of kTickColumns: it follows from them, or tells what happened.
+struct CsvColumn
+{
+    std::string_view name;
+    std::string_view meaning;   ///< as recording.md says it
+    bool isOfSession = true;    ///< in the CSV of a recording alone
+    bool isWithoutHand = false; ///< filled too where there was no hand
+};
+
+/// In their order; a new one comes last.
+inline constexpr CsvColumn kCsvColumns[] = {
+    {"slides", "1 while friction lets the god-object slide, 0 while it holds it, empty without friction", false},
+    {"layers", "each layer in contact, outermost first, see below", false},
+    {"time_s", "since the recording's first tick [s]", true, true},
+    {"sent_x_N", "force given to the device, after the safety gate [N]"},
+    {"sent_y_N", "the same along y [N]"},
+    {"sent_z_N", "the same along z [N]"},
+    {"force_N", "length of the model's force on the hand [N]"},
+    {"depth_mm", "distance of the god-object of the outermost layer touched from the HIP; 0 in free space [mm]"},
+    {"felt_N_per_mm", "`force_N` ÷ `depth_mm`: all layers together; empty without a depth [N/mm]"},
+    {"events", "what happened in this tick, see below", true, true},
+};
+
 /// Gives a column's value to `use`, by reference. @param tick  a TickRecord, const or not
 template<class Tick, class Use>
 void useValue(const TickColumn& column, Tick& tick, Use&& use)

@@ -5,6 +5,9 @@
 
 #include <palpate/core/Numbers.h>
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include <algorithm>
 #include <concepts>
 #include <iterator>
@@ -61,82 +64,157 @@ void appendValue(std::string& line, std::integral auto value)
 
 void appendValue(std::string&, const haptics::TickResult&)
 {
-    // `layers` needs names: see `appendLayer`.
+    // `layers` needs names: see `appendLayers`.
 }
 
-/// The column `slides` between its commas.
+/// The column `slides`.
 const char* slides(haptics::Friction friction)
 {
     switch (friction) {
     case haptics::Friction::Slides:
-        return ",1,";
+        return "1";
     case haptics::Friction::Holds:
-        return ",0,";
+        return "0";
     case haptics::Friction::None:
         break;
     }
-    return ",,";
+    return "";
 }
 
-/// Appends `name=force_N=depth_mm`. What would be read as a part of the line, and '%' itself, stands as % and two
-/// hexadecimal digits in the name, as in a URL.
-void appendLayer(std::string& line, const haptics::Contact& contact, const StructureNames& names)
+/// Appends a text of a list within a cell. What would be read as a part of list or line, and '%' itself, stands as %
+/// and two hexadecimal digits, as in a URL.
+void appendEscaped(std::string& line, std::string_view text, std::string_view also = {})
 {
     constexpr char kDigits[] = "0123456789ABCDEF";
-    for (const char c : names(contact.structure)) {
+    for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < ' ' || std::string_view("%;=,\"").find(c) != std::string_view::npos) {
+        if (byte < ' ' || std::string_view("%;=,\"").find(c) != std::string_view::npos ||
+            also.find(c) != std::string_view::npos) {
             line += {'%', kDigits[byte / 16], kDigits[byte % 16]};
         } else {
             line += c;
         }
     }
-    line += '=';
-    core::appendNumber(line, contact.f_W.norm());
-    line += '=';
-    core::appendNumber(line, contact.depth_mm);
+}
+
+/// Appends `name=force_N=depth_mm` of each layer.
+void appendLayers(std::string& line, const haptics::TickResult& felt, const StructureNames& names)
+{
+    for (std::size_t i = 0; i < felt.contactCount; ++i) {
+        const haptics::Contact& contact = felt.contacts[i];
+        line += i > 0 ? ";" : "";
+        appendEscaped(line, names(contact.structure));
+        line += '=';
+        core::appendNumber(line, contact.f_W.norm());
+        line += '=';
+        core::appendNumber(line, contact.depth_mm);
+    }
+}
+
+/// What an event is about, in its own words: a note's text, a finding's name, a structure; empty for other kinds.
+std::string subjectOf(const RecordingEvent& event)
+{
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
+    for (const char* key : {"text", "name", "structure", "what"}) {
+        if (const QJsonValue value = json[QLatin1String(key)]; value.isString()) {
+            return value.toString().toStdString();
+        }
+    }
+    return {};
+}
+
+/// Appends `kind` or `kind=subject` of each event.
+void appendEvents(std::string& line, std::span<const RecordingEvent> events)
+{
+    bool isFirst = true;
+    for (const RecordingEvent& event : events) {
+        line += std::exchange(isFirst, false) ? "" : "|";
+        appendEscaped(line, event.kind, "|");
+        if (const std::string subject = subjectOf(event); !subject.empty()) {
+            line += '=';
+            appendEscaped(line, subject, "|");
+        }
+    }
+}
+
+/// Appends a value of `kCsvColumns`.
+void appendCsvColumn(std::string& line, std::string_view column, const servo::TickRecord& tick,
+                     const StructureNames& names, std::span<const RecordingEvent> events)
+{
+    const bool isTouching = tick.felt.structure >= 0;
+    const double depth_mm = isTouching ? (tick.felt.p_WG - tick.p_WH).norm() : 0.0;
+    if (column == "slides") {
+        line += slides(tick.felt.friction());
+    } else if (column == "layers") {
+        appendLayers(line, tick.felt, names);
+    } else if (column == "time_s") {
+        core::appendNumber(line, static_cast<double>(tick.time_ns) * 1e-9);
+    } else if (column.starts_with("sent_")) {
+        core::appendNumber(line, tick.fSent_W[column[5] - 'x']);
+    } else if (column == "force_N") {
+        core::appendNumber(line, tick.felt.f_W.norm());
+    } else if (column == "depth_mm") {
+        core::appendNumber(line, depth_mm);
+    } else if (column == "felt_N_per_mm" && depth_mm > 0.0) {
+        core::appendNumber(line, tick.felt.f_W.norm() / depth_mm);
+    } else if (column == "events") {
+        appendEvents(line, events);
+    }
 }
 
 } // namespace
 
-TickCsv::TickCsv(AtomicFile file)
+TickCsv::TickCsv(AtomicFile file, Rows rows)
     : m_file(std::move(file))
+    , m_rows(rows)
 {
 }
 
-core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path)
+core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows rows)
 {
     auto file = AtomicFile::create(path);
     if (!file.isOk()) {
         return file.status();
     }
-    TickCsv csv(std::move(file).value());
+    TickCsv csv(std::move(file).value(), rows);
     for (const internal::TickColumn& column : shownColumns()) {
         for (const std::string& name : internal::columnNames(column)) {
             csv.m_line += (csv.m_line.empty() ? "" : ",") + name;
         }
     }
-    csv.m_line += ",slides,layers\n";
+    for (const internal::CsvColumn& column : internal::kCsvColumns) {
+        if (!column.isOfSession || rows == Rows::Session) {
+            csv.m_line.append(",").append(column.name);
+        }
+    }
+    csv.m_line += '\n';
     csv.m_file.write(csv.m_line);
     return csv;
 }
 
-void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names)
+void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events)
 {
     m_line.clear();
+    const bool isEmpty = m_rows == Rows::Session && (tick.flags & servo::kNoHand) != 0;
     for (const internal::TickColumn& column : shownColumns()) {
         m_line += m_line.empty() ? "" : ",";
-        if (column.name == "structure") {
+        if (isEmpty && column.name != "tick") {
+            m_line.append(internal::columnNames(column).size() - 1, ',');
+        } else if (column.name == "structure") {
             appendText(m_line, tick.felt.structure < 0 ? std::string_view()
                                                        : names(static_cast<std::uint32_t>(tick.felt.structure)));
         } else {
             internal::useValue(column, tick, [this](const auto& value) { appendValue(m_line, value); });
         }
     }
-    m_line += slides(tick.felt.friction());
-    for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
-        appendLayer(m_line, tick.felt.contacts[i], names);
-        m_line += i + 1 < tick.felt.contactCount ? ";" : "";
+    for (const internal::CsvColumn& column : internal::kCsvColumns) {
+        if (column.isOfSession && m_rows != Rows::Session) {
+            continue;
+        }
+        m_line += ',';
+        if (!isEmpty || column.isWithoutHand) {
+            appendCsvColumn(m_line, column.name, tick, names, events);
+        }
     }
     m_line += '\n';
     m_file.write(m_line);

@@ -3,7 +3,7 @@
 
 namespace palpate::session {
 
-std::string timingJson(const servo::TimingReport& timing, bool isRealtime)
+std::string timingJson(const servo::TimingReport& timing, bool isRealtime, std::uint64_t late)
 {
     std::string out = "{";
     const auto number = [&out](const char* name, auto value) {
@@ -37,6 +37,8 @@ std::string timingJson(const servo::TimingReport& timing, bool isRealtime)
     number("overruns", timing.overruns);
     out += ", ";
     number("skipped", timing.skipped);
+    out += ", ";
+    number("late", late);
     out += ", \"realtime\": ";
     out += isRealtime ? "true}" : "false}";
     return out;

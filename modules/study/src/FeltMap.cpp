@@ -8,6 +8,23 @@ namespace palpate::study {
 
 using core::MappedQuantity;
 
+namespace {
+
+/// What the corners of a triangle weigh at a place on it; together 1.
+core::Vec3 weightsAt(const geometry::RepairedMesh& surface, std::size_t triangle, const core::Vec3& p_W)
+{
+    const geometry::Triangle& corners = surface.mesh.triangles[triangle];
+    const core::Vec3& a = surface.mesh.vertices[corners[0]];
+    const core::Vec3 u = surface.mesh.vertices[corners[1]] - a, v = surface.mesh.vertices[corners[2]] - a;
+    const core::Vec3 n = u.cross(v);
+    const double area = n.squaredNorm(); // > 0 after repair
+    const double second = std::clamp((p_W - a).cross(v).dot(n) / area, 0.0, 1.0);
+    const double third = std::clamp(u.cross(p_W - a).dot(n) / area, 0.0, 1.0 - second);
+    return {1.0 - second - third, second, third};
+}
+
+} // namespace
+
 FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue, double most)
 {
     const bool isScale = map.mapping.unit == core::MapUnit::Scale;
@@ -61,13 +78,19 @@ double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t 
         return scale(t);
     }
     const geometry::Triangle& corners = surface.mesh.triangles[t];
-    const core::Vec3& a = surface.mesh.vertices[corners[0]];
-    const core::Vec3 u = surface.mesh.vertices[corners[1]] - a, v = surface.mesh.vertices[corners[2]] - a;
-    const core::Vec3 n = u.cross(v);
-    const double area = n.squaredNorm(); // > 0 after repair
-    const double second = std::clamp((p_W - a).cross(v).dot(n) / area, 0.0, 1.0);
-    const double third = std::clamp(u.cross(p_W - a).dot(n) / area, 0.0, 1.0 - second);
-    return (1.0 - second - third) * scale(corners[0]) + second * scale(corners[1]) + third * scale(corners[2]);
+    const core::Vec3 weights = weightsAt(surface, t, p_W);
+    return weights[0] * scale(corners[0]) + weights[1] * scale(corners[1]) + weights[2] * scale(corners[2]);
+}
+
+double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values, bool isPerTriangle,
+               std::size_t triangle, const core::Vec3& p_W)
+{
+    if (isPerTriangle) {
+        return values[triangle];
+    }
+    const geometry::Triangle& corners = surface.mesh.triangles[triangle];
+    const core::Vec3 weights = weightsAt(surface, triangle, p_W);
+    return weights[0] * values[corners[0]] + weights[1] * values[corners[1]] + weights[2] * values[corners[2]];
 }
 
 } // namespace palpate::study

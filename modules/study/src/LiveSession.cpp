@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/LiveSession.h"
 
+#include "palpate/study/RecordedScene.h"
+
 #include <utility>
 
 namespace palpate::study {
@@ -49,7 +51,7 @@ Status LiveSession::startRecording(const std::filesystem::path& path, const std:
 {
     m_embeds = embeds;
     session::RecordingInfo info;
-    info.scene = scene.string();
+    nameScene(info, scene, path);
     info.device = m_device;
     return m_recorder.start(path, info, sceneRecord());
 }

@@ -130,6 +130,8 @@ std::string measuresJson(const session::SessionMeasures& m)
     }
     out["structures"] = structures;
     out["coverage_distance_mm"] = m.distance_mm;
+    out["lost_ticks"] = static_cast<qint64>(m.lostTicks);
+    out["late_ticks"] = m.lateTicks ? QJsonValue(static_cast<qint64>(*m.lateTicks)) : QJsonValue();
     out["phases"] = phasesJson(m.phases);
     out["findings"] = findingsJson(m.findings);
     return QJsonDocument(out).toJson().toStdString();

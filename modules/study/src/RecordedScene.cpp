@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/RecordedScene.h"
 
+#include "palpate/study/HapticCopy.h"
 #include "palpate/study/StructureSources.h"
 
+#include <palpate/session/Findings.h>
+#include <palpate/session/GeometryHash.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace palpate::study {
@@ -13,15 +18,18 @@ using core::Status;
 using core::StatusCode;
 using session::MeshesByHash;
 using session::RecordingReader;
+using session::StructureRecord;
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// @return hashes of all surfaces that were felt.
 std::vector<std::string> feltHashes(const RecordingReader& reader)
 {
     std::vector<std::string> hashes;
     for (const session::SceneRecord& scene : reader.scenes()) {
-        for (const session::StructureRecord& structure : scene.structures) {
+        for (const StructureRecord& structure : scene.structures) {
             if (structure.palpable) {
                 hashes.push_back(structure.source.sha256);
             }
@@ -31,7 +39,7 @@ std::vector<std::string> feltHashes(const RecordingReader& reader)
 }
 
 /// How a mesh file was read for a recording. One that it does not name (a scene or a folder) as its first.
-meshio::ReadOptions readAs(const RecordingReader& reader, const std::filesystem::path& file)
+meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
 {
     meshio::ReadOptions options;
     options.readsScale = false; // the unit is said
@@ -39,22 +47,268 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const std::filesystem:
         return options;
     }
     const std::vector<session::StructureRecord>& all = reader.scenes().front().structures;
-    const auto named =
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.source.mesh == file.string(); });
+    const auto named = std::find_if(all.begin(), all.end(), [&](const auto& one) {
+        return fs::path(one.source.mesh).filename() == file.filename();
+    });
     const session::StructureSource& source = (named == all.end() ? all.front() : *named).source;
     options.unit_mm = source.unit_mm;
     options.frame = source.frame;
     return options;
 }
 
-} // namespace
-
-Result<meshio::LoadedScene> openScene(const std::filesystem::path& path, const meshio::ReadOptions& options)
+/// @return a file as it was said then, else from the recording's folder, else of its name in that folder.
+std::optional<fs::path> whereIs(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
 {
-    return session::isRecordingFile(path) ? sceneOfRecording(path) : meshio::loadScene(path, options);
+    const fs::path folder = reader.path().parent_path();
+    for (const fs::path& place : {file, beside.empty() ? fs::path() : folder / beside, folder / file,
+                                  file.filename().empty() ? fs::path() : folder / file.filename()}) {
+        std::error_code error;
+        if (!place.empty() && fs::exists(place, error)) {
+            return place;
+        }
+    }
+    return std::nullopt;
 }
 
-Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::filesystem::path& scene)
+bool isSameMap(const haptics::TissueMap& a, const haptics::TissueMap& b)
+{
+    return a.isEmpty() == b.isEmpty() && (a.isEmpty() || (a.factor == b.factor && *a.corners == *b.corners));
+}
+
+/// A recorded map as one that a structure has: a number for each triangle where all three corners have the same one
+/// everywhere, else for each vertex.
+meshio::SurfaceMap surfaceMap(const haptics::TissueMap& map, core::MappedQuantity quantity,
+                              const geometry::SurfaceIndex& index, const geometry::RepairedMesh& surface)
+{
+    using core::MappedQuantity;
+    meshio::SurfaceMap out;
+    out.mapping.quantity = quantity;
+    // The factor of a stiffness in N/mm is one by the tissue's own.
+    out.mapping.unit = quantity == MappedQuantity::Damping                          ? core::MapUnit::NsPerMm
+                       : quantity == MappedQuantity::Stiffness && map.factor != 1.0 ? core::MapUnit::NPerMm
+                                                                                    : core::MapUnit::Scale;
+    for (const core::KnownMap& known : core::kKnownMaps) {
+        if (known.quantity == quantity && known.unit == out.mapping.unit) {
+            out.mapping.array = known.array;
+        }
+    }
+    out.isPerTriangle = std::all_of(map.corners->begin(), map.corners->end(),
+                                    [](const auto& at) { return at[0] == at[1] && at[1] == at[2]; });
+    out.values.assign(out.isPerTriangle ? surface.mesh.triangles.size() : surface.mesh.vertices.size(), 0.0F);
+    for (std::uint32_t i = 0; i < index.triangleCount(); ++i) {
+        const std::uint32_t triangle = index.sourceTriangle(i);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t at = out.isPerTriangle ? triangle : surface.mesh.triangles[triangle][corner];
+            out.values[at] = (*map.corners)[i][corner];
+        }
+    }
+    return out;
+}
+
+/// Builds the scene that a recording was made on.
+class Reopening
+{
+  public:
+    Reopening(const RecordingReader& reader, const meshio::ReadOptions& options)
+        : m_reader(reader)
+        , m_options(options)
+        , m_records(reader.scenes().empty() ? std::vector<StructureRecord>() : reader.scenes().front().structures)
+    {
+        // What a recording does not hold: how the scene looked.
+        if (const auto file = recordedSceneFile(reader); file && meshio::isSceneFile(*file)) {
+            if (auto read = meshio::readScene(*file); read.isOk()) {
+                m_look = std::move(read).value();
+            }
+        }
+    }
+
+    Result<meshio::LoadedScene> run()
+    {
+        m_found.resize(m_records.size());
+        for (std::size_t i = 0; i < m_records.size(); ++i) {
+            m_found[i] = embedded(m_records[i], i);
+        }
+        if (Status status = readMeshes(); !status.isOk()) {
+            return status;
+        }
+        for (std::size_t i = 0; i < m_records.size(); ++i) {
+            if (m_found[i]) {
+                feelAsRecorded(*m_found[i], m_records[i]);
+                m_out.scene.structures.push_back(m_found[i]->description);
+                m_out.structures.push_back(std::move(*m_found[i]));
+            }
+        }
+        const std::string name = m_reader.path().filename().string();
+        if (m_out.structures.empty()) {
+            return Status(StatusCode::NotFound, name + ": found none of the surfaces that it was made on" +
+                                                    (m_out.losses.empty() ? ": it holds none and names no mesh"
+                                                                          : ": " + m_out.losses.front()));
+        }
+        m_out.scene.camera = m_look.camera;
+        for (auto& [tick, finding] : session::findingsOf(m_reader.events())) {
+            m_out.scene.findings.push_back(std::move(finding));
+        }
+        return std::move(m_out);
+    }
+
+  private:
+    /// As it is recorded, looking as in the scene file.
+    meshio::SceneStructure description(const StructureRecord& record, std::size_t number) const
+    {
+        meshio::SceneStructure out = descriptionOf(record);
+        const auto look = std::find_if(m_look.structures.begin(), m_look.structures.end(),
+                                       [&](const meshio::SceneStructure& one) { return one.name == record.name; });
+        if (look == m_look.structures.end()) {
+            out.colour = meshio::usualColour(record.name, number);
+            return out;
+        }
+        out.colour = look->colour;
+        out.opacity = look->opacity;
+        out.maps = look->maps;
+        out.visible = look->visible || record.palpable;
+        out.palpable = record.palpable || (look->palpable && !look->visible); // what is hidden is not felt
+        return out;
+    }
+
+    std::optional<meshio::LoadedStructure> embedded(const StructureRecord& record, std::size_t number)
+    {
+        auto surface = m_reader.embedded(record.source.sha256);
+        if (!surface.isOk()) {
+            if (surface.status().code() != StatusCode::NotFound) {
+                m_out.losses.push_back(record.name + ": " + surface.status().message());
+            }
+            return std::nullopt;
+        }
+        meshio::LoadedStructure out;
+        out.description = description(record, number);
+        out.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
+        return out;
+    }
+
+    /// Reads the others from their mesh files. @return Cancelled
+    Status readMeshes()
+    {
+        meshio::SceneFile wanted;
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < m_records.size(); ++i) {
+            const fs::path said = m_records[i].source.mesh;
+            const auto mesh = m_found[i] ? std::nullopt : whereIs(m_reader, said);
+            if (mesh) {
+                wanted.structures.push_back(description(m_records[i], i));
+                wanted.structures.back().mesh = fs::absolute(*mesh).lexically_normal();
+                numbers.push_back(i);
+            } else if (!m_found[i]) {
+                m_out.losses.push_back(m_records[i].name + ": " + said.filename().string() +
+                                       ": no such file, neither where it was nor beside the recording");
+            }
+        }
+        if (wanted.structures.empty()) {
+            return {};
+        }
+        const std::vector<meshio::SceneStructure> asked = wanted.structures;
+        meshio::ReadOptions options = m_options;
+        options.frame = core::FileFrame::Untagged; // as it was read then
+        auto read = meshio::loadScene(std::move(wanted), m_reader.path(), options);
+        if (!read.isOk()) {
+            if (read.status().code() != StatusCode::Cancelled) {
+                m_out.losses.push_back(read.status().message());
+                return {};
+            }
+            return read.status();
+        }
+        meshio::LoadedScene& loaded = read.value();
+        m_out.warnings = std::move(loaded.warnings);
+        m_out.losses.insert(m_out.losses.end(), loaded.losses.begin(), loaded.losses.end());
+        // In the order of `asked`, without those that could not be opened.
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < asked.size() && next < loaded.structures.size(); ++i) {
+            meshio::LoadedStructure& one = loaded.structures[next];
+            if (one.description.name != asked[i].name || one.description.mesh != asked[i].mesh) {
+                continue;
+            }
+            const StructureRecord& record = m_records[numbers[i]];
+            if (!record.source.sha256.empty() && session::geometryHash(one.surface->mesh) != record.source.sha256) {
+                m_out.losses.push_back(record.name + ": " + asked[i].mesh.filename().string() +
+                                       ": is another surface now than was recorded; opened as it is now");
+            }
+            m_found[numbers[i]] = std::move(one);
+            ++next;
+        }
+        return {};
+    }
+
+    /// Gives a structure the maps that it was felt with, where its own are others.
+    void feelAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
+    {
+        if (one.maps.empty() && record.tissueMaps.isEmpty()) {
+            return;
+        }
+        const auto index = indexed(*one.surface);
+        const haptics::TissueMaps own = tissueMaps(one, *index);
+        const std::array maps{
+            std::pair(&haptics::TissueMaps::stiffness, core::MappedQuantity::Stiffness),
+            std::pair(&haptics::TissueMaps::damping, core::MappedQuantity::Damping),
+            std::pair(&haptics::TissueMaps::friction, core::MappedQuantity::Friction),
+        };
+        const bool isSame = std::all_of(maps.begin(), maps.end(), [&](const auto& map) {
+            return isSameMap(own.*map.first, record.tissueMaps.*map.first);
+        });
+        if (isSame) {
+            return;
+        }
+        one.maps.clear();
+        for (const auto& [member, quantity] : maps) {
+            const haptics::TissueMap& map = record.tissueMaps.*member;
+            if (map.isEmpty()) {
+                continue;
+            }
+            if (map.corners->size() != index->triangleCount()) {
+                m_out.losses.push_back(record.name + ": its recorded map is of another surface; it is not felt");
+                continue;
+            }
+            one.maps.push_back(surfaceMap(map, quantity, *index, *one.surface));
+        }
+    }
+
+    const RecordingReader& m_reader;
+    const meshio::ReadOptions& m_options;
+    std::vector<StructureRecord> m_records;
+    meshio::SceneFile m_look;
+    std::vector<std::optional<meshio::LoadedStructure>> m_found; ///< by number in `m_records`
+    meshio::LoadedScene m_out;
+};
+
+} // namespace
+
+Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options)
+{
+    return session::isRecordingFile(path) ? sceneOfRecording(path, options) : meshio::loadScene(path, options);
+}
+
+void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)
+{
+    if (scene.empty() || recording.empty()) {
+        return;
+    }
+    std::error_code error; // without a working folder there is no absolute path
+    const fs::path whole = fs::absolute(scene, error).lexically_normal();
+    const fs::path folder = fs::absolute(recording, error).lexically_normal().parent_path();
+    if (error) {
+        info.scene = scene.string();
+        return;
+    }
+    const fs::path beside = whole.lexically_relative(folder);
+    info.scene = whole.string();
+    info.sceneBeside = beside.empty() || *beside.begin() == ".." ? std::string() : beside.string();
+    info.sceneSha256 = meshio::isSceneFile(whole) ? meshio::fileHash(whole) : std::string();
+}
+
+std::optional<fs::path> recordedSceneFile(const RecordingReader& reader)
+{
+    return reader.info().scene.empty() ? std::nullopt : whereIs(reader, reader.info().scene, reader.info().sceneBeside);
+}
+
+Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::path& scene)
 {
     MeshesByHash meshes;
     for (const std::string& hash : reader.embeddedHashes()) {
@@ -71,13 +325,15 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
         return meshes;
     }
     // One scene file, or the mesh files that were opened one by one.
-    std::vector<std::filesystem::path> files;
-    if (!scene.empty() || !reader.info().scene.empty()) {
-        files.push_back(scene.empty() ? std::filesystem::path(reader.info().scene) : scene);
+    std::vector<fs::path> files;
+    if (!scene.empty()) {
+        files.push_back(scene);
+    } else if (!reader.info().scene.empty()) {
+        files.push_back(recordedSceneFile(reader).value_or(reader.info().scene));
     } else if (!reader.scenes().empty()) {
-        for (const session::StructureRecord& structure : reader.scenes().front().structures) {
-            if (const std::filesystem::path file = structure.source.mesh;
-                !file.empty() && std::find(files.begin(), files.end(), file) == files.end()) {
+        for (const StructureRecord& structure : reader.scenes().front().structures) {
+            const fs::path file = whereIs(reader, structure.source.mesh).value_or(structure.source.mesh);
+            if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end()) {
                 files.push_back(file);
             }
         }
@@ -85,15 +341,11 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
     if (files.empty()) {
         return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
     }
-    for (std::filesystem::path file : files) {
+    for (const fs::path& file : files) {
         const meshio::ReadOptions options = readAs(reader, file);
         std::error_code error;
-        if (!std::filesystem::exists(file, error)) { // as it was said then; else beside the recording
-            const std::filesystem::path beside = reader.path().parent_path() / file;
-            if (!std::filesystem::exists(beside, error)) {
-                return Status(StatusCode::NotFound, file.string() + ": no such file");
-            }
-            file = beside;
+        if (!fs::exists(file, error)) {
+            return Status(StatusCode::NotFound, file.string() + ": no such file");
         }
         const auto loaded = openScene(file, options);
         if (!loaded.isOk()) {
@@ -104,32 +356,22 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const std::
     return meshes;
 }
 
-Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& recording)
+Result<meshio::LoadedScene> sceneOfRecording(const fs::path& recording, const meshio::ReadOptions& options)
 {
     const auto opened = RecordingReader::open(recording);
-    if (!opened.isOk()) {
-        return opened.status();
-    }
-    const RecordingReader& reader = *opened.value();
-    meshio::LoadedScene out;
-    const auto structures =
-        reader.scenes().empty() ? std::vector<session::StructureRecord>() : reader.scenes().front().structures;
-    for (const session::StructureRecord& structure : structures) {
-        auto surface = reader.embedded(structure.source.sha256);
-        if (!surface.isOk()) {
-            out.losses.push_back(structure.name + ": " + surface.status().message());
-            continue;
-        }
-        meshio::LoadedStructure& loaded = out.structures.emplace_back();
-        loaded.description = descriptionOf(structure);
-        loaded.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
-        out.scene.structures.push_back(loaded.description);
-    }
-    if (out.structures.empty()) {
-        return Status(StatusCode::NotFound,
-                      recording.string() + ": found no embedded surface, expected a recording made with --embed");
-    }
-    return out;
+    return opened.isOk() ? Reopening(*opened.value(), options).run() : opened.status();
+}
+
+bool hasFingertip(const RecordingReader& reader)
+{
+    return !reader.scenes().empty() && reader.scenes().front().fingertip_mm > 0.0;
+}
+
+double usualDistance_mm(const RecordingReader& reader)
+{
+    constexpr double kLeast_mm = 1.0; // finer than this costs more than it says
+    return hasFingertip(reader) ? std::max(reader.scenes().front().fingertip_mm, kLeast_mm)
+                                : session::MeasureOptions().distance_mm;
 }
 
 } // namespace palpate::study

@@ -5,9 +5,11 @@
 #include <palpate/session/AtomicFile.h>
 #include <palpate/session/TickCsv.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,36 @@ namespace {
 
 constexpr auto kFirst = std::numeric_limits<std::int64_t>::min(), kLast = std::numeric_limits<std::int64_t>::max();
 
+/// Counts ticks for a progress that is told each 1 %.
+class Steps
+{
+  public:
+    Steps(const session::RecordingReader& reader, const ExportProgress& progress)
+        : m_progress(progress)
+        , m_ticks(std::max<std::int64_t>(1, reader.extent().ticks))
+        , m_step(std::max<std::int64_t>(1, m_ticks / 100))
+    {
+    }
+    /// @return false when it was cancelled
+    bool next()
+    {
+        if (++m_done % m_step == 0 && m_progress) {
+            m_isCancelled = !m_progress(static_cast<double>(m_done) / static_cast<double>(m_ticks));
+        }
+        return !m_isCancelled;
+    }
+    [[nodiscard]] bool isCancelled() const noexcept { return m_isCancelled; }
+    [[nodiscard]] Status status(const std::filesystem::path& path) const
+    {
+        return {StatusCode::Cancelled, path.string() + ": not written: cancelled"};
+    }
+
+  private:
+    const ExportProgress& m_progress;
+    std::int64_t m_ticks, m_step, m_done = 0;
+    bool m_isCancelled = false;
+};
+
 Status write(const std::filesystem::path& path, const meshio::VtpFile& file)
 {
     const auto bytes = meshio::vtpBytes(file);
@@ -29,23 +61,43 @@ Status write(const std::filesystem::path& path, const meshio::VtpFile& file)
 
 } // namespace
 
-Status exportTicks(const session::RecordingReader& reader, const std::filesystem::path& path)
+Status exportTicks(const session::RecordingReader& reader, const std::filesystem::path& path,
+                   const ExportProgress& progress)
 {
-    auto csv = session::TickCsv::create(path);
+    auto csv = session::TickCsv::create(path, session::TickCsv::Rows::Session);
     if (!csv.isOk()) {
         return csv.status();
     }
-    const Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
-        if ((tick.flags & servo::kNoHand) == 0) {
-            csv.value().write(tick, [&](std::uint32_t number) { return reader.structureName(tick.scene, number); });
+    std::span<const session::RecordingEvent> events(reader.events()); // by tick
+    Steps steps(reader, progress);
+    std::optional<servo::TickRecord> last; // a row late, so that the last one takes all events that are left
+    const auto write = [&](std::int64_t upTo) {
+        std::size_t count = 0;
+        while (count < events.size() && events[count].tick <= upTo) {
+            ++count;
         }
-        return true;
+        csv.value().write(
+            *last, [&](std::uint32_t number) { return reader.structureName(last->scene, number); },
+            events.first(count));
+        events = events.subspan(count);
+    };
+    Status status = reader.forEach(kFirst, kLast, [&](const servo::TickRecord& tick) {
+        if (last) {
+            write(last->tick);
+        }
+        last = tick;
+        return steps.next();
     });
-    return status.isOk() ? csv.value().finish() : status;
+    if (last && !steps.isCancelled()) {
+        write(kLast);
+    }
+    return !status.isOk() ? status : steps.isCancelled() ? steps.status(path) : csv.value().finish();
 }
 
-Status exportPath(const session::RecordingReader& reader, const std::filesystem::path& path)
+Status exportPath(const session::RecordingReader& reader, const std::filesystem::path& path,
+                  const ExportProgress& progress)
 {
+    Steps steps(reader, progress);
     meshio::VtpFile file;
     std::vector<core::Vec3> forces, god;
     std::vector<double> times_s, forces_N, depths_mm;
@@ -56,7 +108,7 @@ Status exportPath(const session::RecordingReader& reader, const std::filesystem:
         const bool goesOn = session::follows(previous, tick);
         previous = tick;
         if ((tick.flags & servo::kNoHand) != 0 || !tick.p_WH.allFinite()) {
-            return true;
+            return steps.next();
         }
         if (!goesOn && !file.points.empty()) {
             file.lineEnds.push_back(file.points.size());
@@ -68,10 +120,10 @@ Status exportPath(const session::RecordingReader& reader, const std::filesystem:
         depths_mm.push_back((tick.felt.p_WG - tick.p_WH).norm());
         times_s.push_back(static_cast<double>(tick.tick - first) * reader.info().dt_s);
         structures.push_back(tick.felt.structure);
-        return true;
+        return steps.next();
     });
-    if (!status.isOk()) {
-        return status;
+    if (!status.isOk() || steps.isCancelled()) {
+        return status.isOk() ? steps.status(path) : status;
     }
     if (file.points.empty()) {
         return {StatusCode::Empty, path.string() + ": not written: found no tick with a hand, expected at least one"};

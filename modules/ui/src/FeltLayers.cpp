@@ -108,8 +108,29 @@ void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& laye
     for (std::size_t i = 1; i < std::min<std::size_t>(layers.size(), tick.felt.contactCount); ++i) {
         const QColor& colour = layers[i].colour;
         state.inner[state.innerCount++] = {tick.felt.contacts[i].p_WG,
-                                           {colour.redF(), colour.greenF(), colour.blueF()}};
+                                           {colour.redF(), colour.greenF(), colour.blueF()},
+                                           tick.felt.contacts[i].depth_mm};
     }
+}
+
+view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
+                            const std::vector<FeltLayer>& layers, const core::Tissue* tissue)
+{
+    view::TouchState state;
+    state.p_WH = tick.p_WH;
+    state.p_WG = tick.felt.p_WG;
+    state.n_W = tick.felt.n_W;
+    state.f_W = f_W;
+    state.fingertip_mm = fingertip_mm;
+    state.isInContact = tick.felt.structure >= 0;
+    state.isPresent = (tick.flags & servo::kNoHand) == 0;
+    if (state.isInContact) {
+        showInner(tick, layers, state);
+    }
+    if (state.isInContact && tissue != nullptr) {
+        showFriction(tick, *tissue, state);
+    }
+    return state;
 }
 
 } // namespace palpate::ui

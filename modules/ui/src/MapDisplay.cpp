@@ -7,8 +7,12 @@
 #include <palpate/study/FeltMap.h>
 #include <palpate/view/SurfaceColours.h>
 
+#include <QLocale>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -130,6 +134,7 @@ MapDisplay::MapDisplay(VtkViewport& viewport, StructureModel& model, QObject* pa
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         m_row = -1; // the view has new pictures
         m_what.clear();
+        m_shown = {};
     });
 }
 
@@ -143,6 +148,21 @@ void MapDisplay::show(int row, const QString& what)
     refresh();
 }
 
+QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W) const
+{
+    if (row != m_row || m_shown.values.empty()) {
+        return {};
+    }
+    const geometry::RepairedMesh& surface = *m_model.rows()[static_cast<std::size_t>(row)].loaded.surface;
+    const double value = study::valueAt(surface, m_shown.values, m_shown.isPerTriangle, triangle, p_W);
+    // A title ends in its unit, behind the last comma.
+    const qsizetype comma = m_shown.title.lastIndexOf(QStringLiteral(", "));
+    const QString name = comma < 0 ? m_shown.title : m_shown.title.left(comma);
+    const QString unit = comma < 0 ? QString() : m_shown.title.mid(comma + 2);
+    return std::isnan(value) ? tr("%1: nothing said").arg(name)
+                             : QStringLiteral("%1 %2 %3").arg(name, QLocale().toString(value, 'g', 3), unit).trimmed();
+}
+
 void MapDisplay::setGreatest(const haptics::Tissue& greatest)
 {
     m_greatest = greatest;
@@ -152,6 +172,7 @@ void MapDisplay::setGreatest(const haptics::Tissue& greatest)
 /// The structure in its own colour.
 void MapDisplay::restore()
 {
+    m_shown = {};
     if (m_row >= 0 && m_row < m_model.rowCount()) {
         m_viewport.view().setPicture(static_cast<std::size_t>(m_row),
                                      m_model.rows()[static_cast<std::size_t>(m_row)].picture);
@@ -167,7 +188,7 @@ void MapDisplay::refresh()
     }
     const auto i = static_cast<std::size_t>(m_row);
     const StructureRow& row = m_model.rows()[i];
-    const SurfaceNumbers numbers =
+    SurfaceNumbers numbers =
         m_what.isEmpty() ? SurfaceNumbers() : numbersOf(row.loaded, m_what, m_model.feltStructures(m_greatest)[i]);
     if (numbers.values.empty()) { // also where a map is no more
         restore();
@@ -178,6 +199,7 @@ void MapDisplay::refresh()
         i, view::coloured(*row.picture, *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
     const QString title = readableName(row.loaded.description.name) + QLatin1Char('\n') + numbers.title;
     m_viewport.view().legend().show({title.toStdString(), tr("nothing said").toStdString(), range});
+    m_shown = std::move(numbers);
     m_viewport.update();
 }
 

@@ -5,6 +5,10 @@
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/study/FeltMap.h>
 
+#include <QLocale>
+
+#include <algorithm>
+
 namespace palpate::ui {
 
 namespace {
@@ -28,26 +32,160 @@ PalpationController::PalpationController(VtkViewport& viewport, LiveTouch& live,
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(kHandPeriod_ms);
     connect(&m_timer, &QTimer::timeout, this, &PalpationController::step);
-    connect(&viewport, &VtkViewport::pointerMoved, this, [this] {
+    connectPointer();
+    connect(&live, &LiveTouch::deviceChanged, this, [this] {
+        m_hand.goAway();
+        m_isByKeys = false;
+        run();
+    });
+    refreshText();
+}
+
+void PalpationController::connectPointer()
+{
+    connect(&m_viewport, &VtkViewport::pointerMoved, this, [this] {
+        if (m_isByKeys && isPressing()) {
+            return; // a nudge at the mouse must not drag what keys press
+        }
+        m_isByKeys = false;
         if (const auto ray = m_viewport.pointerRay()) {
             point(*ray);
         }
     });
-    connect(&viewport, &VtkViewport::pointerPressed, this, &PalpationController::press);
-    connect(&viewport, &VtkViewport::pointerReleased, this, [this] { letGo(); });
-    connect(&viewport, &VtkViewport::pointerLeft, this, [this] {
-        m_hand.goAway();
+    connect(&m_viewport, &VtkViewport::pointerPressed, this, [this] {
+        if (m_isByKeys) {
+            letGo(); // the first click gives the hand to the pointer
+        } else {
+            press();
+        }
+    });
+    connect(&m_viewport, &VtkViewport::pointerReleased, this, [this] { letGo(); });
+    connect(&m_viewport, &VtkViewport::pointerLeft, this, [this] {
+        if (!m_isByKeys) {
+            m_hand.goAway();
+            run();
+        }
+    });
+    connect(&m_viewport, &VtkViewport::depthTurned, this, [this](double notches) {
+        tellDepth(m_hand.turnDepth(notches), notches > 0.0);
         run();
     });
-    connect(&live, &LiveTouch::deviceChanged, this, [this] {
-        m_hand.goAway();
+}
+
+bool PalpationController::isPressing() const
+{
+    return m_hand.phase(seconds(core::monotonicNow_ns())) == PointerHand::Phase::Pressing;
+}
+
+void PalpationController::tellDepth(bool isWithin, bool isDeeper)
+{
+    Q_EMIT depthChanged(depth_mm());
+    if (!isWithin && isDeeper) {
+        Q_EMIT said(
+            tr("%1 mm is the deepest press: the scene is no larger.").arg(QLocale().toString(depth_mm(), 'f', 0)));
+    }
+    refreshText();
+}
+
+bool PalpationController::takeByKeys()
+{
+    if (!m_live.usesPointer()) {
+        return false; // the device is the hand
+    }
+    if (!m_isPalpating) {
+        Q_EMIT palpationWanted();
+    }
+    if (!m_isPalpating) {
+        return false;
+    }
+    if (!m_hand.surfacePoint()) {
+        const auto place = m_viewport.palpablePlace();
+        if (!place) {
+            Q_EMIT said(tr("Nothing that can be felt is in view."));
+            return false;
+        }
+        m_isByKeys = true;
+        point(m_viewport.rayAt(*place));
+    }
+    m_isByKeys = true;
+    return true;
+}
+
+void PalpationController::stepAlongScreen(int right, int up)
+{
+    if (!takeByKeys()) {
+        return;
+    }
+    const view::ViewFrame frame = view::ViewFrame::of(m_viewport.view().renderer(), m_viewport.devicePixelRatioF());
+    const double stride_mm = m_hand.settings().stride_mm;
+    const core::Vec3 p_W = *m_hand.surfacePoint() + stride_mm * (right * frame.right_W + up * frame.up_W);
+    if (isPressing()) {
+        // In its own direction, also after the camera was turned: seen from aside the hand must not jump.
+        const core::Vec3 d_W = m_hand.direction();
+        point({p_W - (frame.eye_W - p_W).norm() * d_W, d_W});
+    } else {
+        point(m_viewport.rayAt(m_viewport.placeOf(p_W)));
+    }
+}
+
+void PalpationController::togglePress()
+{
+    if (m_isByKeys && isPressing()) {
+        letGo();
+    } else if (!isPressing() && takeByKeys()) {
+        press();
+    }
+}
+
+void PalpationController::stepDepth(int steps)
+{
+    if (m_live.usesPointer()) {
+        tellDepth(m_hand.stepDepth(steps), steps > 0);
         run();
-    });
-    connect(&viewport, &VtkViewport::depthTurned, this, [this](double steps) {
-        m_hand.turnDepth(steps);
-        Q_EMIT depthChanged(depth_mm());
-        run();
-    });
+    }
+}
+
+void PalpationController::followCamera()
+{
+    if (m_isByKeys && !isPressing() && m_hand.surfacePoint()) {
+        point(m_viewport.rayAt(m_viewport.placeOf(*m_hand.surfacePoint())));
+    }
+}
+
+QString PalpationController::text() const
+{
+    const auto number = [](double depth_mm) {
+        return QLocale().toString(depth_mm, 'f', depth_mm < 0.95 ? 2 : depth_mm < 9.95 ? 1 : 0);
+    };
+    if (!m_isPalpating || !m_live.usesPointer()) {
+        return tr("camera");
+    }
+    if (!isPressing()) {
+        return tr("presses %1 mm").arg(number(depth_mm()));
+    }
+    const QString pressed = number(std::max(0.0, m_pressed_mm)), wanted = number(depth_mm());
+    if (m_isSlidOff) {
+        return tr("pressing %1 mm, slid off the edge").arg(pressed);
+    }
+    return pressed == wanted ? tr("pressing %1 mm").arg(wanted) : tr("pressing %1 of %2 mm").arg(pressed, wanted);
+}
+
+void PalpationController::refreshText()
+{
+    if (const QString now = text(); now != m_text) {
+        m_text = now;
+        Q_EMIT textChanged();
+    }
+}
+
+/// How far the pointer's hand is in, and whether what it pressed has given way to the side.
+void PalpationController::judgePress(const servo::TickRecord& tick, TouchReading& reading)
+{
+    constexpr double kFelt = 0.4; // of the way pressed: less is felt only where the surface leads the finger aside
+    m_pressed_mm = m_live.usesPointer() && isPressing() ? m_hand.pressedDepth_mm(tick.p_WH) : 0.0;
+    const double felt_mm = tick.felt.structure >= 0 ? (tick.felt.p_WG - tick.p_WH).norm() : 0.0;
+    reading.isSlidOff = m_isSlidOff = m_pressed_mm > m_hand.settings().hover_mm && felt_mm < kFelt * m_pressed_mm;
+    refreshText();
 }
 
 void PalpationController::setPalpating(bool isPalpating)
@@ -56,10 +194,12 @@ void PalpationController::setPalpating(bool isPalpating)
     m_viewport.setMode(isPalpating ? VtkViewport::Mode::Palpate : VtkViewport::Mode::Camera);
     if (!isPalpating) {
         m_hand.goAway();
+        m_isByKeys = false;
         run();
     } else if (const auto ray = m_viewport.pointerRay()) {
         point(*ray);
     }
+    refreshText();
 }
 
 bool PalpationController::letGo()
@@ -69,14 +209,19 @@ bool PalpationController::letGo()
     m_hand.release(now_s);
     m_live.pointer().setState(m_hand.state(now_s)); // at once: the next step may wait for a picture
     run();
+    m_pressed_mm = 0.0;
+    m_isSlidOff = false;
+    refreshText();
     return wasPressing;
 }
 
 void PalpationController::setSceneSize(double diagonal_mm)
 {
     m_hand.goAway();
+    m_isByKeys = false;
     m_hand.setSettings(settingsForSize(diagonal_mm));
     Q_EMIT depthChanged(depth_mm());
+    refreshText();
     run();
 }
 
@@ -169,28 +314,25 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     m_shown_ns = now_ns;
     // What the hand feels: of a device that pushes, what it was given, nothing after a fault.
     const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.felt.f_W;
-    view::TouchState state;
-    state.p_WH = tick.p_WH;
-    state.p_WG = tick.felt.p_WG;
-    state.f_W = f_W;
-    state.fingertip_mm = m_live.fingertip_mm();
-    state.isInContact = tick.felt.structure >= 0;
-    state.isPresent = true;
     TouchReading reading;
-    if (state.isInContact) {
+    const bool isTouching = tick.felt.structure >= 0;
+    if (isTouching) {
         reading.layers = feltLayers(tick, f_W.norm(), [this](std::uint32_t number) {
             const int row = static_cast<int>(number);
             return row < m_model.rowCount()
                        ? LayerLook{readableName(m_model.structure(row).name), colourOf(m_model.structure(row))}
                        : LayerLook{};
         });
-        showInner(tick, reading.layers, state);
-        if (tick.felt.structure < m_model.rowCount()) {
-            showFriction(tick, m_model.structure(tick.felt.structure).tissue, state);
-        }
     }
+    const core::Tissue* tissue = isTouching && tick.felt.structure < m_model.rowCount()
+                                     ? &m_model.structure(tick.felt.structure).tissue
+                                     : nullptr;
+    view::TouchState state = touchState(tick, f_W, m_live.fingertip_mm(), reading.layers, tissue);
+    state.isPresent = true; // hovering too, of which the device is told nothing
+    state.hasCrosshair = m_isByKeys;
+    judgePress(tick, reading);
     if (!m_shown.isPresent || state.innerCount != m_shown.innerCount || state.p_WH != m_shown.p_WH ||
-        state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W) {
+        state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W || state.hasCrosshair != m_shown.hasCrosshair) {
         m_shown = state;
         m_viewport.view().cursor().setState(state);
         m_viewport.update();

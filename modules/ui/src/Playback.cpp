@@ -156,14 +156,8 @@ void Playback::showMoment(double time_s)
     if (!tick) {
         return;
     }
-    view::TouchState state;
-    state.p_WH = tick->p_WH;
-    state.p_WG = tick->felt.p_WG;
-    state.f_W = tick->felt.f_W;
-    state.fingertip_mm = m_recording->fingertip_mm(*tick);
-    state.isInContact = tick->felt.structure >= 0;
-    state.isPresent = (tick->flags & servo::kNoHand) == 0;
-    showInner(*tick, layersOf(*tick), state);
+    const view::TouchState state = touchState(*tick, tick->felt.f_W, m_recording->fingertip_mm(*tick), layersOf(*tick),
+                                              m_recording->tissue(*tick));
     m_viewport.view().cursor().setState(state);
     m_viewport.update();
     feed(*tick, time_s);

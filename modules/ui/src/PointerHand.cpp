@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -16,7 +19,10 @@ PointerHandSettings settingsForSize(double diagonal_mm)
     settings.hover_mm *= share;
     settings.depth_mm *= share;
     settings.step_mm *= share;
-    settings.deepest_mm = std::min(settings.deepest_mm, 0.25 * diagonal_mm); // what is smaller is pressed flat by then
+    settings.gentle_mm *= share;
+    settings.deeper_mm_per_s *= share;
+    settings.stride_mm *= share;
+    settings.deepest_mm = diagonal_mm;
     return settings;
 }
 
@@ -71,9 +77,51 @@ void PointerHand::release(double now_s)
     }
 }
 
-void PointerHand::turnDepth(double steps)
+bool PointerHand::setDepth(double depth_mm)
 {
-    m_settings.depth_mm = std::clamp(m_settings.depth_mm + steps * m_settings.step_mm, 0.0, m_settings.deepest_mm);
+    m_settings.depth_mm = std::clamp(depth_mm, 0.0, m_settings.deepest_mm);
+    return m_settings.depth_mm == depth_mm;
+}
+
+bool PointerHand::turnDepth(double notches)
+{
+    // Depths in steps, from which a notch is so many of them.
+    constexpr std::pair<double, double> kNotches[] = {{0.0, 1.0}, {20.0, 2.0}, {40.0, 4.0}, {100.0, 10.0}};
+    constexpr double kRounding = 1e-9; // of a step
+    double depth = m_settings.depth_mm / m_settings.step_mm;
+    const bool isDeeper = notches > 0.0;
+    double left = std::abs(notches);
+    if (isDeeper) {
+        for (std::size_t i = 0; i < std::size(kNotches) && left > 0.0; ++i) {
+            const bool isLast = i + 1 == std::size(kNotches);
+            const double end = isLast ? std::numeric_limits<double>::infinity() : kNotches[i + 1].first;
+            if (depth < end - kRounding) {
+                const double used = std::min(left, (end - depth) / kNotches[i].second);
+                depth += used * kNotches[i].second;
+                left -= used;
+            }
+        }
+    } else {
+        for (std::size_t i = std::size(kNotches); i-- > 0 && left > 0.0;) {
+            const double end = i == 0 ? -std::numeric_limits<double>::infinity() : kNotches[i].first;
+            if (depth > end + kRounding) {
+                const double used = std::min(left, (depth - end) / kNotches[i].second);
+                depth -= used * kNotches[i].second;
+                left -= used;
+            }
+        }
+    }
+    return setDepth(depth * m_settings.step_mm);
+}
+
+bool PointerHand::stepDepth(int steps)
+{
+    return setDepth(m_settings.depth_mm + steps * m_settings.step_mm);
+}
+
+double PointerHand::pressedDepth_mm(const Vec3& p_W) const
+{
+    return m_surface_W ? (p_W - *m_surface_W).dot(m_d_W) : 0.0;
 }
 
 PointerHand::Phase PointerHand::phase(double now_s) const
@@ -104,6 +152,8 @@ device::PointerState PointerHand::state(double now_s) const
     state.depth_mm = m_settings.depth_mm;
     state.hover_mm = m_settings.hover_mm;
     state.pressTime_s = m_settings.pressTime_s;
+    state.gentle_mm = m_settings.gentle_mm;
+    state.deeper_mm_per_s = m_settings.deeper_mm_per_s;
     state.liftTime_s = m_settings.liftTime_s;
     return state;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/RecordedTouch.h"
 
+#include <palpate/session/Findings.h>
+
 #include <QLocale>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -58,6 +61,15 @@ double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
     return scene != nullptr ? scene->fingertip_mm : 0.0;
 }
 
+const core::Tissue* RecordedTouch::tissue(const servo::TickRecord& tick) const
+{
+    const session::SceneRecord* scene = m_reader->scene(tick.scene);
+    const auto number = static_cast<std::size_t>(tick.felt.structure);
+    return scene != nullptr && tick.felt.structure >= 0 && number < scene->structures.size()
+               ? &scene->structures[number].tissue
+               : nullptr;
+}
+
 double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
@@ -73,8 +85,8 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
 {
     std::vector<std::pair<double, QString>> marks;
     for (const session::RecordingEvent& event : m_reader->events()) {
-        if (event.kind == "scene" || event.kind == "clutch") {
-            continue; // what changed has an event of its own, and each press is a clutch
+        if (event.kind == "scene" || event.kind == "clutch" || event.kind == "timing") {
+            continue; // what changed has an event of its own, each press is a clutch, and timing is of the whole
         }
         const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
         marks.emplace_back(std::max(0.0, time_s), QString::fromStdString(event.kind));
@@ -82,15 +94,34 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
     return marks;
 }
 
+std::vector<core::Finding> RecordedTouch::findings() const
+{
+    std::vector<core::Finding> findings;
+    for (auto& [tick, finding] : session::findingsOf(m_reader->events())) {
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
 QString RecordedTouch::losses() const
 {
     const session::RecordingExtent& extent = m_reader->extent();
     const QString name = QString::fromStdString(m_path.filename().string());
-    if (!extent.isComplete) {
-        return tr("%1 was cut off before it was closed; what was written is shown.").arg(name);
+    const QString at = QLocale().toString(extent.duration_s, 'f', 1);
+    switch (extent.end) {
+    case session::RecordingEnd::Closed:
+        break;
+    case session::RecordingEnd::DiskFull:
+        return tr("%1 ended at %2 s because the disk was full; what was felt after is not in it.").arg(name, at);
+    case session::RecordingEnd::DiskFailed:
+        return tr("%1 ended at %2 s because the disk could not be written; what was felt after is not in it.")
+            .arg(name, at);
+    case session::RecordingEnd::CutOff:
+        return tr("%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.")
+            .arg(name, at);
     }
     if (extent.dropped > 0) {
-        return tr("%1: %2 ticks are missing; they were lost while it was recorded.")
+        return tr("%1: %2 ticks were lost while it was recorded, because the disk was too slow.")
             .arg(name, QLocale().toString(static_cast<qlonglong>(extent.dropped)));
     }
     return {};

@@ -80,7 +80,7 @@ class SceneLoader::Opening
         m_opened->files = std::move(files);
         m_opened->isReopened = true;
         m_read = [scene = std::move(scene)](const std::filesystem::path& path, const meshio::ReadOptions& how) {
-            return meshio::reloadScene(scene, path, how);
+            return meshio::loadScene(scene, path, how);
         };
     }
 

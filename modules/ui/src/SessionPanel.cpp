@@ -16,7 +16,7 @@ namespace palpate::ui {
 
 QString clockText(double seconds)
 {
-    const auto tenths = static_cast<long long>(std::floor(std::max(0.0, seconds) * 10.0 + 1e-6));
+    const long long tenths = std::llround(std::max(0.0, seconds) * 10.0);
     return QStringLiteral("%1:%2%3%4")
         .arg(tenths / 600, 2, 10, QLatin1Char('0'))
         .arg(tenths / 10 % 60, 2, 10, QLatin1Char('0'))
@@ -95,9 +95,14 @@ void SessionPanel::refresh()
     m_timeline->setPosition(m_transport.position_s());
 }
 
-void SessionPanel::showRecording(double duration_s, qulonglong dropped)
+void SessionPanel::showRecording(double duration_s, const QString& losses)
 {
-    m_time->setText(tr("%1, %2 dropped").arg(clockText(duration_s), QLocale().toString(dropped)));
+    m_time->setText(tr("%1, %2").arg(clockText(duration_s), losses));
+}
+
+QString lossesText(qulonglong late, qulonglong lost)
+{
+    return SessionPanel::tr("%1 late, %2 lost").arg(QLocale().toString(late), QLocale().toString(lost));
 }
 
 } // namespace palpate::ui

@@ -21,6 +21,10 @@ QString forceText(double force_N)
 QString detailText(const TouchReading& reading)
 {
     const int decimals = reading.depth_mm < 0.95 ? 2 : 1;
+    if (reading.isSlidOff) {
+        return TouchPanel::tr("%1 mm deep · slid off the edge")
+            .arg(QLocale().toString(reading.depth_mm, 'f', decimals));
+    }
     return TouchPanel::tr("%1 mm deep · %2 N/mm")
         .arg(QLocale().toString(reading.depth_mm, 'f', decimals),
              QLocale().toString(reading.stiffness_N_per_mm, 'f', 2));
@@ -138,8 +142,10 @@ void TouchPanel::show(const TouchReading& reading)
     for (std::size_t i = 1; i < reading.layers.size(); ++i) {
         names << reading.layers[i].name;
     }
-    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Free space"),
-            isTouching ? detailText(reading) : tr("nothing is touched"));
+    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Free space"), isTouching ? detailText(reading)
+                                                                               : reading.isSlidOff
+                                                                                   ? tr("slid off the edge")
+                                                                                   : tr("nothing is touched"));
     setLayers(reading.layers);
     m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
                       : reading.solveP99_us >= 0.0

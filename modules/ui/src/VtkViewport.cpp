@@ -16,11 +16,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace palpate::ui {
 
 namespace {
 
+constexpr double kStill_px = 3.0; // a click may tremble so far
 constexpr int kStill_ms = 350;    // after this long without a frame the picture stands still
 constexpr int kWarmUp = 2;        // first frames upload meshes and compile shaders: they say nothing of the speed
 constexpr double kSlow_ms = 40.0; // slower than this, a moving picture drops what costs most
@@ -195,6 +197,29 @@ view::Ray VtkViewport::rayAt(const QPointF& place)
     return m_view.rayThrough(place.x() * ratio, (height() - place.y()) * ratio);
 }
 
+QPointF VtkViewport::placeOf(const core::Vec3& p_W)
+{
+    fitSize();
+    const Eigen::Vector2d px = view::ViewFrame::of(m_view.renderer(), devicePixelRatioF()).pixelOf(p_W);
+    return {0.5 * width() + px.x(), 0.5 * height() - px.y()};
+}
+
+std::optional<QPointF> VtkViewport::palpablePlace()
+{
+    constexpr int kRings = 24, kSpokes = 12;
+    const QPointF centre(0.5 * width(), 0.5 * height());
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (int spoke = 0; spoke < kSpokes; ++spoke) {
+            const double angle = 2.0 * std::numbers::pi * spoke / kSpokes;
+            const QPointF place = centre + 0.02 * ring * height() * QPointF(std::cos(angle), std::sin(angle));
+            if (rect().contains(place.toPoint()) && m_view.pick(rayAt(place))) {
+                return place;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<view::Ray> VtkViewport::pointerRay()
 {
     return m_isPointerInside ? std::optional(rayAt(m_pointer)) : std::nullopt;
@@ -215,6 +240,9 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
     m_isPointerInside = true;
+    m_pressedAt = m_pointer;
+    m_hasMoved = false;
+    Q_EMIT hoverEnded();
     if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
         m_isPressed = true;
         Q_EMIT pointerMoved();
@@ -246,6 +274,9 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
         return;
     }
     m_cameraButton = Qt::NoButton;
+    if (event->button() == Qt::LeftButton && m_mode == Mode::Camera && !m_hasMoved) {
+        Q_EMIT clicked(m_pointer, event->modifiers());
+    }
     // Whichever of the three it was: the style ends what it began and ignores the others.
     for (const auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
                                vtkCommand::RightButtonReleaseEvent}) {
@@ -257,6 +288,10 @@ void VtkViewport::mouseMoveEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
     m_isPointerInside = true;
+    m_hasMoved = m_hasMoved || (m_pointer - m_pressedAt).manhattanLength() > kStill_px;
+    if (event->buttons() == Qt::NoButton) {
+        Q_EMIT hovered(m_pointer);
+    }
     if (m_cameraButton != Qt::NoButton) {
         moveCamera(m_pointer, vtkCommand::MouseMoveEvent, event->modifiers());
     }
@@ -313,6 +348,7 @@ bool VtkViewport::event(QEvent* event)
 void VtkViewport::leaveEvent(QEvent* event)
 {
     m_isPointerInside = m_isPressed;
+    Q_EMIT hoverEnded();
     if (m_mode == Mode::Palpate && !m_isPressed) {
         Q_EMIT pointerLeft();
         update();

@@ -30,6 +30,8 @@ vtkSmartPointer<vtkActor> makeFlat(vtkPolyData* shape, const Colour& colour)
     return actor;
 }
 
+constexpr int kSides = 40; // of a ring
+
 } // namespace
 
 ViewFrame ViewFrame::of(vtkRenderer& renderer, double pixelRatio)
@@ -40,6 +42,7 @@ ViewFrame ViewFrame::of(vtkRenderer& renderer, double pixelRatio)
     frame.back_W = (frame.eye_W - Vec3(camera.GetFocalPoint())).normalized();
     frame.right_W = Vec3(camera.GetViewUp()).cross(frame.back_W).normalized();
     frame.up_W = frame.back_W.cross(frame.right_W);
+    frame.width_px = std::max(1.0, renderer.GetSize()[0] / pixelRatio);
     frame.height_px = std::max(1.0, renderer.GetSize()[1] / pixelRatio);
     frame.isParallel = camera.GetParallelProjection() != 0;
     frame.scale = frame.isParallel ? 2.0 * camera.GetParallelScale()
@@ -52,6 +55,17 @@ double ViewFrame::mmPerPixel(const Vec3& p_W) const
 {
     const double depth = isParallel ? 1.0 : std::max(1e-9, (eye_W - p_W).dot(back_W));
     return scale * depth / height_px;
+}
+
+Eigen::Vector2d ViewFrame::pixelOf(const Vec3& p_W) const
+{
+    const Vec3 fromEye = p_W - eye_W;
+    return Eigen::Vector2d(fromEye.dot(right_W), fromEye.dot(up_W)) / mmPerPixel(p_W);
+}
+
+Vec3 ViewFrame::towardsViewer(const Vec3& p_W) const
+{
+    return isParallel ? back_W : Vec3((eye_W - p_W).normalized());
 }
 
 void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame)
@@ -69,7 +83,6 @@ void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame)
 
 vtkSmartPointer<vtkActor> makeRing(double inner_px, double outer_px, const Colour& colour, double lift_px)
 {
-    constexpr int kSides = 40;
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> faces;
     for (int i = 0; i < kSides; ++i) {
@@ -119,6 +132,27 @@ void BillboardLine::place(const Vec3& from_W, const Vec3& to_W, const ViewFrame&
     }
     strip->GetPoints()->Modified();
     strip->Modified();
+}
+
+BillboardCircle::BillboardCircle(double width_px, const Colour& colour)
+    : m_actor(makeRing(0.0, 1.0, colour, 0.0))
+    , m_width_px(width_px)
+{
+}
+
+void BillboardCircle::place(const Vec3& p_W, double radius_px, const ViewFrame& frame)
+{
+    auto* ring = vtkPolyData::SafeDownCast(m_actor->GetMapper()->GetInput());
+    const double inner_px = std::max(0.0, radius_px - 0.5 * m_width_px);
+    const double outer_px = radius_px + 0.5 * m_width_px;
+    for (int i = 0; i < kSides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kSides;
+        ring->GetPoints()->SetPoint(2 * i, inner_px * std::cos(angle), inner_px * std::sin(angle), 0.0);
+        ring->GetPoints()->SetPoint(2 * i + 1, outer_px * std::cos(angle), outer_px * std::sin(angle), 0.0);
+    }
+    ring->GetPoints()->Modified();
+    ring->Modified();
+    placeBillboard(*m_actor, p_W, frame);
 }
 
 } // namespace palpate::view

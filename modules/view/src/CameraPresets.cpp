@@ -78,4 +78,26 @@ void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double 
     fit(camera, bounds, aspect);
 }
 
+void turn(vtkCamera& camera, double right_deg, double up_deg)
+{
+    camera.Azimuth(right_deg);
+    camera.Elevation(up_deg);
+    camera.OrthogonalizeViewUp();
+}
+
+void shift(vtkCamera& camera, double right, double up)
+{
+    const Vec3 position(camera.GetPosition()), focus(camera.GetFocalPoint());
+    const Vec3 back = (position - focus).normalized();
+    const Vec3 right_W = Vec3(camera.GetViewUp()).cross(back).normalized();
+    const double height_mm =
+        camera.GetParallelProjection() != 0
+            ? 2.0 * camera.GetParallelScale()
+            : 2.0 * std::tan(camera.GetViewAngle() * std::numbers::pi / 360.0) * (position - focus).norm();
+    const Vec3 way = height_mm * (right * right_W + up * back.cross(right_W));
+    const Vec3 stand = position + way, seen = focus + way;
+    camera.SetPosition(stand.x(), stand.y(), stand.z());
+    camera.SetFocalPoint(seen.x(), seen.y(), seen.z());
+}
+
 } // namespace palpate::view

@@ -7,9 +7,9 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace palpate::view {
@@ -46,7 +46,8 @@ void placeAlong(vtkActor& actor, const Vec3& foot_W, const Vec3& axis, double le
 } // namespace
 
 ForceArrow::ForceArrow()
-    : m_label(vtkSmartPointer<vtkBillboardTextActor3D>::New())
+    : m_circleDark(6.6, kDarkRim)
+    , m_circle(4.2, kDarkRim)
 {
     vtkNew<vtkCylinderSource> shaft;
     shaft->SetResolution(20);
@@ -61,31 +62,22 @@ ForceArrow::ForceArrow()
     head->SetDirection(0.0, 1.0, 0.0);
     head->SetCenter(0.0, 0.5, 0.0);
     m_head = makeShape(*head);
-
-    m_label->PickableOff();
-    vtkTextProperty* text = m_label->GetTextProperty();
-    text->SetBold(true);
-    text->SetColor(1.0, 1.0, 1.0);
-    text->SetBackgroundColor(0.08, 0.09, 0.11);
-    text->SetBackgroundOpacity(0.72);
-    text->SetJustificationToLeft();
-    text->SetVerticalJustificationToCentered();
 }
-
-ForceArrow::~ForceArrow() = default;
 
 void ForceArrow::addTo(vtkRenderer& solid, vtkRenderer& overlay)
 {
     solid.AddActor(m_shaft);
     solid.AddActor(m_head);
-    overlay.AddActor(m_label);
+    overlay.AddActor(m_circleDark.actor());
+    overlay.AddActor(m_circle.actor());
 }
 
 void ForceArrow::setVisible(bool isVisible)
 {
-    m_shaft->SetVisibility(isVisible);
-    m_head->SetVisibility(isVisible);
-    m_label->SetVisibility(isVisible);
+    for (vtkActor* part : {m_shaft.Get(), m_head.Get(), m_circleDark.actor(), m_circle.actor()}) {
+        part->SetVisibility(isVisible);
+    }
+    m_radius_px = isVisible ? m_radius_px : 0.0;
 }
 
 void ForceArrow::place(const Vec3& p_W, const Vec3& f_W, const Colour& colour, double gap_px, const ViewFrame& frame)
@@ -94,42 +86,42 @@ void ForceArrow::place(const Vec3& p_W, const Vec3& f_W, const Colour& colour, d
     const double pixel_mm = frame.mmPerPixel(p_W);
     const double longest_mm = kLongest * frame.height_px * pixel_mm;
     m_length_mm = std::min(kLength_mm_per_N * force_N, longest_mm);
+    m_tip_W = p_W;
+    m_label.clear();
+    setVisible(false);
     if (!(force_N > 0.0)) {
-        setVisible(false);
         return;
     }
+    char value[32];
+    std::snprintf(value, sizeof value, "%.2f N", force_N);
+    m_label = value;
+
     const Vec3 axis = f_W / force_N;
-    const Vec3 start = p_W + gap_px * pixel_mm * axis;
-    // A short arrow is all head, shrunk to its length.
-    const double head_mm = std::min(15.0 * pixel_mm, m_length_mm);
-    placeAlong(*m_shaft, start, axis, std::max(m_length_mm - head_mm, 1e-9 * pixel_mm), 2.2 * pixel_mm);
-    placeAlong(*m_head, start + (m_length_mm - head_mm) * axis, axis, head_mm, head_mm * (6.0 / 15.0));
+    const double turned = std::abs(axis.dot(frame.towardsViewer(p_W)));
+    const double share = std::clamp((turned - kArrowOnly) / (kCircleOnly - kArrowOnly), 0.0, 1.0); // of the circle
+    const double shown_mm = (1.0 - share) * m_length_mm;
+    if (share < 1.0) {
+        const Vec3 start = p_W + gap_px * pixel_mm * axis;
+        // A short arrow is all head, shrunk to its length.
+        const double head_mm = std::min(15.0 * pixel_mm, shown_mm);
+        placeAlong(*m_shaft, start, axis, std::max(shown_mm - head_mm, 1e-9 * pixel_mm), 2.2 * pixel_mm);
+        placeAlong(*m_head, start + (shown_mm - head_mm) * axis, axis, head_mm, head_mm * (6.0 / 15.0));
+        m_tip_W = start + shown_mm * axis;
+    }
+    if (share > 0.0) {
+        m_radius_px = gap_px + kRadius * m_length_mm / pixel_mm;
+        m_circleDark.place(p_W, m_radius_px, frame);
+        m_circle.place(p_W + 0.5 * pixel_mm * frame.back_W, m_radius_px, frame);
+        m_circleDark.actor()->GetProperty()->SetOpacity(share);
+        m_circle.actor()->GetProperty()->SetOpacity(share);
+    }
     for (vtkActor* part : {m_shaft.Get(), m_head.Get()}) {
+        part->SetVisibility(share < 1.0);
         part->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     }
-
-    char value[32];
-    std::snprintf(value, sizeof value, " %.2f N ", force_N);
-    m_label->SetInput(value);
-    m_label->GetTextProperty()->SetFontSize(std::max(8, static_cast<int>(15.0 * frame.pixelRatio)));
-    Vec3 tip = start + m_length_mm * axis;
-    m_label->SetPosition(tip.data());
-    // Beyond the tip, on the side that the arrow points to, so that it never covers the arrow.
-    const bool isLeft = axis.dot(frame.right_W) < -0.2;
-    const double below = axis.dot(frame.up_W);
-    isLeft ? m_label->GetTextProperty()->SetJustificationToRight()
-           : m_label->GetTextProperty()->SetJustificationToLeft();
-    m_label->SetDisplayOffset(static_cast<int>((isLeft ? -12 : 12) * frame.pixelRatio),
-                              static_cast<int>(14 * below * frame.pixelRatio));
-    setVisible(true);
-}
-
-std::string ForceArrow::label() const
-{
-    const char* text = m_label->GetInput();
-    const std::string padded = text != nullptr ? text : "";
-    const auto first = padded.find_first_not_of(' ');
-    return first == std::string::npos ? "" : padded.substr(first, padded.find_last_not_of(' ') - first + 1);
+    m_circle.actor()->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+    m_circle.actor()->SetVisibility(share > 0.0);
+    m_circleDark.actor()->SetVisibility(share > 0.0);
 }
 
 } // namespace palpate::view

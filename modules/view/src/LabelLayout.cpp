@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace palpate::view {
 
@@ -84,6 +85,42 @@ void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
         own.offset_px = best;
         own.isMoved = best != usual;
     }
+}
+
+Point placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken, const Eigen::AlignedBox2d& view)
+{
+    constexpr int kWays = 8, kSteps = 12;
+    constexpr double kStep_px = 12.0;
+    const double best = std::atan2(label.towards.y(), label.towards.x());
+    const auto boxAt = [&](int place) {
+        // The way that it had best be, then alternately to either side of it.
+        const int way = place % kWays;
+        const double turn = (way % 2 == 1 ? 1 : -1) * ((way + 1) / 2) * (2.0 * std::numbers::pi / kWays);
+        const Point direction(std::cos(best + turn), std::sin(best + turn));
+        // So far that the text's box ends beside the point.
+        const Point half = 0.5 * label.size_px + Point::Constant(kGap_px);
+        const double clear = std::min(half.x() / std::max(1e-9, std::abs(direction.x())),
+                                      half.y() / std::max(1e-9, std::abs(direction.y())));
+        const Point centre = label.point_px + direction * (clear + kStep_px * (place / kWays));
+        return Eigen::AlignedBox2d(centre - 0.5 * label.size_px, centre + 0.5 * label.size_px);
+    };
+    const auto isFree = [&](const Eigen::AlignedBox2d& box) {
+        return view.contains(box) && std::none_of(taken.begin(), taken.end(), [&](const Eigen::AlignedBox2d& other) {
+                   return !box.intersection(other).isEmpty();
+               });
+    };
+    if (label.place >= 0 && isFree(boxAt(label.place))) {
+        return boxAt(label.place).center();
+    }
+    for (int place = 0; place < kWays * kSteps; ++place) {
+        if (const Eigen::AlignedBox2d box = boxAt(place); isFree(box)) {
+            label.place = place;
+            return box.center();
+        }
+    }
+    label.place = -1;
+    const Point low = view.min() + 0.5 * label.size_px, high = view.max() - 0.5 * label.size_px;
+    return boxAt(0).center().cwiseMin(high).cwiseMax(low);
 }
 
 } // namespace palpate::view

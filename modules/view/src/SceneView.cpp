@@ -6,8 +6,12 @@
 #include <vtkNew.h>
 #include <vtkProperty.h>
 
+#include <vtkPropCollection.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace palpate::view {
 
@@ -85,6 +89,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
         m_solid->RemoveActor(old.picture.actor());
     }
     m_structures = std::move(structures);
+    m_drawn.clear();
     m_legend.hide();
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
@@ -174,6 +179,40 @@ core::Box SceneView::bounds() const
     return shown.isEmpty() ? all : shown;
 }
 
+/// Draws translucent structures in the order of their nearest places, the farthest first: what lies in another before
+/// that.
+void SceneView::orderFarFirst(const ViewFrame& frame)
+{
+    std::vector<std::pair<double, vtkActor*>> order;
+    for (const ViewStructure& one : m_structures) {
+        const Appearance& look = one.picture.appearance();
+        if (!look.isVisible || look.opacity >= 1.0) {
+            continue;
+        }
+        const core::Box box = boxOf(one.picture.actor());
+        double nearest = -std::numeric_limits<double>::infinity();
+        for (int corner = 0; corner < 8; ++corner) {
+            nearest = std::max(nearest, box.corner(static_cast<core::Box::CornerType>(corner)).dot(frame.back_W));
+        }
+        order.emplace_back(nearest, one.picture.actor());
+    }
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<vtkActor*> actors;
+    for (const auto& [nearest, actor] : order) {
+        actors.push_back(actor);
+    }
+    if (actors == m_drawn) {
+        return;
+    }
+    // In the collection itself: a renderer that loses an actor gives back what it has on the graphics card.
+    for (vtkActor* actor : actors) {
+        const vtkSmartPointer<vtkActor> kept = actor;
+        m_solid->GetViewProps()->RemoveItem(actor);
+        m_solid->GetViewProps()->AddItem(actor);
+    }
+    m_drawn = std::move(actors);
+}
+
 void SceneView::prepareFrame(double pixelRatio)
 {
     const ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
@@ -197,9 +236,8 @@ void SceneView::prepareFrame(double pixelRatio)
         m_cube.place(camera(), m_window->GetSize(), pixelRatio);
     }
     m_solid->SetUseDepthPeeling(m_isSorted);
-    for (const ViewStructure& one : m_structures) {
-        const bool isFrontOnly = !m_isSorted && one.picture.appearance().opacity < 1.0;
-        one.picture.actor()->GetProperty()->SetBackfaceCulling(isFrontOnly);
+    if (!m_isSorted) {
+        orderFarFirst(frame);
     }
     // Occlusion is computed from the depth of what is opaque: behind translucent tissue it would darken the wrong
     // place.

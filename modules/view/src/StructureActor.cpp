@@ -11,8 +11,9 @@
 
 namespace palpate::view {
 
-StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearance)
+StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearance, bool isClosed)
     : m_actor(vtkSmartPointer<vtkActor>::New())
+    , m_isClosed(isClosed)
 {
     vtkNew<vtkPolyDataMapper> mapper;
     m_actor->SetMapper(mapper);
@@ -45,6 +46,7 @@ void StructureActor::setAppearance(const Appearance& appearance)
     Colour colour = m_appearance.colour;
     m_actor->GetProperty()->SetColor(colour.data());
     m_actor->GetProperty()->SetOpacity(m_appearance.opacity);
+    m_actor->GetProperty()->SetBackfaceCulling(m_isClosed && m_appearance.opacity < 1.0);
     // The inner side shows through the mouth of an open vessel: darker and without shine, so that it reads as inside.
     vtkProperty* inside = m_actor->GetBackfaceProperty();
     inside->DeepCopy(m_actor->GetProperty());

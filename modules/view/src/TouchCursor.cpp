@@ -8,13 +8,17 @@
 #include <vtkSphereSource.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 
 namespace palpate::view {
 
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
-constexpr double kInnerLift_px = 14.0; // inner marks lie over the spring that leads past them
+constexpr double kInnerLift_px = 14.0;                  // inner marks lie over the spring that leads past them
+constexpr double kPointer_px = 14.0;                    // half of what the pointer covers
+constexpr double kCrossGap_px = 10.0, kCross_px = 24.0; // of the crosshair's arms, from its middle
 
 vtkSmartPointer<vtkActor> makeBall()
 {
@@ -40,6 +44,44 @@ void placeBall(vtkActor& ball, const Vec3& p_W, double radius_mm)
     ball.SetUserMatrix(X);
 }
 
+/// Lays flat shapes of radius 1 onto a surface.
+void layOn(vtkActor& flat, const Vec3& p_W, const Vec3& n_W, double radius_mm)
+{
+    const Vec3 u = n_W.unitOrthogonal(), v = n_W.cross(u);
+    vtkNew<vtkMatrix4x4> X;
+    for (int i = 0; i < 3; ++i) {
+        X->SetElement(i, 0, radius_mm * u[i]);
+        X->SetElement(i, 1, radius_mm * v[i]);
+        X->SetElement(i, 2, n_W[i]);
+        X->SetElement(i, 3, p_W[i]);
+    }
+    flat.SetUserMatrix(X);
+}
+
+Eigen::AlignedBox2d boxAbout(const Eigen::Vector2d& centre, double half)
+{
+    return {centre - Eigen::Vector2d::Constant(half), centre + Eigen::Vector2d::Constant(half)};
+}
+
+std::string millimetres(double depth_mm)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, depth_mm < 0.95 ? "%.2f mm" : "%.1f mm", depth_mm);
+    return text;
+}
+
+/// A structure's colour as text on a dark ground.
+Colour lightened(const Colour& colour)
+{
+    return {0.5 + 0.5 * colour[0], 0.5 + 0.5 * colour[1], 0.5 + 0.5 * colour[2]};
+}
+
+std::array<BillboardLine, 4> fourLines(double width_px, const Colour& colour)
+{
+    return {BillboardLine(width_px, colour), BillboardLine(width_px, colour), BillboardLine(width_px, colour),
+            BillboardLine(width_px, colour)};
+}
+
 } // namespace
 
 TouchCursor::TouchCursor()
@@ -51,14 +93,22 @@ TouchCursor::TouchCursor()
     , m_hip(makeRing(2.5, 4.5, kLight, 0.5))
     , m_disc(makeRing(0.0, 1.0, kLight, 0.0))
     , m_discRim(makeRing(0.96, 1.0, kLight, 0.0))
+    , m_patch(makeRing(0.0, 1.0, kDarkRim, 0.0))
+    , m_patchDark(makeRing(0.96, 1.06, kDarkRim, 0.0))
+    , m_patchRim(makeRing(0.88, 0.97, kLight, 0.0))
     , m_springDark(3.6, kDarkRim)
     , m_spring(1.6, kLight)
+    , m_crossDark(fourLines(4.0, kDarkRim))
+    , m_cross(fourLines(1.8, kLight))
 {
     for (InnerMark& inner : m_inner) {
         inner.dark = makeRing(4.9, 6.1, kDarkRim, kInnerLift_px);
         inner.light = makeRing(3.7, 5.0, kLight, kInnerLift_px + 0.2);
         inner.mark = makeRing(0.0, 3.8, kLight, kInnerLift_px + 0.4);
     }
+    m_patch->GetProperty()->SetOpacity(0.28); // as the shade of a dent
+    m_patchDark->GetProperty()->SetOpacity(0.7);
+    m_patchRim->GetProperty()->SetOpacity(0.9);
     m_disc->GetProperty()->SetOpacity(0.16);
     m_discRim->GetProperty()->SetOpacity(0.6);
     m_ball->GetProperty()->SetAmbient(0.35);
@@ -79,14 +129,20 @@ void TouchCursor::addTo(vtkRenderer& solid, vtkRenderer& overlay)
          {m_springDark.actor(), m_spring.actor(), m_outlineDark.Get(), m_outline.Get(), m_hipDark.Get(), m_hip.Get()}) {
         overlay.AddActor(flat);
     }
-    overlay.AddActor(m_disc);
-    overlay.AddActor(m_discRim);
+    for (vtkActor* flat : {m_patch.Get(), m_patchDark.Get(), m_patchRim.Get(), m_disc.Get(), m_discRim.Get()}) {
+        overlay.AddActor(flat);
+    }
     for (const InnerMark& inner : m_inner) {
-        for (vtkActor* flat : {inner.dark.Get(), inner.light.Get(), inner.mark.Get()}) {
+        for (vtkActor* flat : {inner.dark.Get(), inner.light.Get(), inner.mark.Get(), inner.line.actor()}) {
             overlay.AddActor(flat);
         }
     }
+    for (std::size_t i = 0; i < m_cross.size(); ++i) {
+        overlay.AddActor(m_crossDark[i].actor());
+        overlay.AddActor(m_cross[i].actor());
+    }
     m_arrow.addTo(solid, overlay);
+    m_labels.addTo(overlay);
 }
 
 void TouchCursor::setForceLimit(double force_N)
@@ -113,7 +169,10 @@ void TouchCursor::place(const ViewFrame& frame)
     m_arrow.setVisible(false);
     placeInner(frame, isTouching);
     placeFriction(isTouching);
+    placeContact(frame, isTouching);
+    placeCrosshair(frame, isThere);
     if (!isThere) {
+        placeLabels(frame, false);
         return;
     }
     const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
@@ -127,33 +186,115 @@ void TouchCursor::place(const ViewFrame& frame)
     placeBillboard(*m_hip, m_state.p_WH, frame);
     placeBillboard(*m_hipDark, m_state.p_WH, frame);
     if (!isTouching) {
+        placeLabels(frame, false);
         return;
     }
     placeBall(*m_rim, m_state.p_WG, ball_mm + 1.4 * pixel_mm);
     placeBillboard(*m_outline, m_state.p_WG, frame);
     placeBillboard(*m_outlineDark, m_state.p_WG, frame);
     m_springDark.place(m_state.p_WH, m_state.p_WG, frame);
-    m_spring.place(m_state.p_WH, m_state.p_WG, frame);
+    const Vec3 over = 1.5 * pixel_mm * frame.back_W;
+    m_spring.place(m_state.p_WH + over, m_state.p_WG + over, frame);
     // Dark blue, the colour of a light touch, is lost against tissue in shade: the arrow keeps to the brighter half.
     const double share = m_state.f_W.norm() / m_limit_N;
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
+    placeLabels(frame, true);
+}
+
+double TouchCursor::patchRadius_mm(const ViewFrame& frame) const
+{
+    const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
+    return m_state.fingertip_mm > 0.0
+               ? std::max(m_state.fingertip_mm, kSmallestPatch_px * pixel_mm)
+               : std::clamp(kPatch_mm, kSmallestPatch_px * pixel_mm, kLargestPatch_px * pixel_mm);
+}
+
+void TouchCursor::placeContact(const ViewFrame& frame, bool isTouching)
+{
+    Vec3 n_W = m_state.n_W;
+    if (!n_W.allFinite() || !(n_W.norm() > 0.5)) {
+        n_W = m_state.p_WG - m_state.p_WH; // where no normal is known
+    }
+    const bool isShown = isTouching && n_W.norm() > 0.0;
+    m_patch_mm = isShown ? patchRadius_mm(frame) : 0.0;
+    for (vtkActor* flat : {m_patch.Get(), m_patchDark.Get(), m_patchRim.Get()}) {
+        flat->SetVisibility(isShown);
+        if (isShown) {
+            n_W.normalize();
+            // A fingertip's god-object is its centre.
+            layOn(*flat, m_state.p_WG - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
+        }
+    }
+}
+
+void TouchCursor::placeCrosshair(const ViewFrame& frame, bool isThere)
+{
+    const Vec3& p_W = m_state.p_WH;
+    const bool isShown = isThere && m_state.hasCrosshair;
+    const Vec3 ways[4] = {frame.right_W, -frame.right_W, frame.up_W, -frame.up_W};
+    for (std::size_t i = 0; i < m_cross.size(); ++i) {
+        m_cross[i].actor()->SetVisibility(isShown);
+        m_crossDark[i].actor()->SetVisibility(isShown);
+        if (isShown) {
+            const double pixel_mm = frame.mmPerPixel(p_W);
+            const Vec3 lift = 1.5 * pixel_mm * frame.back_W;
+            m_crossDark[i].place(p_W + (kCrossGap_px - 1.0) * pixel_mm * ways[i],
+                                 p_W + (kCross_px + 1.0) * pixel_mm * ways[i], frame);
+            m_cross[i].place(p_W + kCrossGap_px * pixel_mm * ways[i] + lift,
+                             p_W + kCross_px * pixel_mm * ways[i] + lift, frame);
+        }
+    }
+}
+
+void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
+{
+    if (!isTouching) {
+        m_labels.place({}, {}, frame);
+        return;
+    }
+    const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
+    const Eigen::Vector2d tip = frame.pixelOf(m_arrow.tip_W());
+    const double patch_px = std::min(m_patch_mm / frame.mmPerPixel(m_state.p_WG), 2.0 * kLargestPatch_px);
+    std::vector<Eigen::AlignedBox2d> taken{boxAbout(g, std::max(m_arrow.radius_px() + 4.0, patch_px)),
+                                           boxAbout(h, m_state.hasCrosshair ? kCross_px : kPointer_px)};
+    constexpr int kPieces = 6; // boxes that cover a line
+    for (int i = 0; i <= kPieces; ++i) {
+        const double share = static_cast<double>(i) / kPieces;
+        taken.push_back(boxAbout(g + share * (tip - g), 8.0));
+        taken.push_back(boxAbout(g + share * (h - g), 5.0));
+    }
+    // The force beside the arrow's tip, depths below one another on the other side.
+    const Eigen::Vector2d along = tip - g;
+    const bool isLeft = along.x() < -8.0;
+    std::vector<TouchLabels::Item> items;
+    items.push_back({m_arrow.label(),
+                     m_arrow.tip_W(),
+                     {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6},
+                     {1.0, 1.0, 1.0},
+                     true});
+    const Eigen::Vector2d beside(isLeft ? 1.0 : -1.0, 0.0);
+    const double depth_mm = (m_state.p_WG - m_state.p_WH).norm();
+    const auto middle = [&](const Vec3& p_WG) -> Vec3 { return 0.5 * (p_WG + m_state.p_WH); };
+    const std::size_t innerCount = std::min(m_state.innerCount, m_state.inner.size());
+    // Of the outermost layer beside the part that only it holds.
+    const Vec3 outerEnd_W = innerCount > 0 ? m_state.inner[0].p_WG : m_state.p_WH;
+    items.push_back({millimetres(depth_mm), 0.5 * (m_state.p_WG + outerEnd_W), beside, {1.0, 1.0, 1.0}, false});
+    for (std::size_t i = 0; i < innerCount; ++i) {
+        const TouchState::Inner& inner = m_state.inner[i];
+        items.push_back({millimetres(inner.depth_mm), middle(inner.p_WG), beside, lightened(inner.colour), false});
+    }
+    m_labels.place(items, std::move(taken), frame);
 }
 
 void TouchCursor::placeFriction(bool isTouching)
 {
     const TouchState::FrictionDisc& disc = m_state.friction;
     const bool isShown = isTouching && disc.radius_mm > 0.0 && disc.p_W.allFinite() && disc.n_W.allFinite();
-    const Vec3 u = disc.n_W.unitOrthogonal(), v = disc.n_W.cross(u);
     for (vtkActor* flat : {m_disc.Get(), m_discRim.Get()}) {
         flat->SetVisibility(isShown);
-        vtkNew<vtkMatrix4x4> X;
-        for (int i = 0; i < 3; ++i) {
-            X->SetElement(i, 0, disc.radius_mm * u[i]);
-            X->SetElement(i, 1, disc.radius_mm * v[i]);
-            X->SetElement(i, 2, disc.n_W[i]);
-            X->SetElement(i, 3, disc.p_W[i]);
+        if (isShown) {
+            layOn(*flat, disc.p_W, disc.n_W, disc.radius_mm);
         }
-        flat->SetUserMatrix(X);
     }
 }
 
@@ -162,6 +303,12 @@ void TouchCursor::placeInner(const ViewFrame& frame, bool isTouching)
     for (std::size_t i = 0; i < m_inner.size(); ++i) {
         const TouchState::Inner& inner = m_state.inner[i];
         const bool isShown = isTouching && i < m_state.innerCount && inner.p_WG.allFinite();
+        m_inner[i].line.actor()->SetVisibility(isShown);
+        m_inner[i].line.actor()->GetProperty()->SetColor(inner.colour[0], inner.colour[1], inner.colour[2]);
+        if (isShown) { // over the line that all layers share
+            const Vec3 lift = 3.0 * frame.mmPerPixel(inner.p_WG) * frame.back_W;
+            m_inner[i].line.place(inner.p_WG + lift, m_state.p_WH + lift, frame);
+        }
         for (vtkActor* flat : {m_inner[i].dark.Get(), m_inner[i].light.Get(), m_inner[i].mark.Get()}) {
             flat->SetVisibility(isShown);
             if (isShown) {
@@ -180,6 +327,9 @@ core::Box TouchCursor::bounds() const
     }
     box.extend(m_state.p_WH);
     box.extend(m_state.p_WG);
+    const Vec3 patch = Vec3::Constant(m_state.isInContact ? m_patch_mm + m_state.fingertip_mm : 0.0);
+    box.extend(Vec3(m_state.p_WG - patch));
+    box.extend(Vec3(m_state.p_WG + patch));
     if (m_state.isInContact && m_state.friction.radius_mm > 0.0 && m_state.friction.p_W.allFinite()) {
         const Vec3 half = Vec3::Constant(m_state.friction.radius_mm);
         box.extend(Vec3(m_state.friction.p_W - half));

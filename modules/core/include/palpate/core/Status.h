@@ -21,6 +21,7 @@ enum class StatusCode : std::uint8_t
     Empty,          ///< nothing usable: no triangle of positive area, no row
     Mismatch,       ///< belongs to something else: another mesh, another version
     Unsupported,    ///< valid, but not something Palpate can do
+    NoSpace,        ///< the disk is full, or the user's share of it
     Cancelled,      ///< the user asked to stop
     DeviceLost,     ///< the device no longer answers
     Internal,       ///< a promise of our own was broken

@@ -17,10 +17,12 @@ struct PointerState : DeviceState ///< `p_D`: what the depth is counted from; `b
         : DeviceState(state)
     {
     }
-    Vec3 d_D = Vec3::Zero();  ///< unit, the way in
-    double depth_mm = 0.0;    ///< how far in a press goes
-    double hover_mm = 0.0;    ///< how far in front of `p_D` it begins and ends; 0: it never lifts off
-    double pressTime_s = 0.0; ///< a press goes in over this time, and from one depth to another
+    Vec3 d_D = Vec3::Zero();      ///< unit, the way in
+    double depth_mm = 0.0;        ///< how far in a press goes
+    double hover_mm = 0.0;        ///< how far in front of `p_D` it begins and ends; 0: it never lifts off
+    double pressTime_s = 0.0;     ///< a press goes in over this time, and from one depth to another
+    double gentle_mm = 0.0;       ///< a longer way than this takes longer, …
+    double deeper_mm_per_s = 0.0; ///< … at this speed on average; 0: it doesn't
     double liftTime_s = 0.0;
 };
 

@@ -51,7 +51,10 @@ struct LoadedScene
 [[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Opens a scene that is in memory: the meshes are read again. @param path  what messages name
-[[nodiscard]] core::Result<LoadedScene> reloadScene(SceneFile scene, const std::filesystem::path& path,
-                                                    const ReadOptions& options = {});
+[[nodiscard]] core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path,
+                                                  const ReadOptions& options = {});
+
+/// @return the colour of a structure where nothing says it: by its anatomical name, else by its number.
+[[nodiscard]] std::array<double, 3> usualColour(const std::string& name, std::size_t number);
 
 } // namespace palpate::meshio

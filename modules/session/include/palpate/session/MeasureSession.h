@@ -13,6 +13,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct SessionMeasures
     std::vector<FindingMeasures> findings;
     std::vector<SurfaceMeasures> surfaces; ///< of each structure that could be felt and whose mesh is there
     std::vector<std::string> unmeasured;   ///< structures whose mesh is not there
+    std::int64_t lostTicks = 0;            ///< that the disk was too slow for
+    std::optional<std::int64_t> lateTicks; ///< periods that the servo left out; nothing: it is not said
 };
 
 /// Reads a recording once and measures it.

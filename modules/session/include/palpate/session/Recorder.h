@@ -24,14 +24,17 @@ struct RecorderStatus
 {
     bool isRecording = false;
     std::int64_t ticks = 0;    ///< written
-    std::uint64_t dropped = 0; ///< lost because the ring was full
-    double duration_s = 0.0;
+    std::uint64_t dropped = 0; ///< lost because the disk was too slow
+    std::uint64_t late = 0;    ///< periods that the servo left out meanwhile, because a tick took too long
+    double duration_s = 0.0;   ///< of what is recorded
     std::uint64_t fileBytes = 0;
-    std::string problem; ///< newest disk error, one line; empty while all is well
+    std::string problem;    ///< newest disk error, one line; empty while all is well
+    bool hasFailed = false; ///< it ended by itself; `problem` says why and what is missing
 };
 
 /// Records what the servo loop does, on a thread of its own: drains the loop's ring into a recording. The servo never
-/// waits; when the disk is slow the ring fills, drops and counts. Disk errors end the writing but never the touch.
+/// waits; when the disk is slow the ring fills, drops and counts. A disk that is full ends the recording at once, other
+/// errors when they last for a minute; the file says so in its last event. The touch goes on.
 /// @par Thread All functions from one thread (the window's), which `start` and `stop` may hold for a disk access.
 class Recorder
 {

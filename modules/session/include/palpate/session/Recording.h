@@ -71,8 +71,8 @@ struct SceneRecord
 
 /// Something that happened at a tick. The writer adds "scene" (first tick of a generation), "tissue", "hidden",
 /// "shown", "layer" and "structures" (what changed with it), "clutch" (the hand let go or came back); the recorder
-/// "dropped", "disk" and "timing" (how the loop kept time); the window "note", "finding", "finding-undone",
-/// "device-lost" and "fault"; recovery "recovered".
+/// "dropped", "disk", "timing" (how the loop kept time) and "ended" (why it ended by itself); the window "note",
+/// "finding", "finding-undone", "device-lost" and "fault"; recovery "recovered".
 struct RecordingEvent
 {
     std::int64_t tick = 0;
@@ -88,6 +88,9 @@ struct RecordingInfo
     std::string build = buildId();
     std::string startedUtc; ///< ISO 8601; filled by the writer
     std::string scene;      ///< path of the scene or mesh that was opened, empty when there is none
+    /// The same from the recording's folder, where it lay in it or below: with it a moved pair is found.
+    std::string sceneBeside;
+    std::string sceneSha256; ///< of the scene file when recording began, 64 hex digits; empty: not said
     double rate_Hz = 1000.0;
     double dt_s = 1e-3; ///< period that the solver was given [s]
     device::DeviceInfo device;

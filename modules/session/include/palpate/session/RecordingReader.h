@@ -18,6 +18,15 @@
 
 namespace palpate::session {
 
+/// Why a recording ends where it does.
+enum class RecordingEnd : std::uint8_t
+{
+    Closed,     ///< who recorded ended it
+    DiskFull,   ///< the disk was full: what was felt after is not in it
+    DiskFailed, ///< the disk could not be written for another reason
+    CutOff      ///< it was not closed: a crash, or a disk that took not even the reason
+};
+
 /// How much a recording holds.
 struct RecordingExtent
 {
@@ -26,8 +35,14 @@ struct RecordingExtent
     std::int64_t ticks = 0;     ///< rows
     std::int64_t dropped = 0;   ///< ticks missing between first and last
     double duration_s = 0.0;
-    bool isComplete = false; ///< closed by its writer, not cut off by a crash
+    bool isComplete = false; ///< closed by its writer when all was in it
+    RecordingEnd end = RecordingEnd::CutOff;
+    std::optional<std::int64_t> late; ///< periods that the servo left out meanwhile; nothing: it is not said
 };
+
+/// How a recording ended, as one clause: "complete", "ended at 8.7 s because the disk was full; what was felt after is
+/// not in it".
+[[nodiscard]] std::string endingText(const RecordingExtent& extent);
 
 /// Reads a recording. Opens fast and never holds the whole file: rows are streamed.
 /// @par Thread One at a time; several readers may be open on one file.

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace palpate::session {
@@ -59,10 +60,18 @@ class RecordingWriter
     core::Status commit();
     /// Commits and waits for the disk. Once; nothing may be added after it.
     core::Status finish(Ending ending = Ending::Complete);
+    /// Ends a recording that the disk takes no more of: gives up the room that was kept for this, then stores what is
+    /// not yet committed and an event that says why it ends; where there is no room for all of that, events alone, and
+    /// the ticks are lost. Once; nothing may be added after it.
+    /// @param why  its tick becomes that of the last tick that is stored
+    /// @return the disk's error when not even the events could be stored
+    core::Status abandon(RecordingEvent why);
 
     [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or about to be
     [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk took nothing for too long
     [[nodiscard]] std::size_t ticksPending() const noexcept;   ///< not yet committed
+    /// Time of the newest tick that is committed, as ticks have it; nothing before the first. [ns]
+    [[nodiscard]] std::optional<std::int64_t> newestStored_ns() const noexcept;
 
   private:
     struct Private;

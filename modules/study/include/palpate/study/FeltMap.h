@@ -31,4 +31,9 @@ struct FeltMap
 [[nodiscard]] double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t triangle,
                                       const core::Vec3& p_W);
 
+/// A number over a surface at a place on it; NaN where it is not known.
+/// @param values  one for each vertex, or each triangle; @param triangle  number in `surface`; @param p_W  on it [mm]
+[[nodiscard]] double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,
+                             bool isPerTriangle, std::size_t triangle, const core::Vec3& p_W);
+
 } // namespace palpate::study

@@ -8,19 +8,26 @@
 #include <QJsonObject>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace palpate::study {
 
 // What a recording says, in other forms. Files are written whole or not at all.
 
-/// Writes the ticks as TICKS.csv (session::TickCsv).
-[[nodiscard]] core::Status exportTicks(const session::RecordingReader& reader, const std::filesystem::path& path);
+/// Told how far an export is, 0 … 1; returns false to cancel it.
+using ExportProgress = std::function<bool(double share)>;
+
+/// Writes every tick as CSV (session::TickCsv::Rows::Session). An event of a tick that is missing stands with the next.
+/// @return Cancelled when `progress` said so
+[[nodiscard]] core::Status exportTicks(const session::RecordingReader& reader, const std::filesystem::path& path,
+                                       const ExportProgress& progress = {});
 
 /// Writes the path of the HIP as a VTP polyline, in LPS and mm, cut where ticks or the hand are missing. Point arrays:
 /// `time_s`, `force_N`, `depth_mm`, `force` and `god_object` (three components), `structure` (-1 in free space).
 /// @return Empty when there is no tick with a hand
-[[nodiscard]] core::Status exportPath(const session::RecordingReader& reader, const std::filesystem::path& path);
+[[nodiscard]] core::Status exportPath(const session::RecordingReader& reader, const std::filesystem::path& path,
+                                      const ExportProgress& progress = {});
 
 /// Writes the surfaces that were touched as a VTP, in LPS and mm. Point arrays `dwell_s`, `peak_force_N`, `coverage`
 /// (0 or 1); cell array `StructureId` into the field array `StructureNames`.

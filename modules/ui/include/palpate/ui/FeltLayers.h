@@ -52,6 +52,10 @@ using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 /// Puts the disc within which friction holds the god-object into the cursor: for the outermost layer, on a face.
 /// @param tissue  of the structure that is reported
 void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state);
+/// A tick as the cursor shows it.
+/// @param f_W  force on the hand [N]; @param tissue  of the structure that is reported; null: none of friction is shown
+[[nodiscard]] view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
+                                          const std::vector<FeltLayer>& layers, const core::Tissue* tissue);
 /// Puts the god-objects below the reported one into the cursor.
 void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state);
 

@@ -38,6 +38,9 @@ class MapDisplay : public QObject
 
     /// @param what  a `SurfaceNumbers::what`; empty: in its own colour again
     void show(int row, const QString& what);
+    /// The number that is shown at a place: "stiffness felt 0.42 N/mm"; empty where this structure has no such colours.
+    /// @param triangle  number in the structure's repaired mesh; @param p_W  on it [mm]
+    [[nodiscard]] QString textAt(int row, std::size_t triangle, const core::Vec3& p_W) const;
     /// Says what the device holds.
     void setGreatest(const haptics::Tissue& greatest);
 
@@ -50,6 +53,7 @@ class MapDisplay : public QObject
     haptics::Tissue m_greatest = core::unbounded();
     int m_row = -1;
     QString m_what;
+    SurfaceNumbers m_shown; ///< without values: none
 };
 
 } // namespace palpate::ui

@@ -15,14 +15,17 @@ struct PointerHandSettings
 {
     double hover_mm = 2.0;     ///< gap to the surface while nothing is pressed
     double depth_mm = 4.0;     ///< how far a press goes in
-    double step_mm = 0.5;      ///< one notch of the wheel
-    double deepest_mm = 30.0;  ///< the wheel stops here
-    double pressTime_s = 0.15; ///< a press goes in over this time, so that it is felt as pressing and not as a knock
+    double step_mm = 0.5;      ///< one notch of the wheel; from 20 of them on a notch is more, see `turnDepth`
+    double deepest_mm = 200.0; ///< the wheel stops here
+    double pressTime_s = 0.15; ///< a press goes in over this time, so that it is felt as pressing and not as a knock, …
+    double gentle_mm = 6.0;    ///< … when its way is no longer than this, …
+    double deeper_mm_per_s = 20.0; ///< … and beyond at this speed while it is held
     double liftTime_s = 0.10;
+    double stride_mm = 2.0; ///< one step along the screen by keys
 };
 
 /// @return settings whose depths suit structures of this size, so that a vessel and a body are both pressed by a share
-///         of themselves: the usual 4 mm from 200 mm on.
+///         of themselves: the usual 4 mm from 200 mm on. A press reaches through all of it.
 [[nodiscard]] PointerHandSettings settingsForSize(double diagonal_mm);
 
 /// Turns a pointer over a surface into what a hand wants: it hovers over the point shown, a press pushes in along the
@@ -53,8 +56,12 @@ class PointerHand
     void goAway();
     void press();
     void release(double now_s);
-    /// Changes the depth by notches, within 0 … `deepest_mm`.
-    void turnDepth(double steps);
+    /// Changes the depth by notches, within 0 … `deepest_mm`. A notch is `step_mm`, twice that from 20 steps of depth
+    /// on, four times from 40, ten times from 100: 0.5 mm, from 10 mm on 1, from 20 mm on 2, from 50 mm on 5.
+    /// @return false when that was not all possible
+    bool turnDepth(double notches);
+    /// Changes the depth by `step_mm` as often as said, wherever it is; otherwise as `turnDepth`.
+    bool stepDepth(int steps);
 
     [[nodiscard]] Phase phase(double now_s) const;
     /// Where the hand hovers; nothing while away. [mm]
@@ -63,7 +70,16 @@ class PointerHand
     /// the press.
     [[nodiscard]] device::PointerState state(double now_s) const;
 
+    /// What the depth is counted from; nothing while away. [mm]
+    [[nodiscard]] const std::optional<Vec3>& surfacePoint() const noexcept { return m_surface_W; }
+    /// Unit, the way in.
+    [[nodiscard]] const Vec3& direction() const noexcept { return m_d_W; }
+    /// How far below the surface that was pointed at a place is, along the line of sight. [mm]
+    [[nodiscard]] double pressedDepth_mm(const Vec3& p_W) const;
+
   private:
+    bool setDepth(double depth_mm);
+
     PointerHandSettings m_settings;
     std::optional<Vec3> m_surface_W; ///< what the depth is counted from
     Vec3 m_d_W = Vec3::UnitZ();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Finding.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <QObject>
@@ -34,12 +35,16 @@ class RecordedTouch : public QObject
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick, std::uint32_t number) const;
     /// Radius of the ball that touched, 0 = a point. [mm]
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
+    /// Of the structure that a tick reports; null in free space, and when its scene is not known.
+    [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
     /// Of all layers that a tick touches together.
     [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.
     [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;
-    /// @return one line about ticks that are missing or a recording that was cut off; empty when it is whole.
+    /// What was marked in it and not taken back, in the order of time.
+    [[nodiscard]] std::vector<core::Finding> findings() const;
+    /// @return one line about ticks that were lost or a recording that ended by itself; empty when it is whole.
     [[nodiscard]] QString losses() const;
 
     /// Reads the greatest force in each of `kBins` equal spans, on a thread of its own.

@@ -79,7 +79,7 @@ class SceneLoader : public QObject
     class Opening;
     void finish();
 
-    Reader m_reader = meshio::loadScene;
+    Reader m_reader = [](const auto& path, const auto& options) { return meshio::loadScene(path, options); };
     std::shared_ptr<Job> m_job;
     std::thread m_worker;
     std::vector<std::thread> m_builders;

@@ -65,8 +65,8 @@ class SessionPanel : public QWidget
     void showTitle(const QString& title);
     /// Shows what the transport says.
     void refresh();
-    /// Shows a recording in progress. @param dropped  ticks lost so far
-    void showRecording(double duration_s, qulonglong dropped);
+    /// Shows a recording in progress. @param losses  what `lossesText` says
+    void showRecording(double duration_s, const QString& losses);
 
   Q_SIGNALS:
     void sought();
@@ -80,7 +80,9 @@ class SessionPanel : public QWidget
     QHBoxLayout* m_buttons = nullptr;
 };
 
-/// "01:02.3" for 62.3 s.
+/// "01:02.3" for 62.3 s, rounded.
 [[nodiscard]] QString clockText(double seconds);
+/// "109 late, 0 lost". @param late  ticks that the servo left out; @param lost  those that the disk was too slow for
+[[nodiscard]] QString lossesText(qulonglong late, qulonglong lost);
 
 } // namespace palpate::ui

@@ -24,6 +24,7 @@ struct TouchReading
     double stiffness_N_per_mm = 0.0; ///< of all layers that are touched together
     int constraints = 0;
     double solveP99_us = -1.0;       ///< < 0: not known
+    bool isSlidOff = false;          ///< pressed, but the surface has given way to the side
     bool isAtBound = false;          ///< the solver stopped at its bound: the force is that of where it got to
     std::vector<FeltLayer> layers{}; ///< outermost first
 };

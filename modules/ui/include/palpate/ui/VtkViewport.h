@@ -18,8 +18,8 @@ namespace palpate::ui {
 /// moves or, in palpate mode, into rays for the hand.
 ///
 /// It draws when asked (`update()`) and when the camera moves, never by itself. Ambient occlusion is switched on when
-/// the first frames show a graphics card that has the time for it; where frames are slow, translucent tissue is sorted
-/// only once the picture stands still.
+/// the first frames show a graphics card that has the time for it; where frames are slow, the folds of translucent
+/// tissue are sorted only once the picture stands still: its colours are the same in motion.
 class VtkViewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -43,6 +43,10 @@ class VtkViewport : public QOpenGLWidget
     [[nodiscard]] std::optional<view::Ray> pointerRay();
     /// The ray through a place of the widget, in logical pixels from its upper left.
     [[nodiscard]] view::Ray rayAt(const QPointF& place);
+    /// Where a point of the scene is seen, in logical pixels from the widget's upper left. [mm]
+    [[nodiscard]] QPointF placeOf(const core::Vec3& p_W);
+    /// A place near the middle that shows something palpable; nothing when none is in view.
+    [[nodiscard]] std::optional<QPointF> palpablePlace();
     /// Makes the next frame as good as a still one, for a picture that is kept.
     void refineNext();
     /// Time that the newest frame took to draw. [ms]
@@ -60,6 +64,12 @@ class VtkViewport : public QOpenGLWidget
     void spaceHeld(bool isDown);
     /// Tab, which here hides and shows the panels; Shift+Tab leaves the view as elsewhere.
     void panelsToggled();
+    /// In both modes: the pointer moved with no button down.
+    void hovered(const QPointF& place);
+    /// It is elsewhere, or a button is down.
+    void hoverEnded();
+    /// Camera mode: the left button went down and up without a move.
+    void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
     /// In both modes: centre here.
     void centreWanted(const QPointF& place);
 
@@ -85,6 +95,8 @@ class VtkViewport : public QOpenGLWidget
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
     QPointF m_pointer;
+    QPointF m_pressedAt;
+    bool m_hasMoved = false; ///< since the button went down
     Mode m_mode = Mode::Camera;
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;

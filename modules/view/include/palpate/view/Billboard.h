@@ -23,7 +23,7 @@ struct ViewFrame
     Vec3 right_W = Vec3::UnitX();
     Vec3 up_W = Vec3::UnitY();
     Vec3 back_W = Vec3::UnitZ(); ///< towards the viewer
-    double height_px = 1.0;
+    double width_px = 1.0, height_px = 1.0;
     double scale = 1.0; ///< perspective: height of the view at distance 1; parallel: height of the view [mm]
     bool isParallel = false;
     double pixelRatio = 1.0; ///< device pixels of one logical pixel
@@ -32,6 +32,10 @@ struct ViewFrame
     [[nodiscard]] static ViewFrame of(vtkRenderer& renderer, double pixelRatio);
     /// Size of a logical pixel at a point. [mm]
     [[nodiscard]] double mmPerPixel(const Vec3& p_W) const;
+    /// Where a point is seen: logical pixels from the middle of the view, x right, y up.
+    [[nodiscard]] Eigen::Vector2d pixelOf(const Vec3& p_W) const;
+    /// From a point towards the viewer's eye, unit.
+    [[nodiscard]] Vec3 towardsViewer(const Vec3& p_W) const;
 };
 
 /// Turns an unlit flat shape made in pixels (x right, y up, z to the viewer) to the viewer at `p_W`.
@@ -47,6 +51,19 @@ class BillboardLine
   public:
     BillboardLine(double width_px, const Colour& colour);
     void place(const Vec3& from_W, const Vec3& to_W, const ViewFrame& frame);
+    [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
+
+  private:
+    vtkSmartPointer<vtkActor> m_actor;
+    double m_width_px;
+};
+
+/// A circle of constant width on screen that faces the viewer, as large as is wanted.
+class BillboardCircle
+{
+  public:
+    BillboardCircle(double width_px, const Colour& colour);
+    void place(const Vec3& p_W, double radius_px, const ViewFrame& frame);
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 
   private:

@@ -27,4 +27,10 @@ void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double 
 /// Moves the camera along its own direction until all of `bounds` is in view.
 void fit(vtkCamera& camera, const core::Box& bounds, double aspect);
 
+/// Goes round the focus, which stays in the middle. @param right_deg, up_deg  as the viewer goes
+void turn(vtkCamera& camera, double right_deg, double up_deg);
+
+/// Goes along the screen. @param right, up  of the view's height at the focus, as the viewer goes
+void shift(vtkCamera& camera, double right, double up);
+
 } // namespace palpate::view

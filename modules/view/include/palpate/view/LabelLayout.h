@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -24,5 +25,22 @@ struct DiscLabel
 ///
 /// Each tries at most 146 places against all.
 void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px);
+
+/// A text beside a point on screen, at one of a number of places about it.
+struct PointLabel
+{
+    Eigen::Vector2d point_px = Eigen::Vector2d::Zero();
+    Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
+    Eigen::Vector2d towards = Eigen::Vector2d::UnitX(); ///< where it had best be
+    int place = -1;                                     ///< the one of the last time, -1: none yet
+};
+
+/// Finds where a text reads best: inside the view and off what it must not cover, nearest to its point, and in the
+/// direction that it had best be; where it was, as long as that is free, so that it doesn't jump. Without a free place
+/// it still is inside the view.
+/// @param taken  boxes that it must not cover; @param view  box of the view; all in logical pixels
+/// @return the text's centre. It tries at most 96 places against all.
+[[nodiscard]] Eigen::Vector2d placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken,
+                                          const Eigen::AlignedBox2d& view);
 
 } // namespace palpate::view

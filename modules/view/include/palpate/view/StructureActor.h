@@ -17,13 +17,15 @@ struct Appearance
     bool isVisible = true;
 };
 
-/// One structure in the view: soft specular on smooth shading, its inner side a little darker.
+/// One structure in the view: soft specular on smooth shading, its inner side a little darker. A translucent one shows
+/// only the side towards the viewer when it is closed: its far wall would cost twice the time and hide what is inside.
 /// @par Thread Make it anywhere; once it is in a view, the view's thread only.
 class StructureActor
 {
   public:
     /// @param surface  from `makeSurface`
-    explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {});
+    /// @param isClosed  it has no open edges and its normals are outwards
+    explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {}, bool isClosed = false);
 
     void setAppearance(const Appearance& appearance);
     /// Shows the same surface with other colours: those that `coloured` gave it, where it has some, instead of the
@@ -35,6 +37,7 @@ class StructureActor
   private:
     vtkSmartPointer<vtkActor> m_actor;
     Appearance m_appearance;
+    bool m_isClosed = false;
 };
 
 } // namespace palpate::view

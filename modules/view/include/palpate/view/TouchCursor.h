@@ -3,6 +3,7 @@
 
 #include "palpate/view/Billboard.h"
 #include "palpate/view/ForceArrow.h"
+#include "palpate/view/TouchLabels.h"
 
 #include <array>
 #include <cstddef>
@@ -14,10 +15,12 @@ struct TouchState
 {
     Vec3 p_WH = Vec3::Zero();  ///< HIP [mm]
     Vec3 p_WG = Vec3::Zero();  ///< god-object [mm]
+    Vec3 n_W = Vec3::Zero();   ///< unit normal of the surface at the contact; zero: not known
     Vec3 f_W = Vec3::Zero();   ///< force on the hand [N]
     double fingertip_mm = 0.0; ///< radius of the ball that touches, 0 = a point
     bool isInContact = false;
-    bool isPresent = false; ///< false: no hand, nothing is drawn
+    bool isPresent = false;    ///< false: no hand, nothing is drawn
+    bool hasCrosshair = false; ///< the hand is moved by keys: no pointer shows where it is
 
     /// Where friction holds the god-object: a disc about where it would stand without.
     struct FrictionDisc
@@ -33,20 +36,23 @@ struct TouchState
     {
         Vec3 p_WG = Vec3::Zero(); ///< [mm]
         Colour colour{};          ///< of its structure
+        double depth_mm = 0.0;    ///< of the HIP below it
     };
     static constexpr std::size_t kMostInner = 3;
     std::array<Inner, kMostInner> inner{};
     std::size_t innerCount = 0; ///< how many of them are valid, the outermost first
 };
 
-/// The hand in the view: the god-object as a ball on the surface, the HIP as a small ring, the spring between them and
-/// the force; god-objects of inner layers are discs in their structures' colours, and a faint disc on the surface shows
-/// where friction holds. Sizes are of the screen, so it reads
-/// the same on a vessel and on a body.
+/// The hand in the view: the god-object as a ball on the surface in a disc that lies on it, the HIP as a small ring,
+/// the way from one to the other as a line with its millimetres, and the force. God-objects of inner layers are discs
+/// in their structures' colours, from which the line goes on in that colour, with its millimetres too; a faint disc
+/// shows where friction holds. Sizes are of the screen, so it reads the same on a vessel and on a body.
 class TouchCursor
 {
   public:
     static constexpr double kBall_px = 12.0; ///< diameter
+    static constexpr double kPatch_mm = 3.0; ///< radius of the disc on the surface about a point, …
+    static constexpr double kSmallestPatch_px = 15.0, kLargestPatch_px = 40.0; ///< … on screen between these
 
     TouchCursor();
 
@@ -70,9 +76,18 @@ class TouchCursor
     [[nodiscard]] vtkActor* frictionDisc() const noexcept { return m_disc; }
     /// @param i  < TouchState::kMostInner
     [[nodiscard]] vtkActor* innerMark(std::size_t i) const noexcept { return m_inner[i].mark; }
+    [[nodiscard]] vtkActor* contactDisc() const noexcept { return m_patch; }
+    /// The part of the line that lies in an inner layer. @param i  < TouchState::kMostInner
+    [[nodiscard]] vtkActor* innerLine(std::size_t i) const noexcept { return m_inner[i].line.actor(); }
+    [[nodiscard]] vtkActor* crosshair(std::size_t i) const noexcept { return m_cross[i].actor(); } ///< i < 4
     [[nodiscard]] const ForceArrow& arrow() const noexcept { return m_arrow; }
+    [[nodiscard]] const TouchLabels& labels() const noexcept { return m_labels; }
 
   private:
+    void placeContact(const ViewFrame& frame, bool isTouching);
+    void placeCrosshair(const ViewFrame& frame, bool isThere);
+    void placeLabels(const ViewFrame& frame, bool isTouching);
+    [[nodiscard]] double patchRadius_mm(const ViewFrame& frame) const;
     void placeFriction(bool isTouching);
     void placeInner(const ViewFrame& frame, bool isTouching);
 
@@ -82,14 +97,19 @@ class TouchCursor
     vtkSmartPointer<vtkActor> m_outline;
     vtkSmartPointer<vtkActor> m_hipDark;
     vtkSmartPointer<vtkActor> m_hip;
-    vtkSmartPointer<vtkActor> m_disc, m_discRim; ///< of friction
+    vtkSmartPointer<vtkActor> m_disc, m_discRim;                ///< of friction
+    vtkSmartPointer<vtkActor> m_patch, m_patchDark, m_patchRim; ///< of the contact
+    double m_patch_mm = 0.0;                                    ///< its radius as drawn last, 0: none
     BillboardLine m_springDark;
     BillboardLine m_spring;
     ForceArrow m_arrow;
+    TouchLabels m_labels;
+    std::array<BillboardLine, 4> m_crossDark, m_cross;
     /// A disc in its structure's colour with a light and a dark edge: seen through what covers it.
     struct InnerMark
     {
         vtkSmartPointer<vtkActor> dark, light, mark;
+        BillboardLine line{3.6, {}}; ///< from it to the HIP
     };
     std::array<InnerMark, TouchState::kMostInner> m_inner;
     TouchState m_state;

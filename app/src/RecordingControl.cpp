@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RecordingControl.h"
+
+#include "Paths.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <utility>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& panel, QObject* parent)
+    : QObject(parent)
+    , m_live(live)
+    , m_chip(chip)
+    , m_panel(panel)
+{
+    m_chip.setToolTip(
+        tr("Length of the recording [min:s]; ticks that were late, because the computer was busy: nothing was felt in "
+           "them; ticks that were lost, because the disk was slow: they were felt and are not in it"));
+}
+
+core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)
+{
+    refresh(); // one that ended by itself just now is told of first
+    m_path = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
+    m_failure.clear();
+    m_told.clear();
+    m_hasFailed = false;
+    const core::Status started = m_live.startRecording(m_path, scene, embeds);
+    m_isWatching = started.isOk();
+    return started;
+}
+
+core::Status RecordingControl::stop()
+{
+    const core::Status stopped = m_live.stopRecording();
+    refresh();
+    return stopped;
+}
+
+bool RecordingControl::mayEnd(QWidget* window)
+{
+    if (!isRecording()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Recording"), tr("A recording is running. End it and close?"),
+                    QMessageBox::NoButton, window);
+    box.setInformativeText(tr("What was felt until now is kept in %1.").arg(toText(m_path)));
+    QPushButton* const end = box.addButton(tr("End the recording"), QMessageBox::AcceptRole);
+    box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    box.setDefaultButton(end);
+    box.exec();
+    if (box.clickedButton() != static_cast<QAbstractButton*>(end)) {
+        return false;
+    }
+    if (const core::Status stopped = stop(); !stopped.isOk()) {
+        QMessageBox::warning(window, tr("Recording"), QString::fromStdString(stopped.message()));
+    }
+    return true;
+}
+
+void RecordingControl::refresh()
+{
+    const session::RecorderStatus now = m_live.recording();
+    if (now.isRecording) {
+        const QString losses = lossesText(now.late, now.dropped);
+        const bool isTroubled = !now.problem.empty();
+        m_chip.say(isTroubled ? tr("● recording %1, the disk does not answer").arg(clockText(now.duration_s))
+                              : tr("● recording %1, %2").arg(clockText(now.duration_s), losses),
+                   Chip::Tone::Recording);
+        m_panel.showRecording(now.duration_s, losses);
+        if (std::exchange(m_told, now.problem) != now.problem && isTroubled) {
+            Q_EMIT troubled(QString::fromStdString(now.problem));
+        }
+        return;
+    }
+    if (std::exchange(m_isWatching, false) && now.hasFailed) {
+        m_failure = tr("recording failed at %1").arg(clockText(now.duration_s));
+        (void)m_live.stopRecording(); // it has ended; this closes what is left of it
+        m_hasFailed = true;
+        m_panel.showTitle(tr("%1 ended by itself").arg(toText(m_path.filename())));
+        m_panel.showRecording(now.duration_s, lossesText(now.late, now.dropped));
+        Q_EMIT failed(QString::fromStdString(now.problem));
+    }
+    m_chip.say(m_failure, Chip::Tone::Recording);
+}
+
+void RecordingControl::acknowledge()
+{
+    m_failure.clear();
+    refresh();
+}

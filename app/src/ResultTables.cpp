@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResultTables.h"
+
+#include <palpate/ui/SessionPanel.h>
+#include <palpate/ui/StructureModel.h>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <utility>
+
+using namespace palpate;
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("ResultTables", text);
+}
+
+QString number(double value, int digits = 2)
+{
+    return QLocale().toString(value, 'f', digits);
+}
+
+QString count(std::int64_t value)
+{
+    return QLocale().toString(static_cast<qlonglong>(value));
+}
+
+ResultTable sessionTable(const session::SessionMeasures& m)
+{
+    return {tr("Session"),
+            {{tr("Duration"), tr("In contact"), tr("Contacts"), tr("Path of the hand"), tr("Path on the surface"),
+              tr("Ticks late"), tr("Ticks lost")},
+             {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
+              tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)), tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),
+              m.lateTicks ? count(*m.lateTicks) : tr("not said"), count(m.lostTicks)}}};
+}
+
+ResultTable touchTable(const session::SessionMeasures& m)
+{
+    ResultTable table{tr("Touch"),
+                      {{tr("Force and depth"), tr("Time spent [s]"), tr("Mean [N]"), tr("Median [N]"),
+                        tr("Nearly highest [N]"), tr("Peak [N]"), tr("Deepest [mm]"), tr("Presses")}}};
+    const auto contact = [&](const QString& name, const session::ContactMeasures& c,
+                             const std::vector<session::Phase>& phases) {
+        table.rows.push_back({name, number(c.time_s, 1), number(c.meanForce_N), number(c.medianForce_N),
+                              number(c.p95Force_N), number(c.peakForce_N), number(c.peakDepth_mm, 1),
+                              count(session::summary(phases, session::Phase::Kind::Press).phases)});
+    };
+    contact(tr("All"), m.sums.contact, m.phases);
+    for (const auto& [name, part] : m.sums.structures) {
+        const auto phases = m.structurePhases.find(name);
+        contact(ui::readableName(name), part,
+                phases != m.structurePhases.end() ? phases->second : std::vector<session::Phase>());
+    }
+    return table;
+}
+
+ResultTable phaseTable(const session::SessionMeasures& m)
+{
+    ResultTable table{tr("Search and press"),
+                      {{tr("Hand"), tr("Phases"), tr("Time spent [s]"), tr("Mean [N]"), tr("Peak [N]")}}};
+    for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
+        const session::PhaseSummary sum = session::summary(m.phases, kind);
+        table.rows.push_back({kind == session::Phase::Kind::Search ? tr("Searching") : tr("Pressing"),
+                              count(sum.phases), number(sum.time_s, 1), number(sum.meanForce_N),
+                              number(sum.peakForce_N)});
+    }
+    return table;
+}
+
+ResultTable surfaceTable(const session::SessionMeasures& m, bool isFingertip)
+{
+    const QString distance = tr("%1 mm").arg(QLocale().toString(m.distance_mm));
+    ResultTable table{
+        isFingertip ? tr("Share of the surface that was examined: within %1, the fingertip's radius").arg(distance)
+                    : tr("Share of the surface that was examined: within %1").arg(distance),
+        {{tr("Surface"), tr("Area [cm²]"), tr("Examined [%]"), tr("Longest time at one place [s]")}}};
+    for (const session::SurfaceMeasures& surface : m.surfaces) {
+        table.rows.push_back({ui::readableName(surface.structure), number(0.01 * surface.area_mm2, 1),
+                              number(100.0 * surface.coverage(), 1), number(surface.longestDwell_s, 1)});
+    }
+    for (const std::string& name : m.unmeasured) {
+        table.rows.push_back({ui::readableName(name), tr("its mesh is not there"), {}, {}});
+    }
+    return table;
+}
+
+ResultTable findingTable(const session::SessionMeasures& m)
+{
+    ResultTable table{tr("Findings"),
+                      {{tr("Finding"), tr("On"), tr("Marked"), tr("First touched"), tr("Time spent [s]"),
+                        tr("Times returned"), tr("Mean [N]"), tr("Peak [N]")}}};
+    for (const session::FindingMeasures& one : m.findings) {
+        table.rows.push_back(
+            {QString::fromStdString(one.finding.name), ui::readableName(one.finding.structure),
+             ui::clockText(one.marked_s), one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"),
+             number(one.dwell_s, 1), count(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
+    }
+    return table;
+}
+
+ResultTable layerTable(const session::SessionMeasures& m)
+{
+    ResultTable table{tr("Findings, layer by layer"),
+                      {{tr("Felt when marked"), tr("Structure"), tr("Force [N]"), tr("Depth [mm]")}}};
+    for (const session::FindingMeasures& one : m.findings) {
+        for (const core::FeltLayer& layer : one.finding.layers) {
+            table.rows.push_back({QString::fromStdString(one.finding.name), ui::readableName(layer.structure),
+                                  number(layer.force_N), number(layer.depth_mm, 1)});
+        }
+    }
+    return table;
+}
+
+/// A table of cells that are escaped here. A little narrower than the view: Qt rounds 100 % up.
+QString htmlOf(const ResultTable& table)
+{
+    QString html = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='4' width='99%'>")
+                       .arg(table.title.toHtmlEscaped());
+    bool isHead = true;
+    for (const QStringList& row : table.rows) {
+        html += QStringLiteral("<tr>");
+        for (qsizetype i = 0; i < row.size(); ++i) {
+            const QString tag = isHead ? QStringLiteral("th") : QStringLiteral("td");
+            html += QStringLiteral("<%1 align='%2'>%3</%1>")
+                        .arg(tag, i == 0 ? QStringLiteral("left") : QStringLiteral("right"), row[i].toHtmlEscaped());
+        }
+        html += QStringLiteral("</tr>");
+        isHead = false;
+    }
+    return html + QStringLiteral("</table>");
+}
+
+} // namespace
+
+std::vector<ResultTable> resultTables(const session::SessionMeasures& measures, bool isFingertip)
+{
+    std::vector<ResultTable> tables{sessionTable(measures), touchTable(measures), phaseTable(measures),
+                                    surfaceTable(measures, isFingertip)};
+    for (ResultTable table : {findingTable(measures), layerTable(measures)}) {
+        if (table.rows.size() > 1) {
+            tables.push_back(std::move(table));
+        }
+    }
+    return tables;
+}
+
+QString toHtml(const std::vector<ResultTable>& tables)
+{
+    QString html;
+    for (const ResultTable& table : tables) {
+        html += htmlOf(table);
+    }
+    return html + QStringLiteral("<p style='margin-top: 14px'>%1</p>")
+                      .arg(tr("Nearly highest: the force that 95 % of the contact stayed below. "
+                              "Research measures, not a diagnosis."));
+}
+
+QString toTsv(const std::vector<ResultTable>& tables)
+{
+    QString text;
+    for (const ResultTable& table : tables) {
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + table.title + QLatin1Char('\n');
+        for (QStringList row : table.rows) {
+            for (QString& cell : row) {
+                cell.replace(QLatin1Char('\t'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' '));
+            }
+            text += row.join(QLatin1Char('\t')) + QLatin1Char('\n');
+        }
+    }
+    return text;
+}

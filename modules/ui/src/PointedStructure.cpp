@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/PointedStructure.h"
+
+#include "palpate/ui/VtkViewport.h"
+
+#include <QLabel>
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr int kLook_ms = 16;  // a frame
+constexpr int kAside_px = 16; // off the pointer
+
+} // namespace
+
+PointedStructure::PointedStructure(VtkViewport& viewport, const StructureModel& model, const MapDisplay& maps,
+                                   QObject* parent)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_model(model)
+    , m_maps(maps)
+    , m_name(new QLabel(&viewport))
+{
+    m_name->setObjectName(QStringLiteral("pointed"));
+    m_name->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_name->setTextFormat(Qt::PlainText);
+    m_name->setAutoFillBackground(true);
+    m_name->setBackgroundRole(QPalette::ToolTipBase);
+    m_name->setForegroundRole(QPalette::ToolTipText);
+    m_name->setMargin(4);
+    m_name->hide();
+    m_frame.setSingleShot(true);
+    m_frame.setInterval(kLook_ms);
+    connect(&m_frame, &QTimer::timeout, this, &PointedStructure::show);
+    connect(&viewport, &VtkViewport::hovered, this, [this](const QPointF& place) {
+        m_place = place;
+        if (!m_frame.isActive()) {
+            m_frame.start();
+        }
+    });
+    connect(&viewport, &VtkViewport::hoverEnded, this, [this] {
+        m_frame.stop();
+        m_name->hide();
+    });
+    connect(&viewport, &VtkViewport::clicked, this, [this](const QPointF& place, Qt::KeyboardModifiers modifiers) {
+        const auto found = at(place);
+        Q_EMIT clicked(found ? found->row : -1, modifiers);
+    });
+    connect(&model, &QAbstractItemModel::modelReset, m_name, &QWidget::hide);
+}
+
+std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place) const
+{
+    const view::Ray ray = m_viewport.rayAt(place);
+    view::SceneView& view = m_viewport.view();
+    if (view.structureCount() != m_model.rows().size()) {
+        return std::nullopt; // between two scenes
+    }
+    std::optional<Place> found;
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    if (const auto pick = view.pick(ray)) {
+        const view::ViewStructure& one = view.structure(pick->structure);
+        const std::vector<std::uint32_t>& source = m_model.rows()[pick->structure].loaded.surface->source;
+        const auto triangle =
+            std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(pick->hit.triangle));
+        found = Place{static_cast<int>(pick->structure), static_cast<std::size_t>(triangle - source.begin()),
+                      pick->hit.p_W};
+        nearest_mm = pick->hit.distance_mm;
+    }
+    for (std::size_t i = 0; i < view.structureCount(); ++i) {
+        const view::Appearance& look = view.structure(i).picture.appearance();
+        if (view.structure(i).touchable != nullptr || !look.isVisible || !(look.opacity > 0.0)) {
+            continue;
+        }
+        const geometry::RepairedMesh& surface = *m_model.rows()[i].loaded.surface;
+        const auto hit = view::firstHit(surface.mesh, surface.report.bounds, ray);
+        if (hit && hit->distance_mm < nearest_mm) {
+            found = Place{static_cast<int>(i), hit->triangle, hit->p_W};
+            nearest_mm = hit->distance_mm;
+        }
+    }
+    return found;
+}
+
+QString PointedStructure::textOf(const Place& place) const
+{
+    const QString name = readableName(m_model.structure(place.row).name);
+    const QString number = m_maps.textAt(place.row, place.triangle, place.p_W);
+    return number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
+}
+
+void PointedStructure::show()
+{
+    const auto place = at(m_place);
+    m_name->setVisible(place.has_value());
+    if (!place) {
+        return;
+    }
+    m_name->setText(textOf(*place));
+    m_name->adjustSize();
+    // Below and right of the pointer, or on the other side where there is no room.
+    const QSize size = m_name->size(), room = m_viewport.size();
+    const QPoint at = m_place.toPoint();
+    const int x =
+        at.x() + kAside_px + size.width() < room.width() ? at.x() + kAside_px : at.x() - kAside_px - size.width();
+    const int y =
+        at.y() + kAside_px + size.height() < room.height() ? at.y() + kAside_px : at.y() - kAside_px - size.height();
+    m_name->move(std::max(0, x), std::max(0, y));
+    m_name->raise();
+}
+
+} // namespace palpate::ui

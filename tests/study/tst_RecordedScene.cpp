@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/VtpFile.h>
+#include <palpate/session/AtomicFile.h>
+#include <palpate/session/Findings.h>
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/session/Replay.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/StructureSources.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+
+/// What a recording was made on, opened from it alone.
+class RecordedScene : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    std::filesystem::path path(const std::string& name) const
+    {
+        return std::filesystem::path(m_folder->path().toStdString()) / name;
+    }
+
+    void writeMesh(const char* name, double half_mm, bool hasMap) const
+    {
+        const geometry::TriangleMesh mesh = test::box(Vec3::Constant(-half_mm), Vec3::Constant(half_mm), 4);
+        meshio::VtpFile file;
+        file.points = mesh.vertices;
+        for (const geometry::Triangle& t : mesh.triangles) {
+            file.triangles.push_back(t);
+        }
+        if (hasMap) {
+            std::vector<double> scale;
+            for (const Vec3& p : mesh.vertices) {
+                scale.push_back(1.0 + 0.01 * p.x());
+            }
+            file.pointArrays = {{"StiffnessScale", std::move(scale)}};
+        }
+        QVERIFY(session::writeAtomically(path(name), meshio::vtpBytes(file).value()).isOk());
+    }
+
+    void writeScene(const char* opacity) const
+    {
+        std::ofstream(path("s.palpate.json")) << R"({"version": 1, "structures": [
+                 {"mesh": "organ.vtp", "name": "organ", "colour": [0.1, 0.2, 0.3], "opacity": )"
+                                              << opacity << R"(, "tissue": {"stiffness_N_per_mm": 0.2}},
+                 {"mesh": "lump.vtp", "name": "lump", "layer": 1, "tissue": {"stiffness_N_per_mm": 0.6}},
+                 {"mesh": "lump.vtp", "name": "vein", "palpable": false},
+                 {"mesh": "lump.vtp", "name": "hidden", "visible": false}]})";
+    }
+
+    /// Records a press on the scene as a person had edited it: a stiffer organ, and what is hidden not felt.
+    void record(const char* name, bool embeds) const
+    {
+        auto loaded = meshio::loadScene(path("s.palpate.json"));
+        QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
+        loaded.value().structures[0].description.tissue.stiffness_N_per_mm = 0.35;
+        loaded.value().structures[0].description.tissue.law = core::usualLaw(core::LawKind::Exponential);
+        loaded.value().structures[3].description.palpable = false;
+        const auto felt = study::hapticScene(loaded.value());
+        session::RecordingInfo info;
+        info.firstGeneration = 1;
+        study::nameScene(info, path("s.palpate.json"), path(name));
+        auto writer = session::RecordingWriter::create(path(name), info, session::RecordingWriter::Sync::AtEnd);
+        QVERIFY(writer.isOk());
+        QVERIFY(writer.value()
+                    ->addScene(session::describeScene(1, *felt, study::sourcesOf(loaded.value(), embeds)))
+                    .isOk());
+        session::Motion motion;
+        for (int i = 0; i < 600; ++i) {
+            motion.p_WH.emplace_back(0.3 + 0.01 * i, 0.2, 21.0 - 14.0 * std::sin(M_PI * i / 600.0));
+        }
+        core::Finding finding;
+        finding.p_W = {1, 2, 20};
+        session::replay(*felt, motion, [&](const servo::TickRecord& tick) {
+            for (const char* mark : {"Finding 1", "Finding 2"}) {
+                finding.name = mark;
+                if (tick.tick == 300) {
+                    (void)writer.value()->addEvent({300, "finding", session::findingJson(finding)});
+                }
+            }
+            return writer.value()->append(tick).isOk();
+        });
+        (void)writer.value()->addEvent({590, "finding-undone", session::findingJson(finding)});
+        QVERIFY(writer.value()->finish().isOk());
+    }
+
+    /// The opened scene gives the bits that were recorded.
+    void isFeltAsRecorded(const meshio::LoadedScene& scene, const std::filesystem::path& file) const
+    {
+        const auto reader = session::RecordingReader::open(file);
+        const auto felt = study::hapticScene(scene);
+        const session::SceneRecord& record = reader.value()->scenes().front();
+        const session::SceneRecord now = session::describeScene(1, *felt, study::sourcesOf(scene, false));
+        QCOMPARE(now.structures.size(), record.structures.size());
+        for (std::size_t i = 0; i < now.structures.size(); ++i) {
+            QCOMPARE(now.structures[i].tissue == record.structures[i].tissue, true);
+            QCOMPARE(now.structures[i].layer, record.structures[i].layer);
+            QCOMPARE(now.structures[i].palpable, record.structures[i].palpable);
+            QCOMPARE(now.structures[i].lawTable == record.structures[i].lawTable, true);
+            QCOMPARE(now.structures[i].maps, record.structures[i].maps); // with their hashes
+            QCOMPARE(now.structures[i].source.sha256, record.structures[i].source.sha256);
+        }
+        const auto again = session::resimulate(*reader.value(), study::indexedByHash(study::meshesByHash(scene)));
+        QVERIFY2(again.isOk() && again.value().isSame(), again.status().message().c_str());
+    }
+
+  private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        writeMesh("organ.vtp", 20.0, true);
+        writeMesh("lump.vtp", 10.0, false);
+        writeScene("0.4");
+    }
+
+    void isAsItWasFeltAndLooksAsItsSceneFile_data()
+    {
+        QTest::addColumn<bool>("embeds");
+        QTest::newRow("meshes in the recording") << true;
+        QTest::newRow("meshes beside it") << false;
+    }
+
+    void isAsItWasFeltAndLooksAsItsSceneFile()
+    {
+        QFETCH(bool, embeds);
+        record("r.palpate", embeds);
+        const auto opened = study::openScene(path("r.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        const meshio::LoadedScene& scene = opened.value();
+        QCOMPARE(scene.losses.size(), std::size_t{0});
+        const meshio::SceneStructure& organ = scene.structures.at(0).description;
+        QCOMPARE(organ.tissue.stiffness_N_per_mm, 0.35);
+        QCOMPARE(organ.tissue.law.kind, core::LawKind::Exponential);
+        QCOMPARE(organ.opacity, 0.4);
+        QCOMPARE(organ.colour[2], 0.3);
+        QCOMPARE(scene.structures.at(1).description.layer, 1U);
+        QVERIFY(!scene.structures.at(2).description.palpable && scene.structures.at(2).description.visible);
+        // Hidden, it was not felt; shown again, it would be.
+        QVERIFY(scene.structures.at(3).description.palpable && !scene.structures.at(3).description.visible);
+        QCOMPARE(scene.scene.findings.size(), std::size_t{1});
+        QCOMPARE(scene.scene.findings[0].name, std::string("Finding 1"));
+        meshio::LoadedScene shown = scene;
+        shown.structures[3].description.palpable = false; // as the window feels what is hidden
+        isFeltAsRecorded(shown, path("r.palpate"));
+    }
+
+    /// What varied over a surface is felt as it was, whatever the mesh file's array says now, or without the file.
+    void theRecordedMapIsFelt()
+    {
+        record("r.palpate", true);
+        writeMesh("organ.vtp", 20.0, false);
+        auto opened = study::openScene(path("r.palpate"));
+        QVERIFY(opened.isOk());
+        opened.value().structures[3].description.palpable = false;
+        QCOMPARE(opened.value().structures[0].maps.size(), std::size_t{1});
+        isFeltAsRecorded(opened.value(), path("r.palpate"));
+    }
+
+    void aMovedPairIsFound()
+    {
+        record("r.palpate", false);
+        QVERIFY(QDir(m_folder->path()).mkdir("moved"));
+        for (const char* name : {"r.palpate", "s.palpate.json", "organ.vtp", "lump.vtp"}) {
+            std::filesystem::rename(path(name), path(std::string("moved/") + name));
+        }
+        const auto reader = session::RecordingReader::open(path("moved/r.palpate"));
+        QCOMPARE(reader.value()->info().scene, path("s.palpate.json").string()); // absolute, and gone
+        QCOMPARE(reader.value()->info().sceneBeside, std::string("s.palpate.json"));
+        QCOMPARE(reader.value()->info().sceneSha256, meshio::fileHash(path("moved/s.palpate.json")));
+        QCOMPARE(study::recordedSceneFile(*reader.value()).value(), path("moved/s.palpate.json"));
+        QVERIFY(study::recordedSurfaces(*reader.value()).isOk());
+        const auto opened = study::openScene(path("moved/r.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        QCOMPARE(opened.value().structures.size(), std::size_t{4});
+        QCOMPARE(opened.value().structures[0].description.opacity, 0.4);
+    }
+
+    void withoutTheSceneFileTheTissueIsTheRecordedOne()
+    {
+        record("r.palpate", false);
+        std::filesystem::remove(path("s.palpate.json"));
+        const auto opened = study::openScene(path("r.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        QCOMPARE(opened.value().structures.at(0).description.tissue.stiffness_N_per_mm, 0.35);
+        QCOMPARE(opened.value().structures.at(0).description.opacity, 1.0);
+        isFeltAsRecorded(opened.value(), path("r.palpate"));
+    }
+
+    void anotherMeshIsSaidAndOneThatIsGoneToo()
+    {
+        record("r.palpate", false);
+        writeMesh("organ.vtp", 21.0, true);
+        std::filesystem::remove(path("lump.vtp"));
+        const auto opened = study::openScene(path("r.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        QCOMPARE(opened.value().structures.size(), std::size_t{1});
+        const auto says = [&](const char* what) {
+            return std::any_of(opened.value().losses.begin(), opened.value().losses.end(),
+                               [&](const std::string& line) { return line.find(what) != std::string::npos; });
+        };
+        QVERIFY(says("organ: organ.vtp: is another surface now than was recorded"));
+        QVERIFY(says("lump: lump.vtp: no such file, neither where it was nor beside the recording"));
+        std::filesystem::remove(path("organ.vtp"));
+        const auto none = study::openScene(path("r.palpate"));
+        QCOMPARE(none.status().code(), core::StatusCode::NotFound);
+        QVERIFY(none.status().message().starts_with("r.palpate: found none of the surfaces"));
+    }
+
+    void aSceneElsewhereIsSaidByItsWholePathAlone()
+    {
+        session::RecordingInfo info;
+        study::nameScene(info, "scenes/s.palpate.json", "recordings/r.palpate");
+        QVERIFY(std::filesystem::path(info.scene).is_absolute());
+        QVERIFY(info.sceneBeside.empty());
+        study::nameScene(info, "recordings/deep/s.palpate.json", "recordings/r.palpate");
+        QCOMPARE(info.sceneBeside, std::string("deep/s.palpate.json"));
+    }
+};
+
+PALPATE_TEST(RecordedScene)
+#include "tst_RecordedScene.moc"

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/LoadScene.h>
+#include <palpate/ui/PointedStructure.h>
+
+#include <QLabel>
+
+#include <algorithm>
+#include <optional>
+
+using namespace palpate;
+using core::Vec3;
+
+/// What the view shows of a touch and of what is pointed at, and the keys for camera and pressing: in the whole window,
+/// with the phantom. Pictures are kept where PALPATE_TEST_PICTURES says, for a person to look at.
+class Picture : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+    std::optional<ui::TouchReading> m_reading;
+    Vec3 m_lump_W = Vec3::Zero(); ///< middle of the larger one
+
+    ui::VtkViewport& viewport() { return m_desk->window().viewport(); }
+    ui::PalpationController& palpation() { return m_desk->window().palpation(); }
+    const view::TouchState& shown() { return viewport().view().cursor().state(); }
+
+    void keep(const char* name)
+    {
+        QTest::qWait(700); // the picture stands still
+        const QString folder = qEnvironmentVariable("PALPATE_TEST_PICTURES");
+        if (!folder.isEmpty()) {
+            QVERIFY(m_desk->picture().save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name))));
+        }
+    }
+    /// Where the larger lump is seen.
+    QPointF overLump() { return viewport().placeOf(m_lump_W); }
+    bool sees(const std::vector<Eigen::AlignedBox2d>& boxes)
+    {
+        const Eigen::Vector2d half(0.5 * viewport().width(), 0.5 * viewport().height());
+        return std::all_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox2d& box) {
+            return Eigen::AlignedBox2d(-half, half).contains(box);
+        });
+    }
+    void press(const QPointF& place, int steps)
+    {
+        m_desk->window().setPalpating(true);
+        palpation().stepDepth(steps);
+        palpation().pressAt(place);
+        QVERIFY(QTest::qWaitFor(
+            [this] {
+                return m_reading && palpation().text().startsWith("pressing") && !palpation().text().contains("of");
+            },
+            20000));
+        QTest::qWait(300);
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+        const auto scene = meshio::loadScene(phantom());
+        QVERIFY(scene.isOk());
+        m_lump_W = scene.value().structures[1].surface->report.bounds.center();
+    }
+    void init()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({phantom()}));
+        m_reading.reset();
+        connect(&palpation(), &ui::PalpationController::touched, this,
+                [this](const ui::TouchReading& reading) { m_reading = reading; });
+    }
+    void cleanup() { m_desk->close(); }
+
+    /// Along the line of sight the force is a circle; labels are off the cursor; the lump says its own depth.
+    void pressedAlongTheView()
+    {
+        viewport().view().look(view::ViewFrom::Front);
+        press(overLump(), 20); // 14 mm
+        const view::TouchCursor& cursor = viewport().view().cursor();
+        keep("pressed-along");
+        QVERIFY(shown().innerCount == 1 && cursor.arrow().circle()->GetVisibility());
+        QVERIFY(cursor.contactDisc()->GetVisibility() && cursor.innerLine(0)->GetVisibility());
+        QCOMPARE(cursor.labels().texts().size(), std::size_t{3});
+        QVERIFY(sees(cursor.labels().boxes()));
+        const view::ViewFrame frame = view::ViewFrame::of(viewport().view().renderer(), viewport().devicePixelRatioF());
+        for (const Eigen::AlignedBox2d& box : cursor.labels().boxes()) {
+            QVERIFY(box.exteriorDistance(frame.pixelOf(shown().p_WG)) > 10.0);
+        }
+        // And from aside, the hand held where it is.
+        for (int i = 0; i < 5; ++i) {
+            viewport().setFocus();
+            m_desk->press(Qt::Key_Right);
+        }
+        keep("pressed-aside");
+        QVERIFY(shown().isInContact && !cursor.arrow().circle()->GetVisibility());
+        QVERIFY(cursor.arrow().shaft()->GetVisibility() && sees(cursor.labels().boxes()));
+    }
+    void pressedAtTheBorder()
+    {
+        viewport().view().look(view::ViewFrom::Front);
+        const double half = 0.5 * viewport().width() / viewport().height();
+        for (const double side : {-1.0, 1.0}) {
+            // The lump comes to the border of the view.
+            viewport().view().centreOn(m_lump_W);
+            view::shift(viewport().view().camera(), side * (half - 0.02), 0.4);
+            press(overLump(), side < 0.0 ? 20 : 0);
+            keep(side < 0.0 ? "border-right" : "border-left");
+            QVERIFY(shown().isInContact && sees(viewport().view().cursor().labels().boxes()));
+            palpation().letGo();
+            QTRY_VERIFY(!shown().isInContact);
+        }
+    }
+    /// The whole palpation with a finding, by keys alone.
+    void keysAlonePalpateThePhantom()
+    {
+        viewport().setFocus();
+        m_desk->press(Qt::Key_1);
+        m_desk->press(Qt::Key_Return);
+        QVERIFY(palpation().isPalpating());
+        QTRY_VERIFY_WITH_TIMEOUT(shown().isInContact && shown().hasCrosshair, 10000);
+        m_desk->press(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!shown().isInContact, 10000);
+        // To the lump, which is seen through the liver.
+        const double stride_mm = 2.0;
+        for (int i = 0; i < 80; ++i) {
+            const Vec3 way = m_lump_W - shown().p_WH;
+            if (std::abs(way.x()) > stride_mm) {
+                m_desk->press(way.x() > 0.0 ? Qt::Key_Right : Qt::Key_Left, Qt::ControlModifier);
+            } else if (std::abs(way.z()) > stride_mm) {
+                m_desk->press(way.z() > 0.0 ? Qt::Key_Up : Qt::Key_Down, Qt::ControlModifier);
+            }
+            QTest::qWait(20);
+        }
+        keep("keys-crosshair");
+        for (int i = 0; i < 40; ++i) {
+            m_desk->press(Qt::Key_PageDown);
+        }
+        QVERIFY(std::abs(palpation().depth_mm() - 24.0) < 1e-9);
+        m_desk->press(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->layers.size() == 2, 20000);
+        QCOMPARE(m_reading->layers[1].name, QStringLiteral("lump 20 mm"));
+        m_desk->pressKeyOf("mark");
+        QTRY_COMPARE(viewport().view().findings().count(), std::size_t{1});
+        keep("keys-lump");
+        m_desk->press(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!shown().isInContact, 10000);
+    }
+    void keysMoveTheCamera()
+    {
+        viewport().setFocus();
+        m_desk->press(Qt::Key_1);
+        vtkCamera& camera = viewport().view().camera();
+        const Vec3 before(camera.GetPosition());
+        const double distance_mm = camera.GetDistance();
+        m_desk->press(Qt::Key_Right);
+        QVERIFY(camera.GetPosition()[0] > before.x() + 0.2 * distance_mm);
+        m_desk->press(Qt::Key_Left);
+        QVERIFY((Vec3(camera.GetPosition()) - before).norm() < 1e-6 * distance_mm);
+        const double focus_mm = camera.GetFocalPoint()[2];
+        m_desk->press(Qt::Key_Up, Qt::ShiftModifier);
+        QVERIFY(camera.GetFocalPoint()[2] > focus_mm + 1.0);
+        m_desk->press(Qt::Key_Plus);
+        QVERIFY(camera.GetDistance() < 0.95 * distance_mm);
+        m_desk->press(Qt::Key_Minus);
+        QVERIFY(std::abs(camera.GetDistance() - distance_mm) < 1e-6 * distance_mm);
+    }
+    void hoveringNamesAndAClickSelects()
+    {
+        viewport().view().look(view::ViewFrom::Front);
+        viewport().grabFramebuffer();
+        auto* name = viewport().findChild<QLabel*>(QStringLiteral("pointed"));
+        QVERIFY(name != nullptr && !name->isVisible());
+        const QPoint over = overLump().toPoint();
+        QTest::mouseMove(&viewport(), over);
+        QTRY_VERIFY(name->isVisible());
+        QCOMPARE(name->text(), QStringLiteral("liver")); // the lump lies behind its wall
+        keep("hover");
+        QVERIFY(viewport().rect().contains(name->geometry()));
+        QVERIFY(!name->geometry().contains(over));
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, over);
+        QVERIFY(!name->isVisible());
+        QCOMPARE(selectedRow(), 0);
+        // One that can't be felt is named and found too: the vein that comes out of the liver, below.
+        const auto vein = placeOf(3);
+        QVERIFY(vein.has_value());
+        QTest::mouseMove(&viewport(), *vein);
+        QTRY_COMPARE(name->text(), QStringLiteral("portal vein"));
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, *vein);
+        QCOMPARE(selectedRow(), 3);
+        QTest::mouseMove(&viewport(), {3, 3});
+        QTRY_VERIFY(!name->isVisible());
+    }
+
+  private:
+    int selectedRow() { return m_desk->window().findChild<ui::StructurePanel*>()->currentRow(); }
+    /// A place of the view where a structure is seen before all others.
+    std::optional<QPoint> placeOf(int row)
+    {
+        const auto* pointed = m_desk->window().findChild<ui::PointedStructure*>();
+        for (int y = 10; y < viewport().height(); y += 10) {
+            for (int x = 10; x < viewport().width(); x += 10) {
+                const auto found = pointed->at(QPointF(x, y));
+                if (found && found->row == row) {
+                    return QPoint(x, y);
+                }
+            }
+        }
+        return std::nullopt;
+    }
+    static std::filesystem::path phantom()
+    {
+        return std::filesystem::path(PALPATE_SOURCE_DIR) / "data/phantom/phantom.palpate.json";
+    }
+};
+
+PALPATE_TEST(Picture)
+#include "tst_Picture.moc"

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/session/Findings.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/ui/Pieces.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+#include <QTreeView>
+
+#include <csignal>
+#include <optional>
+
+#include <sys/resource.h>
+
+using namespace palpate;
+
+namespace {
+
+/// A folder on a small disk to fill, where there is one; else a limit on the size of files stands for it.
+QByteArray smallDisk()
+{
+    return qgetenv("PALPATE_SMALL_DISK");
+}
+
+/// Lets no file of this program grow beyond a size while it lives.
+class SmallFiles
+{
+  public:
+    explicit SmallFiles(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN); // a write then fails instead
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit small = m_before;
+        small.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallFiles() { setrlimit(RLIMIT_FSIZE, &m_before); }
+    SmallFiles(const SmallFiles&) = delete;
+    SmallFiles& operator=(const SmallFiles&) = delete;
+
+  private:
+    rlimit m_before{};
+};
+
+} // namespace
+
+/// Recordings in the window: a disk that gets full, closing while one runs, opening one alone.
+class Records : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+    static std::filesystem::path phantom() { return std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom"; }
+
+    ui::Chip* chip() const
+    {
+        for (ui::Chip* one : m_desk->window().findChildren<ui::Chip*>()) {
+            if (one->accessibleName() == QStringLiteral("Recording")) {
+                return one;
+            }
+        }
+        qFatal("no chip of the recording");
+    }
+    ui::MessageBar& message() const { return *m_desk->window().findChild<ui::MessageBar*>(); }
+
+    /// The newest recording in the documents.
+    std::filesystem::path newest() const
+    {
+        const QDir folder(QDir::homePath() + QStringLiteral("/Documents/Palpate"));
+        const QStringList files = folder.entryList({QStringLiteral("*.palpate")}, QDir::Files, QDir::Time);
+        return std::filesystem::path(files.isEmpty() ? std::string() : folder.filePath(files.front()).toStdString());
+    }
+
+    /// Answers the next question with a button. @param asked  gets its text
+    static void answer(const char* button, QString& asked)
+    {
+        QTimer::singleShot(300, qApp, [button, &asked] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr) {
+                return; // the test sees that nothing was asked
+            }
+            asked = box->text();
+            for (QAbstractButton* one : box->buttons()) {
+                if (one->text().remove(QLatin1Char('&')) == QLatin1String(button)) {
+                    one->click();
+                    return;
+                }
+            }
+            box->reject();
+        });
+    }
+
+    void picture(const char* name) const
+    {
+        if (const QByteArray to = qgetenv("PALPATE_RECORDS_PICTURES"); !to.isEmpty()) {
+            m_desk->window().grab().save(QString::fromLocal8Bit(to) + QLatin1Char('/') +
+                                         QLatin1String(name)); // to look at
+        }
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        QLocale::setDefault(QLocale::c());
+        m_desk = std::make_unique<test::Desk>();
+        const QByteArray own = QByteArray::fromStdString(m_desk->folder().string());
+        qputenv("HOME", smallDisk().isEmpty() ? own : smallDisk()); // documents go there
+    }
+    void init() { QVERIFY(m_desk->show()); }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    /// Told once and truly: the recording ends, chip and button say so, the file opens and says why it ends.
+    void aFullDiskEndsTheRecordingAndIsToldOnce()
+    {
+        QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
+        m_desk->pressKeyOf("record");
+        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        QTRY_VERIFY2(chip()->text().endsWith(QStringLiteral(" late, 0 lost")), qPrintable(chip()->text()));
+        QCOMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
+
+        bool hasEnded = false;
+        {
+            std::optional<SmallFiles> limit;
+            if (smallDisk().isEmpty()) {
+                limit.emplace(240 * 1024);
+            }
+            hasEnded = QTest::qWaitFor(
+                [&] { return chip()->text().startsWith(QStringLiteral("recording failed at 00:0")); }, 60000);
+        }
+        QVERIFY2(hasEnded, qPrintable(chip()->text()));
+        QCOMPARE(m_desk->command("record").text(), QStringLiteral("Record"));
+        QVERIFY(!m_desk->command("record").isChecked());
+        QVERIFY(message().isVisible());
+        QVERIFY2(
+            message().text().contains(QStringLiteral("because the disk is full; what was felt after is not in it")),
+            qPrintable(message().text()));
+        picture("full.png");
+        const auto reader = session::RecordingReader::open(newest());
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        QVERIFY(reader.value()->verify().isOk());
+        QVERIFY(!reader.value()->extent().isComplete && reader.value()->extent().ticks > 500);
+
+        QTest::qWait(1200); // it stays until something is done
+        QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
+        m_desk->pressKeyOf("fit");
+        QTRY_VERIFY(chip()->text().isEmpty());
+        message().findChild<QPushButton*>()->click(); // Open what was recorded
+        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        QVERIFY2(message().text().contains(QStringLiteral("what was felt after is not in it")),
+                 qPrintable(message().text()));
+    }
+
+    void closingAsksWhileARecordingRuns()
+    {
+        QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
+        m_desk->pressKeyOf("record");
+        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        QTest::qWait(600);
+        QString asked;
+        answer("Go on recording", asked);
+        QVERIFY(!m_desk->window().close());
+        QVERIFY(asked.startsWith(QStringLiteral("A recording is running")));
+        QVERIFY(m_desk->window().isVisible());
+        QCOMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
+        answer("End the recording", asked);
+        QVERIFY(m_desk->window().close());
+        const auto reader = session::RecordingReader::open(newest());
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        QVERIFY(reader.value()->extent().isComplete && reader.value()->extent().ticks > 300);
+    }
+
+    /// What it was made on comes with it: the phantom's own tissue, layers and looks, not those of bare meshes.
+    void aRecordingAloneBringsItsStructures()
+    {
+        QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
+        QVERIFY(m_desk->window().playback().recording() != nullptr);
+        const auto* list = m_desk->window().findChild<QAbstractItemView*>(QString(), Qt::FindChildrenRecursively);
+        QVERIFY(list != nullptr && list->model()->rowCount() == 5);
+        QCOMPARE(list->model()->index(0, ui::StructureModel::Name).data().toString(), QStringLiteral("liver"));
+        bool hasDeeper = false;
+        for (int row = 0; row < 5; ++row) {
+            hasDeeper |=
+                list->model()->index(row, ui::StructureModel::Name).data(ui::StructureModel::kLayerRole).toInt() > 0;
+        }
+        QVERIFY(hasDeeper);
+        QStringList fields;
+        for (const QDoubleSpinBox* field : m_desk->window().findChildren<QDoubleSpinBox*>()) {
+            if (field->accessibleName().startsWith(QStringLiteral("Stiffness"))) {
+                fields << QString::number(field->value());
+            }
+        }
+        QVERIFY2(fields.contains(QStringLiteral("0.2")), qPrintable(fields.join(QLatin1Char(' '))));
+        picture("alone.png");
+    }
+
+    /// Findings of a recording are drawn over the open scene, and the scene stays as it is.
+    void aRecordingsFindingsAreDrawnOverTheScene()
+    {
+        const auto from = session::RecordingReader::open(phantom() / "palpation.palpate");
+        const std::filesystem::path file = m_desk->folder() / "marked.palpate";
+        auto writer = session::RecordingWriter::create(file, from.value()->info());
+        QVERIFY(writer.value()->addScene(from.value()->scenes().front()).isOk());
+        QVERIFY(
+            from.value()
+                ->forEach(0, 999, [&](const servo::TickRecord& tick) { return writer.value()->append(tick).isOk(); })
+                .isOk());
+        for (const char* name : {"Finding 1", "Finding 2"}) {
+            core::Finding finding;
+            finding.name = name;
+            finding.p_W = core::Vec3(name[8] - '0', -40.0, 5.0);
+            QVERIFY(writer.value()->addEvent({500, "finding", session::findingJson(finding)}).isOk());
+            if (name[8] == '2') {
+                QVERIFY(writer.value()->addEvent({600, "finding-undone", session::findingJson(finding)}).isOk());
+            }
+        }
+        QVERIFY(writer.value()->finish().isOk());
+        QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
+        QVERIFY(!m_desk->command("show-findings").isEnabled());
+        m_desk->window().open({file});
+        QTRY_VERIFY(m_desk->command("show-findings").isEnabled());
+        QCOMPARE(m_desk->window().playback().recording()->findings().size(), std::size_t{1});
+        QVERIFY(!m_desk->window().isWindowModified());
+        picture("findings.png");
+    }
+};
+
+PALPATE_TEST(Records)
+#include "tst_Records.moc"
