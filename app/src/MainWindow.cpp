@@ -5,6 +5,7 @@
 
 #include <palpate/session/Findings.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/PointedStructure.h>
 #include <palpate/ui/Theme.h>
 #include <palpate/ui/ViewKeys.h>
@@ -13,7 +14,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QProgressBar>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -36,15 +36,15 @@ MainWindow::MainWindow()
     m_viewport = new VtkViewport(this);
     m_welcome = new WelcomePage(this);
     m_stack = new QStackedWidget(this);
-    m_stack->addWidget(m_welcome);
+    m_stack->addWidget(new PanelScroll(m_welcome, this));
     m_stack->addWidget(m_viewport);
-    m_message = new MessageBar(this);
+    m_message = new MessageBar(m_messages, this);
     auto* centre = new QWidget(this);
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_message);
-    layout->addWidget(m_stack, 1);
+    layout->addWidget(new FocusFrame(m_stack, m_viewport, centre), 1);
     setCentralWidget(centre);
 
     makeActions();
@@ -53,6 +53,7 @@ MainWindow::MainWindow()
     makeToolBar();
     makeStatusBar();
     m_recording = new RecordingControl(m_live, *m_recordingChip, *m_session, this);
+    makeMessagesDock();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
@@ -69,7 +70,7 @@ MainWindow::MainWindow()
     showWhatPlays();
     QTimer::singleShot(0, this, &MainWindow::offerLeftover);
 
-    resize(1280, 800);
+    finishShell();
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
@@ -87,7 +88,7 @@ void MainWindow::makeDocks()
     const auto dock = [this](const QString& title, const char* name, QWidget* panel, Qt::DockWidgetArea area) {
         auto* one = new QDockWidget(title, this);
         one->setObjectName(QLatin1String(name));
-        one->setWidget(panel);
+        one->setWidget(new PanelScroll(panel, this)); // a low window has no room for all of it
         addDockWidget(area, one);
         m_docks.push_back(one);
         return one;
@@ -105,12 +106,7 @@ void MainWindow::makeDocks()
     auto* left = dock(tr("Structures"), "structures", m_structures, Qt::LeftDockWidgetArea);
     auto* right = dock(tr("Touch"), "touch", m_touch, Qt::RightDockWidgetArea);
     m_hand = new HandPanel(this);
-    auto* scrolled = new QScrollArea(this); // a low window has no room for all of it
-    scrolled->setWidget(m_hand);
-    scrolled->setWidgetResizable(true);
-    scrolled->setFrameShape(QFrame::NoFrame);
-    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    tabifyDockWidget(right, dock(tr("Device"), "device", scrolled, Qt::RightDockWidgetArea));
+    tabifyDockWidget(right, dock(tr("Device"), "device", m_hand, Qt::RightDockWidgetArea));
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     right->raise();
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
@@ -120,9 +116,7 @@ void MainWindow::makeDocks()
 
 void MainWindow::makeStatusBar()
 {
-    m_hint = new QLabel(this);
-    m_hint->setTextFormat(Qt::PlainText);
-    m_hint->setMinimumWidth(10);
+    m_hint = new HintLine(this);
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(180);
@@ -211,7 +205,7 @@ void MainWindow::connectLoading()
     const auto loadingEnded = [this] {
         m_progress->hide();
         m_cancel->hide();
-        m_hint->clear();
+        m_hint->say({});
     };
     connect(&m_loader, &SceneLoader::opened, this, loadingEnded);
     connect(&m_loader, &SceneLoader::opened, this, &MainWindow::takeScene);
@@ -278,7 +272,6 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_viewport, &VtkViewport::spaceHeld, this, [this](bool isDown) { m_palpateAction->setChecked(isDown); });
-    connect(m_viewport, &VtkViewport::panelsToggled, this, &MainWindow::togglePanels);
     connect(m_viewport, &VtkViewport::centreWanted, this, [this](const QPointF& place) {
         if (const auto pick = m_viewport->view().pick(m_viewport->rayAt(place))) {
             m_viewport->view().centreOn(pick->hit.p_W);

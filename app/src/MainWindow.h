@@ -6,12 +6,16 @@
 #include "SceneDocument.h"
 
 #include <palpate/ui/ActionList.h>
+#include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
+#include <palpate/ui/HintLine.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/MapDisplay.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
+#include <palpate/ui/PanelRound.h>
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/SceneLoader.h>
@@ -28,7 +32,6 @@
 #include <optional>
 #include <vector>
 
-class QLabel;
 class QMenu;
 class QProgressBar;
 class QStackedWidget;
@@ -65,8 +68,6 @@ class MainWindow : public QMainWindow
     void ready();
     void openFailed(const QString& line);
     void deviceRefused(const QString& line);
-    /// What was repaired, assumed or not read in the files that were opened; a line each.
-    void noted(const QStringList& lines);
 
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -79,6 +80,9 @@ class MainWindow : public QMainWindow
     void makeViewActions();
     void makeSessionActions();
     void makeDeviceAndHelpActions();
+    void makeShellActions();
+    void makeMessagesDock();
+    void finishShell();
     void makeMenus();
     void makeToolBar();
     void makeDocks();
@@ -95,7 +99,6 @@ class MainWindow : public QMainWindow
     void offerLeftover();
     void readAs(palpate::core::FileFrame frame);
     void showCoordinates();
-    void tellNotes(const QStringList& notes);
     void showTitle();
     [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
@@ -117,6 +120,10 @@ class MainWindow : public QMainWindow
     void refreshRecent();
     void say(const QString& text, int forget_ms = 8000);
     void showError(const QString& line);
+    void showMessages();
+    int tellNotes(const palpate::ui::OpenedScene& scene);
+    void tellRealtime(const palpate::servo::RealtimeReport& report);
+    [[nodiscard]] QString handText() const;
     void styleView();
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
@@ -124,6 +131,8 @@ class MainWindow : public QMainWindow
     [[nodiscard]] QString howToTouch() const;
 
     palpate::ui::ActionList m_actions{this};
+    palpate::ui::Messages m_messages;
+    palpate::ui::PanelRound m_round;
     palpate::ui::StructureModel m_model;
     palpate::ui::LiveTouch m_live{m_model};
     palpate::ui::SceneLoader m_loader;
@@ -148,11 +157,13 @@ class MainWindow : public QMainWindow
     palpate::ui::Chip* m_recordingChip = nullptr;
     palpate::ui::Chip* m_realtimeChip = nullptr;
     palpate::ui::Chip* m_depthChip = nullptr;
-    QLabel* m_hint = nullptr;
+    palpate::ui::HintLine* m_hint = nullptr;
+    QStringList m_realtimeTold; ///< what was said of the servo thread last
     QProgressBar* m_progress = nullptr;
     QToolButton* m_cancel = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QDockWidget*> m_docks;
+    QDockWidget* m_messagesDock = nullptr; ///< the list of messages; it comes only when asked for
 
     QAction* m_openAction = nullptr;
     QAction* m_saveAction = nullptr;

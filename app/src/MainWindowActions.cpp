@@ -18,6 +18,7 @@ void MainWindow::makeActions()
 {
     makeFileAndEditActions();
     makeViewActions();
+    makeShellActions();
     makeSessionActions();
     makeDeviceAndHelpActions();
 }
@@ -78,11 +79,11 @@ void MainWindow::makeViewActions()
     m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
     m_actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
     ViewKeys::describe(m_actions);
-    m_actions.addGesture(ActionGroup::InView, tr("Tab"), tr("hide or show the panels"));
     connect(m_actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
                           {QKeySequence(Qt::Key_Escape)}),
             &QAction::triggered, this, &MainWindow::letGo);
-    m_actions.addGesture(ActionGroup::InList, tr("V  H"), tr("show or hide, feel or not"));
+    m_actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, feel or not"));
+    m_actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure that begins so"));
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
 }
 
@@ -151,7 +152,6 @@ void MainWindow::makeMenus()
     for (QDockWidget* dock : m_docks) {
         view->addAction(dock->toggleViewAction());
     }
-    view->addAction(tr("Hide or show all panels (Tab in the view)"), this, &MainWindow::togglePanels);
     view->addSeparator();
     palpate::app::addLanguageMenu(*view, *this, [this](const QString& line) { say(line); });
     QMenu* session = menuBar()->addMenu(tr("&Session"));

@@ -8,13 +8,10 @@
 
 #include <QDockWidget>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
-#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -49,29 +46,20 @@ void MainWindow::makeToolBar()
     m_undoAction->setEnabled(false);
     m_redoAction->setEnabled(false);
 
-    auto* chips = new QWidget(bar);
-    auto* line = new QHBoxLayout(chips);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(6);
-    line->addStretch(1);
-    m_depthChip = new Chip(tr("Mode"), chips);
-    m_recordingChip = new Chip(tr("Recording"), chips);
-    m_deviceChip = new Chip(tr("Device"), chips);
-    m_rateChip = new Chip(tr("Servo rate"), chips);
-    m_realtimeChip = new Chip(tr("Real-time scheduling"), chips);
-    for (Chip* chip : {m_depthChip, m_recordingChip, m_deviceChip, m_rateChip, m_realtimeChip}) {
-        line->addWidget(chip);
-    }
-    chips->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    auto* chips = new ChipRow(bar);
+    m_depthChip = chips->add(tr("What the pointer or the device does"), 3);
+    m_recordingChip = chips->add(tr("Recording"), 9, true);
+    m_deviceChip = chips->add(tr("Device"), 2);
+    m_rateChip = chips->add(tr("Servo rate"), 0);
+    m_realtimeChip = chips->add(tr("Real-time scheduling"), 1);
     bar->addWidget(chips);
 }
 
 void MainWindow::showMode()
 {
     const bool isSlidOff = m_palpation != nullptr && m_palpation->isSlidOff();
-    m_depthChip->say(m_palpation != nullptr ? m_palpation->text() : tr("camera"),
-                     isSlidOff ? Chip::Tone::Warning : Chip::Tone::Quiet);
-    m_depthChip->setToolTip(tr("What the pointer does: it moves the camera, or it presses this far along the line of "
+    m_depthChip->say(handText(), isSlidOff ? Chip::Tone::Warning : Chip::Tone::Quiet);
+    m_depthChip->setToolTip(tr("What the pointer does: it turns the view, or it presses this far along the line of "
                                "sight [mm]; the wheel sets it (P switches)"));
 }
 
@@ -93,6 +81,7 @@ void MainWindow::showStatus()
                     rate_kHz > 0.0 && rate_kHz < 0.95e-3 * m_live.rate_Hz() ? Chip::Tone::Warning : Chip::Tone::Quiet);
     m_rateChip->setToolTip(tr("Ticks of the servo thread a second [kHz], over the last half second"));
     const servo::RealtimeReport realtime = m_live.realtime();
+    tellRealtime(realtime);
     m_realtimeChip->say(realtime.isRealtime ? tr("real-time") : tr("not real-time"),
                         realtime.isRealtime ? Chip::Tone::Quiet : Chip::Tone::Warning);
     QStringList lines{tr("What the servo thread was granted:")};
@@ -138,22 +127,6 @@ void MainWindow::togglePanels()
     for (QDockWidget* dock : m_docks) {
         dock->setVisible(!isAnyShown);
     }
-}
-
-void MainWindow::say(const QString& text, int forget_ms)
-{
-    m_hint->setText(text);
-    m_hint->setToolTip(text);
-    QTimer::singleShot(forget_ms, this, [this, text] {
-        if (m_hint->text() == text) {
-            m_hint->clear();
-        }
-    });
-}
-
-void MainWindow::showError(const QString& line)
-{
-    m_message->showError(line);
 }
 
 void MainWindow::remember(const std::filesystem::path& file)

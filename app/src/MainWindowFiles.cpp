@@ -9,7 +9,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
@@ -40,7 +39,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     if (!meshes.empty() && !mayDiscard()) {
         return;
     }
-    m_message->hide();
+    m_message->forgetScene();
     if (meshes.empty()) {
         if (recording) {
             openRecording(*recording);
@@ -90,21 +89,6 @@ void MainWindow::showCoordinates()
     m_viewport->update();
 }
 
-void MainWindow::tellNotes(const QStringList& notes)
-{
-    Q_EMIT noted(notes);
-    const QString how = howToTouch();
-    const auto count = static_cast<int>(notes.size());
-    const QString told = count == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(count);
-    say(count == 0 ? how : tr("%1  ·  %2 (point here to read)").arg(how, told), 60000);
-    constexpr int kToolTipLines = 24;
-    QStringList lines = notes.mid(0, kToolTipLines);
-    if (count > kToolTipLines) {
-        lines << tr("… and %1 more").arg(count - kToolTipLines);
-    }
-    m_hint->setToolTip(count == 0 ? how : lines.join(QLatin1Char('\n')));
-}
-
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
     if (scene->isReopened && m_isEditedMeanwhile) { // it lacks what was changed while it was read
@@ -151,7 +135,10 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (m_files.size() == 1 && !m_files.front().empty()) { // parts opened one by one are no scene to come back to
         remember(m_files.front());
     }
-    tellNotes(scene->warnings);
+    const QString how = howToTouch();
+    const int notes = tellNotes(*scene);
+    const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
+    say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
     if (scene->isReopened) {
         say(tr("Read again with coordinates %1: tissue and findings are kept, undo starts anew.")
                 .arg(m_coordinates->button().text()),
@@ -273,14 +260,16 @@ void MainWindow::offerLeftover()
 {
     const auto copy = SceneDocument::findLeftover();
     if (copy && m_model.rowCount() == 0) {
-        m_message->offer(tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
-                         [this, copy] {
-                             if (m_document->claimLeftover(*copy)) {
-                                 open({*copy});
-                             } else {
-                                 say(tr("These changes were already restored in another window."));
-                             }
-                         });
+        m_message->offer(
+            tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
+            [this, copy] {
+                if (m_document->claimLeftover(*copy)) {
+                    open({*copy});
+                } else {
+                    say(tr("These changes were already restored in another window."));
+                }
+            },
+            MessageBar::Keep::UntilAnswered);
     }
 }
 

@@ -45,21 +45,17 @@ void MainWindow::layOut(const OpenedScene& scene)
     } else if (isLayered && areMeshes && !m_waitingRecording) {
         m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
         m_model.undoStack().setClean(); // nothing that a person did and would miss
-        m_message->offer(
-            oneLine(sentences), tr("All in one layer"),
-            [this, count = layers.size()] {
-                m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
-            },
-            Symbol::Hand);
+        m_message->offer(oneLine(sentences), tr("All in one layer"), [this, count = layers.size()] {
+            m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
+        });
     } else if (isLayered) {
         const auto inner = std::find_if(scene.layering.structures.begin(), scene.layering.structures.end(),
                                         [](const study::Layering::Structure& one) { return one.in.has_value(); });
         const auto row = static_cast<std::size_t>(inner - scene.layering.structures.begin());
-        m_message->offer(
-            tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
-                .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
-            tr("Feel it below"),
-            [this, layers] { m_model.setLayers(layers, tr("Feel what is inside below what is around it")); },
-            Symbol::Hand);
+        m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
+                             .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
+                         tr("Feel it below"), [this, layers] {
+                             m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
+                         });
     }
 }

@@ -333,16 +333,17 @@ class Panels : public QObject
         model.setRows(test::twoRows());
         panel.select(1);
         auto* list = panel.findChild<QTreeView*>();
-        QTest::keyClick(list, Qt::Key_V);
+        QTest::keyClick(list, Qt::Key_E, Qt::ControlModifier);
         QVERIFY(!model.structure(1).visible);
-        QTest::keyClick(list, Qt::Key_H);
+        QTest::keyClick(list, Qt::Key_H, Qt::ControlModifier);
         QVERIFY(!model.structure(1).palpable);
         QVERIFY(model.structure(0).visible && model.structure(0).palpable);
     }
     void messageStaysUntilItIsClosed()
     {
         QWidget window;
-        ui::MessageBar bar(&window);
+        ui::Messages messages;
+        ui::MessageBar bar(messages, &window);
         window.show();
         QVERIFY(!bar.isVisible());
         bar.showError(QStringLiteral("liver.stl: no triangle"));
@@ -352,15 +353,17 @@ class Panels : public QObject
     void offerDoesWhatItsButtonSays()
     {
         QWidget window;
-        ui::MessageBar bar(&window);
+        ui::Messages messages;
+        ui::MessageBar bar(messages, &window);
         window.show();
         int done = 0;
         bar.offer(QStringLiteral("0.3 mm across"), QStringLiteral("Read as metres"), [&] { ++done; });
-        bar.findChild<QPushButton*>()->click();
+        bar.findChild<ui::MessageRow*>()->findChild<QPushButton*>()->click();
         QCOMPARE(done, 1);
         QVERIFY(!bar.isVisible());
         bar.showError(QStringLiteral("something else"));
-        QVERIFY(!bar.findChild<QPushButton*>()->isVisible());
+        const auto* button = bar.findChild<ui::MessageRow*>()->findChild<QPushButton*>();
+        QVERIFY(button == nullptr);
     }
     void emptyChipIsNotShown()
     {

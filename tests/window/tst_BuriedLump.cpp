@@ -101,7 +101,7 @@ class BuriedLump : public QObject
     }
 
     ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
-    QPushButton& wayBack() const { return *message().findChild<QPushButton*>(); }
+    QPushButton& wayBack() const { return *message().findChild<ui::MessageRow*>()->findChild<QPushButton*>(); }
 
   private Q_SLOTS:
     void initTestCase()
@@ -177,7 +177,8 @@ class BuriedLump : public QObject
         open({folder() / "two/liver.stl", folder() / "two/liver.stl"});
         QVERIFY(message().isVisible());
         QCOMPARE(message().text(), QStringLiteral("liver and liver are the same surface twice."));
-        QVERIFY(!wayBack().isVisible());
+        const auto* button = message().findChild<ui::MessageRow*>()->findChild<QPushButton*>();
+        QVERIFY(button == nullptr); // nothing to take back
         QVERIFY(!action("Undo")->isEnabled());
     }
 };

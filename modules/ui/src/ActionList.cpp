@@ -8,6 +8,19 @@
 
 namespace palpate::ui {
 
+namespace {
+
+/// One that types a sign: a letter, a digit, "?". Esc, Home and F1 type none.
+bool isLetterKey(const QKeySequence& key)
+{
+    const QKeyCombination combination = key[0];
+    constexpr int kFirstWithoutSign = 0x01000000; // Qt::Key_Escape
+    return key.count() == 1 && combination.key() < kFirstWithoutSign &&
+           (combination.keyboardModifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
+}
+
+} // namespace
+
 ActionList::ActionList(QWidget* window)
     : QObject(window)
     , m_window(window)
@@ -19,11 +32,9 @@ QAction* ActionList::add(const char* id, ActionGroup group, const QString& text,
 {
     auto* action = new QAction(text, m_window);
     action->setObjectName(QLatin1String(id));
-    action->setShortcuts(keys);
-    action->setToolTip(keys.isEmpty() ? tip
-                                      : tr("%1 (%2)").arg(tip, keys.constFirst().toString(QKeySequence::NativeText)));
     m_window->addAction(action); // its key works with menus hidden too
-    m_entries.push_back({group, action, {}, tip});
+    m_entries.push_back({group, action, {}, tip, keys});
+    takeKeys(m_entries.back());
     return action;
 }
 
@@ -45,6 +56,28 @@ void ActionList::addSeparator(ActionGroup group)
 void ActionList::addGesture(ActionGroup group, const QString& keys, const QString& does)
 {
     m_entries.push_back({group, nullptr, keys, does});
+}
+
+void ActionList::takeKeys(const Entry& entry)
+{
+    QList<QKeySequence> keys = entry.keysOfAll;
+    if (!m_hasLetterKeys) {
+        keys.removeIf(isLetterKey);
+    }
+    entry.action->setShortcuts(keys);
+    entry.action->setToolTip(keys.isEmpty()
+                                 ? entry.does
+                                 : tr("%1 (%2)").arg(entry.does, keys.constFirst().toString(QKeySequence::NativeText)));
+}
+
+void ActionList::setLetterKeys(bool areOn)
+{
+    m_hasLetterKeys = areOn;
+    for (const Entry& entry : m_entries) {
+        if (!entry.keysOfAll.isEmpty()) {
+            takeKeys(entry);
+        }
+    }
 }
 
 QAction* ActionList::find(const QString& id) const

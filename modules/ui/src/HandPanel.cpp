@@ -82,7 +82,7 @@ QString timingText(const HandStatus& status)
                  .arg(locale.toString(static_cast<qulonglong>(status.timing.overruns)),
                       locale.toString(static_cast<qulonglong>(status.timing.ticks)));
     if (!status.realtime.isRealtime) {
-        lines << HandPanel::tr("Not real-time: point here to read how to permit it.");
+        lines << HandPanel::tr("Not real-time: the list of messages (F4) says how to permit it.");
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -167,10 +167,11 @@ QWidget* HandPanel::makeFits()
 QWidget* HandPanel::makeMapping()
 {
     auto* mapping = new QWidget(this);
-    auto* form = new QFormLayout(mapping);
+    auto* form = m_form = new QFormLayout(mapping);
     form->setContentsMargins(0, 4, 0, 4);
     form->setVerticalSpacing(6);
-    form->addRow(makeFits());
+    m_fits = makeFits();
+    form->addRow(m_fits);
     m_reach = new QLabel(mapping);
     m_reach->setAccessibleName(tr("What fills the workspace"));
     form->addRow(m_reach);
@@ -248,13 +249,26 @@ void HandPanel::setDevice(const device::DeviceInfo& info, const HandSettings& se
 {
     m_limit_N = info.actuatedAxes > 0 ? info.maxForce_N : 0.0;
     m_name->setText(QString::fromStdString(info.name));
-    m_mapping->setVisible(servo::edgeOf(info) > 0.0);
+    showWhatApplies(servo::edgeOf(info) > 0.0);
     const bool hasMotors = m_limit_N > 0.0;
     for (QWidget* part :
          {static_cast<QWidget*>(m_force), static_cast<QWidget*>(m_energy), static_cast<QWidget*>(m_energyText)}) {
         part->setVisible(hasMotors);
     }
     setSettings(settings);
+}
+
+/// A hand without a workspace of its own (pointer, simulated hand) lies as the scene does and has no buttons: what is
+/// left to choose is its loop.
+void HandPanel::showWhatApplies(bool hasWorkspace)
+{
+    for (QWidget* field : {m_fits, static_cast<QWidget*>(m_reach), static_cast<QWidget*>(m_scale),
+                           static_cast<QWidget*>(m_turn), static_cast<QWidget*>(m_buttons[0]),
+                           static_cast<QWidget*>(m_buttons[1]), static_cast<QWidget*>(m_leftHanded)}) {
+        m_form->setRowVisible(field, hasWorkspace);
+    }
+    m_clutch->setVisible(hasWorkspace);
+    m_centre->setVisible(hasWorkspace);
 }
 
 void HandPanel::setSettings(const HandSettings& settings)

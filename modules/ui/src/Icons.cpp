@@ -149,6 +149,20 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         }
         drawArrowBack(p);
         break;
+    case Symbol::Told:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{7.8, 12.4}, {10.8, 15.4}, {16.4, 9}});
+        break;
+    case Symbol::Error:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{8.6, 8.6}, {15.4, 15.4}});
+        poly(p, {{15.4, 8.6}, {8.6, 15.4}});
+        break;
+    case Symbol::Offer:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{7.4, 12}, {16.4, 12}});
+        poly(p, {{12.8, 8.4}, {16.4, 12}, {12.8, 15.6}});
+        break;
     case Symbol::Keys:
         p.drawRoundedRect(QRectF(2.5, 6.5, 19, 11.5), 2, 2);
         for (const double x : {6.0, 10.0, 14.0, 18.0}) {

@@ -4,19 +4,23 @@
 #include "palpate/ui/ActionList.h"
 #include "palpate/ui/Theme.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QPushButton>
-#include <QToolButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace palpate::ui {
 
-Chip::Chip(const QString& accessibleName, QWidget* parent)
+Chip::Chip(const QString& what, QWidget* parent)
     : QLabel(parent)
 {
-    setAccessibleName(accessibleName);
+    setAccessibleDescription(what); // its name is its text
+    setTextFormat(Qt::PlainText);
     setContentsMargins(9, 3, 9, 3);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     hide(); // until it has something to say
@@ -24,18 +28,49 @@ Chip::Chip(const QString& accessibleName, QWidget* parent)
 
 void Chip::say(const QString& text, Tone tone)
 {
-    const QColor ink = tone == Tone::Quiet     ? palette().color(QPalette::Text)
-                       : tone == Tone::Warning ? warningColour()
-                                               : recordColour();
-    if (text == this->text() && tone == m_tone) {
+    if (text == m_said && tone == m_tone) {
         return;
     }
     m_tone = tone;
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, ink);
-    setPalette(colours);
-    setText(text);
+    m_said = text;
+    takeInk();
+    setText(m_isShort ? shortText() : m_said);
     setVisible(!text.isEmpty());
+    Q_EMIT changed();
+}
+
+void Chip::setShort(bool isShort)
+{
+    if (isShort != m_isShort) {
+        m_isShort = isShort;
+        setText(m_isShort ? shortText() : m_said);
+    }
+}
+
+int Chip::widthFor(bool isShort) const
+{
+    const QMargins margins = contentsMargins();
+    return fontMetrics().horizontalAdvance(isShort ? shortText() : m_said) + margins.left() + margins.right() + 2;
+}
+
+void Chip::takeInk()
+{
+    const QPalette base = QApplication::palette();
+    QPalette colours = base;
+    colours.setColor(QPalette::WindowText, m_tone == Tone::Quiet     ? base.color(QPalette::Text)
+                                           : m_tone == Tone::Warning ? warningColour()
+                                                                     : recordColour());
+    if (colours != palette()) {
+        setPalette(colours);
+    }
+}
+
+void Chip::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::ApplicationPaletteChange || event->type() == QEvent::StyleChange) {
+        takeInk();
+    }
+    QLabel::changeEvent(event);
 }
 
 void Chip::paintEvent(QPaintEvent* event)
@@ -49,57 +84,6 @@ void Chip::paintEvent(QPaintEvent* event)
     painter.drawRoundedRect(frame, 0.5 * frame.height(), 0.5 * frame.height());
     painter.end();
     QLabel::paintEvent(event);
-}
-
-MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent)
-    , m_symbol(new QLabel(this))
-    , m_text(new QLabel(this))
-{
-    setFrameShape(QFrame::StyledPanel);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    m_symbol->setPixmap(icon(Symbol::Warning).pixmap(22, 22));
-    m_text->setWordWrap(true);
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_text->setAccessibleName(tr("Message"));
-    m_button = new QPushButton(this);
-    m_button->hide();
-    connect(m_button, &QPushButton::clicked, this, [this] {
-        hide();
-        m_act();
-    });
-    auto* close = new QToolButton(this);
-    close->setText(QStringLiteral("✕"));
-    close->setAutoRaise(true);
-    close->setToolTip(tr("Close this message"));
-    close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(12, 6, 6, 6);
-    layout->addWidget(m_symbol, 0, Qt::AlignTop);
-    layout->addWidget(m_text, 1);
-    layout->addWidget(m_button, 0, Qt::AlignTop);
-    layout->addWidget(close, 0, Qt::AlignTop);
-    hide();
-}
-
-void MessageBar::offer(const QString& text, const QString& button, std::function<void()> act, Symbol symbol)
-{
-    showError(text);
-    m_symbol->setPixmap(icon(symbol).pixmap(22, 22));
-    m_act = std::move(act);
-    m_button->setText(button);
-    m_button->show();
-}
-
-void MessageBar::showError(const QString& text)
-{
-    m_button->hide();
-    m_text->setText(text);
-    m_symbol->setPixmap(icon(Symbol::Warning).pixmap(22, 22));
-    show();
 }
 
 KeysCard::KeysCard(const ActionList& actions, QWidget* parent)
@@ -119,34 +103,41 @@ KeysCard::KeysCard(const ActionList& actions, QWidget* parent)
     large.setBold(true);
     title->setFont(large);
     layout->addWidget(title);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus); // the card has the keys
+    m_scroll->setWidgetResizable(true);
+    m_scroll->viewport()->setBackgroundRole(QPalette::Base);
+    layout->addWidget(m_scroll);
     hide();
 }
 
 void KeysCard::fill()
 {
-    delete m_table;
-    m_table = new QWidget(this);
-    layout()->addWidget(m_table);
-    auto* grid = new QGridLayout(m_table);
+    auto* table = new QWidget;
+    table->setBackgroundRole(QPalette::Base);
+    auto* grid = new QGridLayout(table);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(18);
     grid->setVerticalSpacing(5);
     QFont bold = font();
     bold.setBold(true);
     const std::vector<ActionList::KeyLine> lines = m_actions.keyLines();
-    const int half = static_cast<int>(lines.size() + 1) / 2;
+    const bool isWide = parentWidget()->width() > 64 * fontMetrics().averageCharWidth() * 2;
+    const int half = static_cast<int>(isWide ? lines.size() + 1 : 2 * lines.size()) / 2;
     for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
         const ActionList::KeyLine& line = lines[static_cast<std::size_t>(i)];
-        auto* keys = new QLabel(line.keys, m_table);
+        auto* keys = new QLabel(line.keys, table);
         keys->setFont(bold);
         const int column = i < half ? 0 : 2;
         grid->addWidget(keys, i % half, column, Qt::AlignTop);
         auto* does =
-            new QLabel(line.group == ActionGroup::InList ? tr("in the list: %1").arg(line.does) : line.does, m_table);
+            new QLabel(line.group == ActionGroup::InList ? tr("in the list: %1").arg(line.does) : line.does, table);
         does->setWordWrap(true);
-        does->setMinimumWidth(300);
+        does->setMinimumWidth(std::min(300, parentWidget()->width() / 3));
         grid->addWidget(does, i % half, column + 1, Qt::AlignTop);
     }
+    m_scroll->setWidget(table); // the one before is gone with this
 }
 
 void KeysCard::toggle()
@@ -157,7 +148,9 @@ void KeysCard::toggle()
     }
     m_before = window()->focusWidget();
     fill();
-    adjustSize();
+    const QSize table = m_scroll->widget()->sizeHint() + QSize(m_scroll->verticalScrollBar()->sizeHint().width(), 2);
+    const QSize whole = table + sizeHint() - m_scroll->sizeHint();
+    resize(whole.boundedTo(parentWidget()->size() - QSize(24, 24)));
     move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
     show();
     raise();
@@ -176,9 +169,25 @@ void KeysCard::mousePressEvent(QMouseEvent*)
     hide();
 }
 
-void KeysCard::keyPressEvent(QKeyEvent*)
+void KeysCard::keyPressEvent(QKeyEvent* event)
 {
-    hide();
+    QScrollBar& bar = *m_scroll->verticalScrollBar();
+    switch (event->key()) {
+    case Qt::Key_Up:
+        bar.triggerAction(QAbstractSlider::SliderSingleStepSub);
+        break;
+    case Qt::Key_Down:
+        bar.triggerAction(QAbstractSlider::SliderSingleStepAdd);
+        break;
+    case Qt::Key_PageUp:
+        bar.triggerAction(QAbstractSlider::SliderPageStepSub);
+        break;
+    case Qt::Key_PageDown:
+        bar.triggerAction(QAbstractSlider::SliderPageStepAdd);
+        break;
+    default:
+        hide();
+    }
 }
 
 void KeysCard::focusOutEvent(QFocusEvent*)

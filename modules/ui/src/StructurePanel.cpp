@@ -420,11 +420,11 @@ bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && currentRow() >= 0) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_V || key == Qt::Key_H) {
-            click(m_model.index(currentRow(), key == Qt::Key_V ? StructureModel::Shown : StructureModel::Felt));
+        const bool isCtrl = static_cast<QKeyEvent*>(event)->modifiers() == Qt::ControlModifier;
+        if (isCtrl && (key == Qt::Key_E || key == Qt::Key_H)) {
+            click(m_model.index(currentRow(), key == Qt::Key_E ? StructureModel::Shown : StructureModel::Felt));
             return true;
         }
-        const bool isCtrl = static_cast<QKeyEvent*>(event)->modifiers().testFlag(Qt::ControlModifier);
         const std::uint32_t layer = m_model.structure(currentRow()).layer;
         if (isCtrl && (key == Qt::Key_Down || key == Qt::Key_Up)) {
             if (key == Qt::Key_Down ? layer + 1 < haptics::kMaxLayers : layer > 0) {

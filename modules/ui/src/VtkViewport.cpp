@@ -335,12 +335,6 @@ bool VtkViewport::event(QEvent* event)
             }
             return true;
         }
-        if (key->key() == Qt::Key_Tab && key->modifiers() == Qt::NoModifier) {
-            if (isDown) {
-                Q_EMIT panelsToggled();
-            }
-            return true;
-        }
     }
     return QOpenGLWidget::event(event);
 }

@@ -59,6 +59,10 @@ class ActionList : public QObject
     /// What is done by pointer or keys in a part of the window, in words: for the key card alone.
     void addGesture(ActionGroup group, const QString& keys, const QString& does);
 
+    /// Whether commands may have keys of one letter, digit or sign, without Ctrl or Alt. Off, they are reached by menu
+    /// and the key card doesn't show those keys.
+    void setLetterKeys(bool areOn);
+
     /// @return nothing when there is no such command
     [[nodiscard]] QAction* find(const QString& id) const;
     /// All commands, in the order in which they were added.
@@ -75,9 +79,13 @@ class ActionList : public QObject
         QAction* action = nullptr; // a separator has no name
         QString keys;              // of a gesture, which has no action
         QString does;
+        QList<QKeySequence> keysOfAll{}; // with those of one letter
     };
+    void takeKeys(const Entry& entry);
+
     QWidget* m_window = nullptr;
     std::vector<Entry> m_entries;
+    bool m_hasLetterKeys = true;
 };
 
 } // namespace palpate::ui

@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QPushButton;
 
@@ -64,7 +65,7 @@ class HandPanel : public QWidget
 
   private:
     void edit();
-    void showSettings();
+    void showWhatApplies(bool hasWorkspace);
 
     QWidget* makeFits();
     QWidget* makeMapping();
@@ -77,6 +78,8 @@ class HandPanel : public QWidget
     EnergyBar* m_energy = nullptr;
     QLabel* m_clutched = nullptr;
     QWidget* m_mapping = nullptr;
+    QFormLayout* m_form = nullptr;
+    QWidget* m_fits = nullptr;
     QLabel* m_reach = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     QComboBox* m_turn = nullptr;

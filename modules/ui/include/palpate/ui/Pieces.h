@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/MessageBar.h"
 #include "palpate/ui/Theme.h"
 
 #include <QFrame>
@@ -8,16 +9,16 @@
 #include <QPointer>
 #include <QWidget>
 
-#include <functional>
-
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace palpate::ui {
 
 class ActionList;
 
-/// A short fact in a rounded frame: "mouse", "1.00 kHz".
+/// A short fact in a rounded frame: "mouse", "1.00 kHz". What stands behind the first comma is left out where there is
+/// no room for it.
 class Chip : public QLabel
 {
     Q_OBJECT
@@ -28,33 +29,29 @@ class Chip : public QLabel
         Warning,
         Recording
     };
-    explicit Chip(const QString& accessibleName, QWidget* parent = nullptr);
+    /// @param what  it is a fact of, for screen readers
+    explicit Chip(const QString& what, QWidget* parent = nullptr);
     void say(const QString& text, Tone tone = Tone::Quiet);
+    [[nodiscard]] const QString& said() const noexcept { return m_said; }
+    /// Shows what was said in fewer words, or whole.
+    void setShort(bool isShort);
+    /// Width of the chip in fewer words, or whole. [px]
+    [[nodiscard]] int widthFor(bool isShort) const;
+
+  Q_SIGNALS:
+    void changed();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
+    void takeInk();
+    [[nodiscard]] QString shortText() const { return m_said.section(QStringLiteral(", "), 0, 0); }
+
     Tone m_tone = Tone::Quiet;
-};
-
-/// A line over the view that stays until it is closed: an error with its full text, or a hint.
-class MessageBar : public QFrame
-{
-    Q_OBJECT
-  public:
-    explicit MessageBar(QWidget* parent = nullptr);
-    void showError(const QString& text);
-    /// Shows a line with a button that does something about it and closes the bar.
-    /// @param symbol  what kind of a line it is
-    void offer(const QString& text, const QString& button, std::function<void()> act, Symbol symbol = Symbol::Warning);
-    [[nodiscard]] QString text() const { return m_text->text(); }
-
-  private:
-    QLabel* m_symbol = nullptr;
-    QLabel* m_text = nullptr;
-    QPushButton* m_button = nullptr;
-    std::function<void()> m_act;
+    QString m_said;
+    bool m_isShort = false;
 };
 
 /// What is shown instead of an empty view: open, try the phantom, recent scenes.
@@ -81,7 +78,8 @@ class WelcomePage : public QWidget
     QWidget* m_card = nullptr;
 };
 
-/// All keys on one card over the window; any key or click closes it.
+/// All keys on one card over the window; where that is too low for it, arrows and wheel scroll the card. Any other key
+/// or a click closes it.
 class KeysCard : public QFrame
 {
     Q_OBJECT
@@ -100,8 +98,8 @@ class KeysCard : public QFrame
     void fill();
 
     const ActionList& m_actions;
-    QWidget* m_table = nullptr; ///< made anew each time the card is shown
-    QPointer<QWidget> m_before; ///< had the keys before, and gets them back
+    QScrollArea* m_scroll = nullptr; ///< its table is made anew each time the card is shown
+    QPointer<QWidget> m_before;      ///< had the keys before, and gets them back
 };
 
 } // namespace palpate::ui

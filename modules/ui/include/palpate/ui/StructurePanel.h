@@ -42,8 +42,8 @@ class StructurePanel : public QWidget
     void colourChosen(int row, const QString& what);
 
   protected:
-    /// In the list: V shows or hides the selected structure, H makes it felt or not, Ctrl+Down and Ctrl+Up have it felt
-    /// a layer deeper or farther out.
+    /// In the list: Ctrl+E (eye) shows or hides the selected structure, Ctrl+H (hand) makes it felt or not, Ctrl+Down
+    /// and Ctrl+Up have it felt a layer deeper or farther out.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:

@@ -40,7 +40,10 @@ enum class Symbol
     Fit,
     Eye,
     EyeOff,
+    Told,
     Warning,
+    Error,
+    Offer,
     Undo,
     Redo,
     Keys

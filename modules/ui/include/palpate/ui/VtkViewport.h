@@ -62,8 +62,6 @@ class VtkViewport : public QOpenGLWidget
     void depthTurned(double steps);
     /// The space bar went down or up: palpate while it is held.
     void spaceHeld(bool isDown);
-    /// Tab, which here hides and shows the panels; Shift+Tab leaves the view as elsewhere.
-    void panelsToggled();
     /// In both modes: the pointer moved with no button down.
     void hovered(const QPointF& place);
     /// It is elsewhere, or a button is down.

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What goes round the parts: messages, keys from panel to panel, a window that fits the screen.
+#include "MainWindow.h"
+
+#include <palpate/ui/MessageList.h>
+#include <palpate/ui/TypeAhead.h>
+
+#include <QDockWidget>
+#include <QLocale>
+#include <QScreen>
+#include <QSettings>
+#include <QTimer>
+
+#include <algorithm>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+void MainWindow::makeShellActions()
+{
+    const auto add = [this](const char* id, ActionGroup group, const QString& text, const QString& tip,
+                            const QKeySequence& key, auto act) {
+        connect(m_actions.add(id, group, text, tip, {key}), &QAction::triggered, this, act);
+    };
+    add("next-panel", ActionGroup::View, tr("Next panel"), tr("The keys go to the next panel, and on to the view"),
+        Qt::Key_F6, [this] { m_round.go(1); });
+    add("previous-panel", ActionGroup::View, tr("Previous panel"), tr("The keys go to the panel before"),
+        Qt::SHIFT | Qt::Key_F6, [this] { m_round.go(-1); });
+    add("panels", ActionGroup::View, tr("Hide or show all panels"), tr("Hide or show all panels"), Qt::Key_F9,
+        &MainWindow::togglePanels);
+    add("messages", ActionGroup::View, tr("Messages"),
+        tr("Show or hide the list of all messages since the start, with all notes on files"), Qt::Key_F4,
+        &MainWindow::showMessages);
+    m_actions.addSeparator(ActionGroup::View);
+    m_actions.addSeparator(ActionGroup::Edit);
+    QAction* letters = m_actions.add("letter-keys", ActionGroup::Edit, tr("Single-letter keys"),
+                                     tr("Commands by one letter; off: letters do nothing, for speech input and for "
+                                        "hands that touch keys by chance"));
+    letters->setCheckable(true);
+    connect(letters, &QAction::toggled, this, [this](bool isOn) {
+        m_actions.setLetterKeys(isOn);
+        QSettings().setValue(QStringLiteral("keys/letters"), isOn);
+    });
+    new TypeAhead(this);
+}
+
+void MainWindow::makeMessagesDock()
+{
+    m_messagesDock = new QDockWidget(tr("Messages"), this);
+    m_messagesDock->setObjectName(QStringLiteral("messages"));
+    m_messagesDock->setWidget(new MessageList(m_messages, this));
+    addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
+    m_messagesDock->hide();
+    connect(m_message, &MessageBar::listWanted, this, &MainWindow::showMessages);
+    connect(m_hint, &HintLine::pressed, this, &MainWindow::showMessages);
+}
+
+void MainWindow::finishShell()
+{
+    m_actions.find(QStringLiteral("letter-keys"))
+        ->setChecked(QSettings().value(QStringLiteral("keys/letters"), true).toBool());
+    m_round.add(findChild<QWidget*>(QStringLiteral("tools")));
+    m_round.add(m_message);
+    m_round.add(m_viewport);
+    for (QDockWidget* dock : m_docks) {
+        m_round.add(dock->widget());
+    }
+    m_round.add(m_messagesDock->widget());
+    const QSize room = screen()->availableSize() - QSize(16, 40); // what a window's frame takes
+    resize(QSize(1280, 800).boundedTo(room));
+}
+
+void MainWindow::showMessages()
+{
+    const bool isShown = !m_messagesDock->isVisible();
+    m_messagesDock->setVisible(isShown);
+    if (isShown) {
+        m_messagesDock->raise();
+        m_messagesDock->widget()->setFocus(Qt::ShortcutFocusReason);
+    } else {
+        m_viewport->setFocus();
+    }
+}
+
+void MainWindow::say(const QString& text, int forget_ms)
+{
+    m_messages.add(Messages::Kind::Told, text);
+    m_hint->say(text);
+    QTimer::singleShot(forget_ms, this, [this, text] {
+        if (m_hint->said() == text) {
+            m_hint->say({});
+        }
+    });
+}
+
+void MainWindow::showError(const QString& line)
+{
+    m_message->showError(line);
+}
+
+/// Puts what was noticed while opening into the list of messages. @return the number of notes
+int MainWindow::tellNotes(const OpenedScene& scene)
+{
+    for (const QString& note : scene.warnings) {
+        m_messages.add(Messages::Kind::Warning, note);
+    }
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const QStringList defects = m_model.findings(row);
+        if (!defects.isEmpty()) {
+            m_messages.add(Messages::Kind::Warning, tr("%1: %2").arg(readableName(m_model.structure(row).name),
+                                                                     defects.join(QStringLiteral("; "))));
+        }
+    }
+    return static_cast<int>(scene.warnings.size());
+}
+
+/// Says once, when it becomes so, what keeps the servo thread from its time and what permits it.
+void MainWindow::tellRealtime(const servo::RealtimeReport& report)
+{
+    if (report.isRealtime) {
+        m_realtimeTold.clear();
+        return;
+    }
+    QStringList lines;
+    for (const servo::RealtimeItem& item : report.items) {
+        if (!item.isGranted && !item.remedy.empty()) {
+            lines << tr("Not real-time: %1: %2. %3")
+                         .arg(QString::fromStdString(item.name), QString::fromStdString(item.message),
+                              QString::fromStdString(item.remedy));
+        }
+    }
+    if (lines != m_realtimeTold) {
+        m_realtimeTold = lines;
+        for (const QString& line : lines) {
+            m_messages.add(Messages::Kind::Warning, line);
+        }
+    }
+}
+
+/// What the pointer or the device is doing.
+QString MainWindow::handText() const
+{
+    if (!m_live.usesPointer()) {
+        const QString name = QString::fromStdString(m_live.deviceInfo().name);
+        return tr("Touching with the %1").arg(name.section(QStringLiteral(" ("), 0, 0).toLower());
+    }
+    if (m_palpation == nullptr || !m_palpation->isPalpating()) {
+        return tr("Turning the view");
+    }
+    return m_palpation->text();
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/HintLine.h"
+
+#include <QAccessible>
+#include <QMouseEvent>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+HintLine::HintLine(QWidget* parent)
+    : QLabel(parent)
+{
+    setTextFormat(Qt::PlainText);
+    setMinimumWidth(10);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    setCursor(Qt::PointingHandCursor);
+    setAccessibleDescription(tr("The newest message; F4 shows all"));
+}
+
+void HintLine::say(const QString& text)
+{
+    m_said = text;
+    setToolTip(text.isEmpty() ? QString() : tr("%1\nPress here or F4 for all messages").arg(text));
+    fit();
+    if (!text.isEmpty()) {
+        setAccessibleName(text); // whole, where the line is shortened
+        QAccessibleEvent alert(this, QAccessible::Alert);
+        QAccessible::updateAccessibility(&alert);
+    } else {
+        setAccessibleName(tr("No new message"));
+    }
+}
+
+void HintLine::fit()
+{
+    setText(fontMetrics().elidedText(m_said, Qt::ElideRight, std::max(10, contentsRect().width())));
+}
+
+void HintLine::resizeEvent(QResizeEvent* event)
+{
+    QLabel::resizeEvent(event);
+    fit();
+}
+
+void HintLine::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (rect().contains(event->position().toPoint())) {
+        Q_EMIT pressed();
+    }
+}
+
+} // namespace palpate::ui

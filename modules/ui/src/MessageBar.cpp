@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/MessageBar.h"
+
+#include "palpate/ui/Theme.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::ui {
+
+namespace {
+
+/// A few lines of a long text; the list of messages has it whole.
+QString shortened(const QString& text)
+{
+    constexpr int kLines = 3;
+    const QStringList lines = text.split(QLatin1Char('\n'));
+    return lines.size() <= kLines ? text
+                                  : lines.mid(0, kLines).join(QLatin1Char('\n')) +
+                                        MessageBar::tr(" … and %1 more lines (F4)").arg(lines.size() - kLines);
+}
+
+} // namespace
+
+MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QString& button, QWidget* parent)
+    : QFrame(parent)
+    , m_kind(kind)
+    , m_text(text)
+    , m_symbol(new QLabel(this))
+{
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    setAccessibleName(QStringLiteral("%1: %2").arg(Messages::word(kind), text));
+    m_symbol->setAccessibleName(Messages::word(kind));
+    m_symbol->setToolTip(Messages::word(kind));
+    drawIcon();
+    auto* line = new QLabel(shortened(text), this);
+    line->setWordWrap(true);
+    line->setMinimumWidth(80);
+    line->setTextFormat(Qt::PlainText);
+    line->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 5, 6, 5);
+    layout->addWidget(m_symbol, 0, Qt::AlignTop);
+    layout->addWidget(line, 1, Qt::AlignVCenter);
+    if (!button.isEmpty()) {
+        auto* act = new QPushButton(button, this);
+        connect(act, &QPushButton::clicked, this, &MessageRow::answered);
+        layout->addWidget(act, 0, Qt::AlignTop);
+    }
+    auto* close = new QToolButton(this);
+    close->setText(QStringLiteral("✕"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this message; the list of messages keeps it (F4)"));
+    close->setAccessibleName(tr("Close this message"));
+    connect(close, &QToolButton::clicked, this, &MessageRow::closed);
+    layout->addWidget(close, 0, Qt::AlignTop);
+}
+
+void MessageRow::drawIcon()
+{
+    m_symbol->setPixmap(Messages::iconOf(m_kind).pixmap(22, 22));
+}
+
+void MessageRow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        drawIcon(); // in the palette's text colour
+    }
+    QFrame::changeEvent(event);
+}
+
+MessageBar::MessageBar(Messages& messages, QWidget* parent)
+    : QWidget(parent)
+    , m_messages(messages)
+    , m_rows(new QVBoxLayout(this))
+    , m_more(new QPushButton(this))
+{
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setSpacing(0);
+    m_rows->addWidget(m_more);
+    m_more->setFlat(true);
+    m_more->setToolTip(tr("Show the list of messages (F4)"));
+    connect(m_more, &QPushButton::clicked, this, &MessageBar::listWanted);
+    hide();
+}
+
+void MessageBar::showError(const QString& text)
+{
+    put(Messages::Kind::Error, text, {}, Keep::WithScene);
+}
+
+void MessageBar::offer(const QString& text, const QString& button, std::function<void()> act, Keep keep)
+{
+    MessageRow* row = put(Messages::Kind::Offer, text, button, keep);
+    connect(row, &MessageRow::answered, this, [this, row, act = std::move(act)] {
+        remove(row); // first: what is done may say something itself
+        act();
+    });
+}
+
+MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QString& button, Keep keep)
+{
+    const auto same =
+        std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.row->text() == text; });
+    if (same != m_entries.end()) { // told again: once is enough, with what can be done now
+        remove(same->row);
+    }
+    m_messages.add(kind, text);
+    auto* row = new MessageRow(kind, text, button, this);
+    connect(row, &MessageRow::closed, this, [this, row] { remove(row); });
+    m_entries.insert(m_entries.begin(), {row, keep});
+    m_rows->insertWidget(0, row);
+    arrange();
+    QAccessibleEvent alert(row, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+    return row;
+}
+
+void MessageBar::remove(MessageRow* row)
+{
+    m_entries.erase(
+        std::remove_if(m_entries.begin(), m_entries.end(), [row](const Entry& entry) { return entry.row == row; }),
+        m_entries.end());
+    m_rows->removeWidget(row);
+    row->hide();
+    row->setParent(nullptr);
+    row->deleteLater(); // one of its buttons may have been pressed
+    arrange();
+}
+
+void MessageBar::arrange()
+{
+    const auto waiting = static_cast<int>(m_entries.size()) - kShown;
+    for (std::size_t i = 0; i < m_entries.size(); ++i) {
+        m_entries[i].row->setVisible(i < static_cast<std::size_t>(kShown));
+    }
+    m_more->setText(waiting == 1 ? tr("1 older message waits (F4 shows all)")
+                                 : tr("%1 older messages wait (F4 shows all)").arg(waiting));
+    m_more->setVisible(waiting > 0);
+    setVisible(!m_entries.empty());
+}
+
+void MessageBar::forgetScene()
+{
+    const std::vector<Entry> before = m_entries;
+    for (const Entry& entry : before) {
+        if (entry.keep == Keep::WithScene) {
+            remove(entry.row);
+        }
+    }
+}
+
+QString MessageBar::text() const
+{
+    QStringList texts;
+    for (const Entry& entry : m_entries) {
+        texts << entry.row->text();
+    }
+    return texts.join(QLatin1Char('\n'));
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/MessageList.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+MessageList::MessageList(Messages& messages, QWidget* parent)
+    : QListView(parent)
+{
+    setModel(&messages);
+    setAccessibleName(tr("Messages"));
+    setFrameShape(QFrame::NoFrame);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setWordWrap(true);
+    setAlternatingRowColors(true);
+    setMinimumHeight(3 * fontMetrics().height());
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    auto* copy = new QAction(tr("Copy (Ctrl+C)"), this);
+    connect(copy, &QAction::triggered, this, &MessageList::copySelection);
+    addAction(copy);
+    connect(&messages, &QAbstractItemModel::rowsInserted, this, &QListView::scrollToBottom);
+}
+
+void MessageList::copySelection() const
+{
+    QModelIndexList chosen = selectionModel()->selectedIndexes();
+    std::sort(chosen.begin(), chosen.end());
+    QStringList lines;
+    for (const QModelIndex& index : chosen) {
+        lines << index.data(Qt::DisplayRole).toString();
+    }
+    QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+void MessageList::keyPressEvent(QKeyEvent* event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        copySelection();
+    } else {
+        QListView::keyPressEvent(event);
+    }
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/PanelScroll.h"
+
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+PanelScroll::PanelScroll(QWidget* panel, QWidget* parent)
+    : QScrollArea(parent)
+{
+    setWidget(panel);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus); // what it holds takes the keys, and is scrolled to
+}
+
+QSize PanelScroll::sizeHint() const
+{
+    return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0);
+}
+
+QSize PanelScroll::minimumSizeHint() const
+{
+    constexpr int kMostWidth_px = 260; // below this the panel scrolls sideways too
+    constexpr int kHeight_px = 60;
+    const QSize held = widget()->minimumSizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0);
+    return {std::min(kMostWidth_px, held.width()), std::min(kHeight_px, held.height())};
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/ui/MessageList.h>
+
+#include <QAbstractScrollArea>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <algorithm>
+#include <set>
+
+using namespace palpate;
+
+namespace {
+
+std::vector<QObject*> g_alerted; // NOLINT: Qt's handler is a function without data
+
+void catchAlert(QAccessibleEvent* event)
+{
+    if (event->type() == QAccessible::Alert) {
+        g_alerted.push_back(event->object());
+    }
+}
+
+/// Whether what a widget shows may be scrolled away: it lies in the moving part of a scrolling panel.
+bool isScrolled(const QWidget* widget)
+{
+    for (const QWidget* one = widget->parentWidget(); one != nullptr; one = one->parentWidget()) {
+        if (qobject_cast<const QAbstractScrollArea*>(one) != nullptr) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether a panel, or what lies in one, is behind another one's tab: Qt puts it outside the window.
+bool isBehindATab(QMainWindow& window, const QWidget* widget)
+{
+    for (const QWidget* one = widget; one != nullptr; one = one->parentWidget()) {
+        const auto* dock = qobject_cast<const QDockWidget*>(one);
+        if (dock != nullptr && dock->visibleRegion().isEmpty() &&
+            !window.tabifiedDockWidgets(const_cast<QDockWidget*>(dock)).isEmpty()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+/// What goes round the parts of the window: sizes, chips, messages, keys from panel to panel.
+class Shell : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+    [[nodiscard]] MainWindow& window() const { return m_desk->window(); }
+    template<class T>
+    [[nodiscard]] T& the(const char* name = "") const
+    {
+        T* found = window().findChild<T*>(QLatin1String(name));
+        if (found == nullptr) {
+            qFatal("no such part of the window");
+        }
+        return *found;
+    }
+    [[nodiscard]] QTreeView& list() const { return *the<ui::StructurePanel>().findChild<QTreeView*>(); }
+    [[nodiscard]] static ui::Chip* chipThatSays(const QWidget& window, const QString& start)
+    {
+        for (ui::Chip* chip : window.findChildren<ui::Chip*>()) {
+            if (chip->said().startsWith(start)) {
+                return chip;
+            }
+        }
+        return nullptr;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+        QVERIFY(m_desk->show({1024, 700}));
+        QVERIFY(m_desk->openPhantom());
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    /// Also run with fonts as on a screen of 160 dots per inch.
+    void fitsASmallScreen()
+    {
+        QCoreApplication::processEvents();
+        const QSize least = window().minimumSizeHint();
+        QVERIFY2(least.width() <= 1024 && least.height() <= 700,
+                 qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
+        QCOMPARE(window().size(), QSize(1024, 700));
+        m_desk->pressKeyOf("keys");
+        QVERIFY(the<ui::KeysCard>().isVisible());
+        for (const QWidget* widget : window().findChildren<QWidget*>()) {
+            if (!widget->isVisible() || widget->isWindow() || isScrolled(widget) || isBehindATab(window(), widget)) {
+                continue;
+            }
+            const QRect place(widget->mapTo(&window(), QPoint()), widget->size());
+            QVERIFY2(window().rect().contains(place),
+                     qPrintable(QStringLiteral("%1 \"%2\" reaches to %3, %4")
+                                    .arg(QLatin1String(widget->metaObject()->className()), widget->objectName())
+                                    .arg(place.right())
+                                    .arg(place.bottom())));
+        }
+        m_desk->press(Qt::Key_Escape);
+        QVERIFY(!the<ui::KeysCard>().isVisible());
+    }
+
+    void theRecordingChipNeverGoes()
+    {
+        window().resize(1024, 700);
+        m_desk->command("record").trigger();
+        QTRY_VERIFY(chipThatSays(window(), QStringLiteral("●")) != nullptr);
+        ui::Chip& recording = *chipThatSays(window(), QStringLiteral("●"));
+        QTRY_VERIFY(recording.isVisible() && recording.visibleRegion().boundingRect() == recording.rect());
+        QVERIFY(recording.text().startsWith(QStringLiteral("● recording 00:")));
+        QVERIFY(recording.width() >= recording.fontMetrics().horizontalAdvance(recording.text()));
+        // What has no room folds into a button, and none of it is lost.
+        ui::ChipRow& row = the<ui::ChipRow>();
+        QWidget small;
+        ui::ChipRow folding(&small);
+        ui::Chip* first = folding.add(QStringLiteral("first"), 1);
+        ui::Chip* last = folding.add(QStringLiteral("last"), 2, true);
+        first->say(QStringLiteral("liver of a patient"));
+        last->say(QStringLiteral("recording 00:10, 4 dropped"));
+        small.show();
+        folding.resize(600, 30);
+        QVERIFY(first->isVisible() && last->isVisible());
+        QCOMPARE(last->text(), last->said());
+        folding.resize(last->widthFor(true) + 40, 30);
+        QVERIFY(!first->isVisible() && last->isVisible());
+        QCOMPARE(last->text(), QStringLiteral("recording 00:10"));
+        QVERIFY(folding.findChild<QToolButton*>()->isVisible());
+        QVERIFY(row.minimumSizeHint().width() >= recording.widthFor(true));
+        m_desk->command("record").trigger();
+        QTRY_VERIFY(!recording.isVisible());
+    }
+
+    void theChipSaysWhatThePointerDoes()
+    {
+        m_desk->command("palpate").setChecked(false);
+        QVERIFY(chipThatSays(window(), QStringLiteral("Turning the view")) != nullptr);
+    }
+
+    void theSimulatedHandHasItsRate()
+    {
+        window().chooseDevice("simulated");
+        QVERIFY(!window().usesPointer());
+        QTRY_VERIFY(chipThatSays(window(), QStringLiteral("Touching with the simulated hand")) != nullptr);
+        QComboBox* rate = nullptr;
+        for (QComboBox* box : the<ui::HandPanel>().findChildren<QComboBox*>()) {
+            rate = box->findData(4) >= 0 && box->count() == 3 ? box : rate;
+        }
+        QVERIFY(rate != nullptr && rate->isVisibleTo(&the<ui::HandPanel>()));
+        window().chooseDevice("mouse");
+    }
+
+    void f6GoesRoundAndTabLeavesTheView()
+    {
+        window().viewport().setFocus();
+        std::set<const QWidget*> been;
+        for (int i = 0; i < 12; ++i) {
+            m_desk->press(Qt::Key_F6);
+            been.insert(window().focusWidget());
+            const QWidget* at = window().focusWidget();
+            QVERIFY(at != nullptr && at->isVisible());
+        }
+        QVERIFY(been.count(&window().viewport()) == 1);
+        QCOMPARE(been.count(&list()), std::size_t{1});
+        QVERIFY(std::any_of(been.begin(), been.end(),
+                            [&](const QWidget* one) { return the<ui::SessionPanel>().isAncestorOf(one); }));
+        window().viewport().setFocus();
+        m_desk->press(Qt::Key_F6);
+        const QWidget* next = window().focusWidget();
+        m_desk->press(Qt::Key_F6, Qt::ShiftModifier);
+        QCOMPARE(window().focusWidget(), &window().viewport());
+        QVERIFY(next != &window().viewport());
+        m_desk->press(Qt::Key_Tab);
+        QVERIFY(window().focusWidget() != &window().viewport());
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            QVERIFY(dock->objectName() != QStringLiteral("structures") || dock->isVisible());
+        }
+    }
+
+    void f9HidesAndShowsThePanels()
+    {
+        window().viewport().setFocus();
+        auto& structures = the<QDockWidget>("structures");
+        m_desk->pressKeyOf("panels");
+        QVERIFY(!structures.isVisible());
+        m_desk->pressKeyOf("panels");
+        QVERIFY(structures.isVisible());
+    }
+
+    void lettersInAListLookForNames()
+    {
+        list().setFocus();
+        the<ui::StructurePanel>().select(0);
+        const bool wasModified = window().isWindowModified();
+        QString name =
+            list().model()->index(list().model()->rowCount() - 1, ui::StructureModel::Name).data().toString();
+        list().setCurrentIndex(list().model()->index(0, ui::StructureModel::Name));
+        for (const QChar letter : name) {
+            QTest::keyClick(&list(), letter.toLatin1());
+        }
+        QCOMPARE(list().currentIndex().row(), list().model()->rowCount() - 1);
+        QCOMPARE(window().isWindowModified(), wasModified);
+        m_desk->press(Qt::Key_E, Qt::ControlModifier);
+        QVERIFY(window().isWindowModified());
+        m_desk->command("undo").trigger();
+    }
+
+    void lettersCanBeSwitchedOff()
+    {
+        QAction& letters = m_desk->command("letter-keys");
+        QVERIFY(letters.isChecked());
+        letters.trigger();
+        QVERIFY(m_desk->command("palpate").shortcuts().isEmpty());
+        QVERIFY(!m_desk->command("open").shortcuts().isEmpty());
+        QVERIFY(!m_desk->command("let-go").shortcuts().isEmpty());
+        QCOMPARE(QSettings().value(QStringLiteral("keys/letters")).toBool(), false);
+        window().viewport().setFocus();
+        m_desk->press(Qt::Key_P);
+        QVERIFY(!m_desk->command("palpate").isChecked());
+        letters.trigger();
+        m_desk->press(Qt::Key_P);
+        QVERIFY(m_desk->command("palpate").isChecked());
+        m_desk->press(Qt::Key_P);
+    }
+
+    void messagesWaitForEachOther()
+    {
+        ui::MessageBar& bar = the<ui::MessageBar>();
+        bar.forgetScene();
+        QCOMPARE(bar.text(), QString());
+        g_alerted.clear();
+        const auto before = QAccessible::installUpdateHandler(catchAlert);
+        const bool isHeard = QAccessible::isActive();
+        int restored = 0;
+        bar.offer(
+            QStringLiteral("An offer"), QStringLiteral("Restore"), [&] { ++restored; },
+            ui::MessageBar::Keep::UntilAnswered);
+        for (int i = 0; i < 3; ++i) {
+            bar.showError(QStringLiteral("error %1").arg(i));
+        }
+        QAccessible::installUpdateHandler(before);
+        if (isHeard) { // a screen reader's bus is needed for this
+            QCOMPARE(g_alerted.size(), std::size_t{4});
+        }
+        const auto rows = bar.findChildren<ui::MessageRow*>();
+        QCOMPARE(rows.size(), 4);
+        QCOMPARE(rows.first()->text(), QStringLiteral("An offer"));
+        QVERIFY(!rows.first()->isVisible()); // the offer waits behind three that are newer
+        bar.forgetScene();
+        QCOMPARE(bar.text(), QStringLiteral("An offer"));
+        QVERIFY(rows.first()->isVisible());
+        rows.first()->findChild<QPushButton*>()->click();
+        QCOMPARE(restored, 1);
+        QVERIFY(!bar.isVisible());
+    }
+
+    void theListKeepsMessagesAndCopiesThem()
+    {
+        window().viewport().setFocus();
+        m_desk->pressKeyOf("messages");
+        auto& messages = the<ui::MessageList>();
+        QVERIFY(messages.isVisible() && messages.hasFocus());
+        QStringList all;
+        for (int row = 0; row < messages.model()->rowCount(); ++row) {
+            all << messages.model()->index(row, 0).data().toString();
+        }
+        QCOMPARE(all.filter(QStringLiteral("error 1")).size(), 1);
+        QCOMPARE(all.filter(QStringLiteral("An offer")).size(), 1);
+        messages.selectAll();
+        m_desk->press(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), all.join(QLatin1Char('\n')));
+        m_desk->pressKeyOf("messages");
+        QVERIFY(!messages.isVisible());
+    }
+};
+
+PALPATE_TEST(Shell)
+#include "tst_Shell.moc"
