@@ -3,7 +3,6 @@
 #include "Paths.h"
 #include "PhantomFolder.h"
 
-#include <palpate/session/Findings.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/PointedStructure.h>
@@ -47,6 +46,7 @@ MainWindow::MainWindow()
     layout->addWidget(new FocusFrame(m_stack, m_viewport, centre), 1);
     setCentralWidget(centre);
 
+    m_document = new SceneDocument(m_model, this);
     makeActions();
     makeDocks();
     makeMenus();
@@ -59,11 +59,12 @@ MainWindow::MainWindow()
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(m_actions, this);
-    m_document = new SceneDocument(m_model, this);
+    m_findingsDesk = new FindingsDesk({*m_document, *m_findings, *m_viewport, m_live, *m_playback, *m_touch}, this);
     m_loader.setReader(study::openScene);
     connectActions();
     connectLoading();
     connectTouch();
+    connectFindings();
     styleView();
     refreshRecent();
     showStatus();
@@ -106,7 +107,10 @@ void MainWindow::makeDocks()
     auto* left = dock(tr("Structures"), "structures", m_structures, Qt::LeftDockWidgetArea);
     auto* right = dock(tr("Touch"), "touch", m_touch, Qt::RightDockWidgetArea);
     m_hand = new HandPanel(this);
-    tabifyDockWidget(right, dock(tr("Device"), "device", m_hand, Qt::RightDockWidgetArea));
+    m_findings = new FindingsPanel(m_document->findingsModel(), this);
+    auto* findings = dock(tr("Findings and measures"), "findings", m_findings, Qt::RightDockWidgetArea);
+    tabifyDockWidget(right, findings);
+    tabifyDockWidget(findings, dock(tr("Device"), "device", m_hand, Qt::RightDockWidgetArea));
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     right->raise();
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
@@ -142,12 +146,6 @@ void MainWindow::connectActions()
     connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFiles);
     connect(m_saveAction, &QAction::triggered, this, &MainWindow::saveScene);
     connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveSceneAs);
-    connect(m_findingAction, &QAction::triggered, this, &MainWindow::markFinding);
-    connect(m_showFindingsAction, &QAction::toggled, this, [this](bool isOn) {
-        m_viewport->view().findings().setVisible(isOn);
-        m_viewport->update();
-    });
-    connect(m_noteAction, &QAction::triggered, this, &MainWindow::writeNote);
     connect(m_measuresAction, &QAction::triggered, this, &MainWindow::showMeasures);
     connect(m_embedAction, &QAction::toggled, this,
             [](bool isOn) { QSettings().setValue(QStringLiteral("session/embed"), isOn); });
@@ -279,7 +277,7 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::showWhatPlays);
-    connect(m_playback, &Playback::stateChanged, this, &MainWindow::showFindings);
+    connect(m_playback, &Playback::stateChanged, m_findingsDesk, &FindingsDesk::show);
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
     connect(&m_live, &LiveTouch::greatestChanged, this, [this] {
@@ -292,11 +290,6 @@ void MainWindow::connectTouch()
     connect(m_fitOrganAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Organ); });
     connect(m_fitLumpAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Lump); });
     connect(m_handControl, &HandControl::said, this, [this](const QString& line) { say(line); });
-    connect(m_document, &SceneDocument::findingsChanged, this, &MainWindow::showFindings);
-    connect(m_document, &SceneDocument::marked, this,
-            [this](const core::Finding& finding) { m_live.note("finding", session::findingJson(finding)); });
-    connect(m_document, &SceneDocument::unmarked, this,
-            [this](const core::Finding& finding) { m_live.note("finding-undone", session::findingJson(finding)); });
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoordinatesChoice.h"
+#include "FindingsDesk.h"
 #include "RecordingControl.h"
 #include "SceneDocument.h"
 
@@ -107,9 +108,10 @@ class MainWindow : public QMainWindow
     void toggleRecording();
     void togglePlaying();
     void showMeasures();
-    void markFinding();
-    void showFindings();
-    void writeNote();
+    void connectFindings();
+    void exportFindings();
+    void importFindings();
+    void raiseFindings();
     void saveSnapshot();
     void letGo();
     void togglePanels();
@@ -143,6 +145,7 @@ class MainWindow : public QMainWindow
     palpate::ui::StructurePanel* m_structures = nullptr;
     palpate::ui::TouchPanel* m_touch = nullptr;
     palpate::ui::SessionPanel* m_session = nullptr;
+    palpate::ui::FindingsPanel* m_findings = nullptr;
     palpate::ui::HandPanel* m_hand = nullptr;
     palpate::ui::MapDisplay* m_maps = nullptr;
     palpate::ui::HandControl* m_handControl = nullptr;
@@ -169,6 +172,11 @@ class MainWindow : public QMainWindow
     QAction* m_saveAction = nullptr;
     QAction* m_saveAsAction = nullptr;
     QAction* m_findingAction = nullptr;
+    QAction* m_findingNoteAction = nullptr;
+    QAction* m_nextFindingAction = nullptr;
+    QAction* m_previousFindingAction = nullptr;
+    QAction* m_exportFindingsAction = nullptr;
+    QAction* m_importFindingsAction = nullptr;
     QAction* m_showFindingsAction = nullptr;
     QAction* m_noteAction = nullptr;
     QAction* m_measuresAction = nullptr;
@@ -188,6 +196,7 @@ class MainWindow : public QMainWindow
     QAction* m_fitLumpAction = nullptr;
 
     SceneDocument* m_document = nullptr;
+    FindingsDesk* m_findingsDesk = nullptr;
     std::vector<std::filesystem::path> m_files;
     double m_unit_mm = 1.0;                                  ///< that they were read with
     std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there

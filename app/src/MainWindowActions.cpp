@@ -35,6 +35,11 @@ void MainWindow::makeFileAndEditActions()
                                    {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)});
     m_snapshotAction = m_actions.add("snapshot", ActionGroup::File, tr("Snapshot"), tr("Save a picture of the view"),
                                      {QKeySequence(Qt::Key_S)}, Symbol::Snapshot);
+    m_importFindingsAction = m_actions.add("import-findings", ActionGroup::File, tr("Import findings…"),
+                                           tr("Take the points of a 3D Slicer markups file (.mrk.json) as findings"));
+    m_exportFindingsAction =
+        m_actions.add("export-findings", ActionGroup::File, tr("Export findings…"),
+                      tr("Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)"));
     m_actions.addSeparator(ActionGroup::File);
     connect(
         m_actions.add("quit", ActionGroup::File, tr("Quit"), tr("End Palpate"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}),
@@ -85,6 +90,8 @@ void MainWindow::makeViewActions()
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, feel or not"));
     m_actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure that begins so"));
     m_actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
+    m_actions.addGesture(ActionGroup::InView, tr("Enter  F2  Del"), tr("in the findings: go there, edit, delete"));
+    m_actions.addGesture(ActionGroup::InView, tr("Shift+Enter"), tr("in the findings: play where it was marked"));
 }
 
 void MainWindow::makeSessionActions()
@@ -110,8 +117,16 @@ void MainWindow::makeSessionActions()
     m_findingAction = m_actions.add("mark", ActionGroup::Session, tr("Mark a finding"),
                                     tr("Mark the place that is touched, in the scene and in the recording"),
                                     {QKeySequence(Qt::Key_M)});
-    m_noteAction = m_actions.add("note", ActionGroup::Session, tr("Note…"),
-                                 tr("Write a note at this moment of the recording"), {QKeySequence(Qt::Key_N)});
+    m_findingNoteAction =
+        m_actions.add("mark-and-write", ActionGroup::Session, tr("Mark a finding and write…"),
+                      tr("Mark the place that is touched and write about it"), {QKeySequence(Qt::CTRL | Qt::Key_M)});
+    m_noteAction = m_actions.add("note", ActionGroup::Session, tr("Note…"), tr("Write a note without a place"),
+                                 {QKeySequence(Qt::Key_N)});
+    m_nextFindingAction =
+        m_actions.add("next-finding", ActionGroup::Session, tr("Next finding"),
+                      tr("Go to the next finding, in the view from which it was marked"), {QKeySequence(Qt::Key_J)});
+    m_previousFindingAction = m_actions.add("previous-finding", ActionGroup::Session, tr("Previous finding"),
+                                            tr("Go to the finding before"), {QKeySequence(Qt::SHIFT | Qt::Key_J)});
     m_measuresAction =
         m_actions.add("measures", ActionGroup::Session, tr("Results…"),
                       tr("Forces, coverage and findings of the recording, and exports"), {QKeySequence(Qt::Key_I)});

@@ -109,10 +109,9 @@ void MainWindow::showWhatPlays()
     m_recordAction->setEnabled(hasScene);
     m_recordAction->setIcon(icon(isRecording ? Symbol::Stop : Symbol::Record));
     m_recordAction->setText(isRecording ? tr("Stop") : tr("Record"));
-    m_noteAction->setEnabled(isRecording);
     m_measuresAction->setEnabled(hasRecording && !isRecording);
-    for (QAction* action :
-         {m_palpateAction, m_saveAction, m_saveAsAction, m_findingAction, m_fitAction, m_snapshotAction}) {
+    for (QAction* action : {m_palpateAction, m_saveAction, m_saveAsAction, m_findingAction, m_findingNoteAction,
+                            m_noteAction, m_fitAction, m_snapshotAction, m_importFindingsAction}) {
         action->setEnabled(hasScene);
     }
     const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;

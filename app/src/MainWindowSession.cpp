@@ -4,12 +4,6 @@
 #include "MeasuresDialog.h"
 #include "Paths.h"
 
-#include <QInputDialog>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QLocale>
-
-#include <algorithm>
 #include <utility>
 
 using namespace palpate;
@@ -20,6 +14,7 @@ void MainWindow::toggleRecording()
     if (m_recording->isOn()) {
         const core::Status stopped = m_recording->stop();
         m_recordAction->setChecked(false);
+        m_findingsDesk->endRecording();
         if (!m_recording->hasFailed()) {
             const bool wasPalpating = m_palpation->isPalpating();
             openRecording(m_recording->path());
@@ -33,6 +28,7 @@ void MainWindow::toggleRecording()
         const core::Status started = m_recording->start(m_files.size() == 1 ? m_files.front() : std::filesystem::path(),
                                                         m_embedAction->isChecked());
         m_recordAction->setChecked(started.isOk());
+        m_findingsDesk->beginRecording(m_recording->path());
         if (!started.isOk()) {
             showError(QString::fromStdString(started.message()));
         } else {
@@ -68,61 +64,6 @@ void MainWindow::showMeasures()
     }
     auto* dialog = new MeasuresDialog(m_playback->recording()->path(), std::move(meshes), this);
     dialog->show();
-}
-
-/// Marks the place that is touched, by the hand or in the recording that plays.
-void MainWindow::markFinding()
-{
-    const view::TouchState& touch = m_viewport->view().cursor().state();
-    if (!touch.isInContact) {
-        say(tr("Nothing is touched: press on the place first, then mark it (M)."));
-        return;
-    }
-    core::Finding finding;
-    finding.name = tr("Finding %1").arg(m_document->findings().size() + 1).toStdString();
-    const TouchReading& felt = m_touch->reading();
-    finding.structure = felt.structure.toStdString();
-    finding.p_W = touch.p_WG;
-    finding.force_N = touch.f_W.norm();
-    finding.depth_mm = (touch.p_WG - touch.p_WH).norm();
-    for (const FeltLayer& layer : felt.layers) {
-        if (felt.layers.size() > 1) {
-            finding.layers.push_back({layer.name.toStdString(), layer.force_N, layer.depth_mm});
-        }
-    }
-    m_document->addFinding(finding);
-    say(felt.layers.size() > 1 ? tr("%1 marked: %2").arg(QString::fromStdString(finding.name), layersText(felt.layers))
-                               : tr("%1 marked on %2 with %3 N")
-                                     .arg(QString::fromStdString(finding.name), felt.structure,
-                                          QLocale().toString(*finding.force_N, 'f', 2)));
-}
-
-/// Where findings are, in the view and for fitting a lump to the device.
-void MainWindow::showFindings()
-{
-    std::vector<core::Vec3> places;
-    for (const core::Finding& finding : m_document->findings()) {
-        places.push_back(finding.p_W);
-    }
-    if (m_playback->recording() != nullptr) { // its own are drawn too, where the scene has them not
-        for (const core::Finding& finding : m_playback->recording()->findings()) {
-            if (std::find(places.begin(), places.end(), finding.p_W) == places.end()) {
-                places.push_back(finding.p_W);
-            }
-        }
-    }
-    m_viewport->view().findings().set(places);
-    m_viewport->update();
-    m_showFindingsAction->setEnabled(!places.empty());
-    m_handControl->setFindings(std::move(places));
-}
-
-void MainWindow::writeNote()
-{
-    const QString text = QInputDialog::getText(this, tr("Note"), tr("Note at this moment of the recording:"));
-    if (!text.isEmpty()) {
-        m_live.note("note", QJsonDocument(QJsonObject{{"text", text}}).toJson(QJsonDocument::Compact).toStdString());
-    }
 }
 
 void MainWindow::saveSnapshot()

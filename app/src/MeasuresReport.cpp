@@ -42,6 +42,10 @@ void printMeasures(const session::SessionMeasures& m)
               surface.longestDwell_s);
     }
     for (const session::FindingMeasures& one : m.findings) {
+        if (!one.finding.hasPlace) {
+            print("  note at %.1f s: %s\n", one.marked_s, one.finding.note.c_str());
+            continue;
+        }
         print("  finding \"%s\" at (%.1f %.1f %.1f), marked at %.1f s: dwell %.3f s in %lld visits, force mean %.4g N, "
               "peak %.4g N\n",
               one.finding.name.c_str(), one.finding.p_W.x(), one.finding.p_W.y(), one.finding.p_W.z(), one.marked_s,

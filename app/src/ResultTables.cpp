@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultTables.h"
 
+#include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SessionPanel.h>
 #include <palpate/ui/StructureModel.h>
 
@@ -94,10 +95,26 @@ ResultTable findingTable(const session::SessionMeasures& m)
                       {{tr("Finding"), tr("On"), tr("Marked"), tr("First touched"), tr("Time spent [s]"),
                         tr("Times returned"), tr("Mean [N]"), tr("Peak [N]")}}};
     for (const session::FindingMeasures& one : m.findings) {
+        if (!one.finding.hasPlace) {
+            continue;
+        }
         table.rows.push_back(
-            {QString::fromStdString(one.finding.name), ui::readableName(one.finding.structure),
-             ui::clockText(one.marked_s), one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"),
-             number(one.dwell_s, 1), count(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
+            {ui::typeSign(one.finding.type) + QLatin1Char(' ') + QString::fromStdString(one.finding.name),
+             ui::readableName(one.finding.structure), ui::clockText(one.marked_s),
+             one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"), number(one.dwell_s, 1),
+             count(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
+    }
+    return table;
+}
+
+ResultTable noteTable(const session::SessionMeasures& m)
+{
+    ResultTable table{tr("Notes"), {{tr("Note"), tr("Written")}}};
+    for (const session::FindingMeasures& one : m.findings) {
+        if (!one.finding.note.empty()) {
+            const QString about = one.finding.hasPlace ? QString::fromStdString(one.finding.name + ": ") : QString();
+            table.rows.push_back({about + QString::fromStdString(one.finding.note), ui::clockText(one.marked_s)});
+        }
     }
     return table;
 }
@@ -140,7 +157,7 @@ std::vector<ResultTable> resultTables(const session::SessionMeasures& measures, 
 {
     std::vector<ResultTable> tables{sessionTable(measures), touchTable(measures), phaseTable(measures),
                                     surfaceTable(measures, isFingertip)};
-    for (ResultTable table : {findingTable(measures), layerTable(measures)}) {
+    for (ResultTable table : {findingTable(measures), noteTable(measures), layerTable(measures)}) {
         if (table.rows.size() > 1) {
             tables.push_back(std::move(table));
         }

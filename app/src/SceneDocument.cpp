@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QUndoCommand>
 
 #include <algorithm>
 #include <map>
@@ -38,37 +37,14 @@ bool isCopy(const std::filesystem::path& file)
 
 } // namespace
 
-class SceneDocument::AddFinding final : public QUndoCommand
-{
-  public:
-    AddFinding(SceneDocument& document, core::Finding finding)
-        : QUndoCommand(tr("Mark %1").arg(QString::fromStdString(finding.name)))
-        , m_document(document)
-        , m_finding(std::move(finding))
-    {
-    }
-    void redo() override
-    {
-        m_document.m_rest.findings.push_back(m_finding);
-        Q_EMIT m_document.findingsChanged();
-        Q_EMIT m_document.marked(m_finding);
-    }
-    void undo() override
-    {
-        m_document.m_rest.findings.pop_back();
-        Q_EMIT m_document.findingsChanged();
-        Q_EMIT m_document.unmarked(m_finding);
-    }
-
-  private:
-    SceneDocument& m_document;
-    core::Finding m_finding;
-};
-
 SceneDocument::SceneDocument(ui::StructureModel& model, QObject* parent)
     : QObject(parent)
     , m_model(model)
+    , m_findings(model.undoStack())
 {
+    connect(&m_findings, &ui::FindingsModel::changed, this, &SceneDocument::findingsChanged);
+    connect(&m_findings, &ui::FindingsModel::marked, this, &SceneDocument::marked);
+    connect(&m_findings, &ui::FindingsModel::unmarked, this, &SceneDocument::unmarked);
     m_copyTimer.setSingleShot(true);
     m_copyTimer.setInterval(kCopyDelay_ms);
     connect(&m_copyTimer, &QTimer::timeout, this, &SceneDocument::writeCopy);
@@ -91,6 +67,8 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     dropCopy();
     m_rest = scene.scene;
     m_rest.structures.clear();
+    m_rest.findings.clear();
+    m_findings.reset(scene.scene.findings); // before a copy of unsaved changes is written, which holds them
     m_unopened = scene.unopened;
     const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
     m_file = isScene ? scene.files.front() : std::filesystem::path();
@@ -113,17 +91,17 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         writeCopy();
     }
     m_claim.reset();
-    Q_EMIT findingsChanged();
 }
 
 void SceneDocument::addFinding(const core::Finding& finding)
 {
-    m_model.undoStack().push(new AddFinding(*this, finding));
+    m_findings.add({finding}, tr("Mark %1").arg(QString::fromStdString(finding.name)));
 }
 
 meshio::SceneFile SceneDocument::content() const
 {
     meshio::SceneFile scene = m_rest;
+    scene.findings = m_findings.findings();
     for (const ui::StructureRow& row : m_model.rows()) {
         scene.structures.push_back(row.loaded.description);
     }
@@ -148,9 +126,16 @@ meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
                    ui::readableName(row.loaded.description.name).toStdString() == finding.structure;
         });
         const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
-        const core::Vec3 p_M = core::lpsRotation(core::takenFrame(on.description.frame, on.frame)).transpose() *
-                               (on.description.X_WM.inverse() * finding.p_W);
-        finding.p_W = on.description.X_WM * core::toLps(frame, p_M);
+        core::Transform turn = on.description.X_WM;
+        turn.rotate(core::lpsRotation(frame) *
+                    core::lpsRotation(core::takenFrame(on.description.frame, on.frame)).transpose());
+        turn = turn * on.description.X_WM.inverse();
+        finding.p_W = turn * finding.p_W;
+        if (finding.camera) {
+            finding.camera->position_W = turn * finding.camera->position_W;
+            finding.camera->focus_W = turn * finding.camera->focus_W;
+            finding.camera->up_W = turn.linear() * finding.camera->up_W;
+        }
     }
     for (meshio::SceneStructure& structure : scene.structures) {
         structure.frame = frame;

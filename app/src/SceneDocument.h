@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SceneLoader.h>
 #include <palpate/ui/StructureModel.h>
 
@@ -30,7 +31,9 @@ class SceneDocument : public QObject
     /// True when the file is another one than when it was read or saved: another window or program wrote it since.
     [[nodiscard]] bool isFileChanged() const;
     [[nodiscard]] bool isModified() const { return !m_model.undoStack().isClean(); }
-    [[nodiscard]] const std::vector<palpate::core::Finding>& findings() const noexcept { return m_rest.findings; }
+    [[nodiscard]] const std::vector<palpate::core::Finding>& findings() const noexcept { return m_findings.findings(); }
+    /// The same to be edited, undoably.
+    [[nodiscard]] palpate::ui::FindingsModel& findingsModel() noexcept { return m_findings; }
     /// Adds a finding, undoably; `marked` and `unmarked` tell each time that it comes or goes.
     void addFinding(const palpate::core::Finding& finding);
 
@@ -54,14 +57,14 @@ class SceneDocument : public QObject
     void unmarked(const palpate::core::Finding& finding);
 
   private:
-    class AddFinding;
     [[nodiscard]] palpate::meshio::SceneFile content() const;
     void writeCopy();
     void dropCopy();
 
     palpate::ui::StructureModel& m_model;
     std::filesystem::path m_file;
-    palpate::meshio::SceneFile m_rest; ///< camera, findings, unknown fields
+    palpate::ui::FindingsModel m_findings;
+    palpate::meshio::SceneFile m_rest; ///< camera, unknown fields
     std::vector<palpate::meshio::SceneStructure> m_unopened;
     QTimer m_copyTimer;
     std::filesystem::path m_copy;

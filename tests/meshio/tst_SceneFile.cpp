@@ -47,7 +47,7 @@ void SceneFile::givesBackWhatWasWritten()
     s.X_WM = Eigen::Translation3d(1.0 / 3.0, -2.0, 1e6) *
              Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
     scene.structures = {s};
-    scene.camera = meshio::SceneCamera{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0};
+    scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
@@ -166,6 +166,19 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     whole(R"({"version": 1, "findings": [{"position": [0, 0, "x"]}]})", "a.json: findings[0].position[2]: found \"x\"");
     whole(R"({"version": 1, "findings": [{"position": [0, 0, 0], "force_N": -1}]})",
           "a.json: findings[0].force_N: found -1");
+    const auto finding = [&whole](const char* text, const char* message) {
+        const std::string json = R"({"version": 1, "findings": [{"name": "a"}, {)" + std::string(text) + "}]}";
+        whole(json.c_str(), ("a.json: findings[1]." + std::string(message)).c_str());
+    };
+    finding(R"("type": "tumour")", "type: found \"tumour\", expected one of lump, hard area, soft area, landmark");
+    finding(R"("size_mm": -3)", "size_mm: found -3, expected 0 to");
+    finding(R"("camera": {"up": [0, 0]})", "camera.up: found an array of 2, expected 3 numbers");
+    finding(R"("camera": {"viewAngle_deg": 200})", "camera.viewAngle_deg: found 200, expected 0.1 to 179");
+    finding(R"("recording": {"tick": 3})", "recording.file: found nothing, expected the path of a recording");
+    finding(R"("recording": {"file": "a.palpate", "tick": 1.5})", "recording.tick: found a fraction");
+    finding(R"("recording": {"file": "a.palpate", "sha256": "12"})", "recording.sha256: found \"12\", expected 64 hex");
+    finding(R"("marked_utc": "yesterday")", "marked_utc: found \"yesterday\", expected a time as 2026");
+    finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
     whole(R"({"version": 1, )", "a.json: byte ");
     whole("", "a.json: byte 0: the file is empty");

@@ -197,7 +197,8 @@ class OpenedFiles : public QObject
     void chosenAxesTurnTheSceneAndAreKept()
     {
         const auto scene =
-            writeScene("s.palpate.json", "", R"({"name": "F", "position": [30, 10, 5], "structure": "liver"})");
+            writeScene("s.palpate.json", "", R"({"name": "F", "position": [30, 10, 5], "structure": "liver",
+                "camera": {"position": [300, 0, 50], "focus": [30, 10, 5], "up": [0, 0, 1], "viewAngle_deg": 30}})");
         QVERIFY(m_desk->open({scene}));
         QCOMPARE(coordinates().button().text(), QStringLiteral("LPS assumed"));
         QVERIFY(!m_desk->window().isWindowModified());
@@ -213,6 +214,7 @@ class OpenedFiles : public QObject
         QCOMPARE(saved["structures"][0]["frame"].toString(), QStringLiteral("RAS"));
         QCOMPARE(saved["structures"][0]["stiffness_N_per_mm"].toDouble(), 0.3);
         QCOMPARE(saved["findings"][0]["position"], (QJsonArray{-30.0, -10.0, 5.0})); // on the same place of the liver
+        QCOMPARE(saved["findings"][0]["camera"]["position"], (QJsonArray{-300.0, 0.0, 50.0}));
         QVERIFY(readAgain("frame-y-up"));
         QVERIFY(view().bounds().min() == Vec3(-20, -50, -20) && view().bounds().max() == Vec3(30, 20, 40));
         QCOMPARE(coordinates().button().text(), QStringLiteral("Y up"));
@@ -301,6 +303,9 @@ class OpenedFiles : public QObject
         QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("r.palpate.json[*] – Palpate"));
         QVERIFY(m_desk->window().isWindowModified());
         QVERIFY(!QFile::exists(copy));
+        const QStringList ours = QDir(copies()).entryList({"*.palpate.json"}, QDir::Files); // until they are saved
+        QCOMPARE(ours.size(), 1);
+        QCOMPARE(jsonOf((copies() + '/' + ours[0]).toStdString())["findings"].toArray().size(), 1);
         m_desk->close();
     }
 

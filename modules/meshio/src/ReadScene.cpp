@@ -7,9 +7,16 @@
 #include "SceneLaw.h"
 #include "TextScan.h"
 
+#include <palpate/core/Text.h>
+
 #include <QCryptographicHash>
+#include <QDateTime>
 #include <QFile>
 #include <QJsonDocument>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -180,34 +187,81 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     return s;
 }
 
-SceneCamera readCamera(JsonFields& fields)
+void readView(JsonFields& fields, core::ViewPose& camera)
 {
-    SceneCamera camera;
     camera.position_W = point(fields, "position").value_or(camera.position_W);
     camera.focus_W = point(fields, "focus").value_or(camera.focus_W);
     camera.up_W = point(fields, "up").value_or(camera.up_W);
     fields.read("viewAngle_deg", camera.viewAngle_deg, 0.1, 179.0);
-    camera.extra = fields.unknown();
-    return camera;
 }
 
-core::Finding readFinding(const QJsonObject& object, const std::string& file, const std::string& path, Status& status)
+/// A text that is empty or has as many hex digits as a SHA-256.
+void readHash(JsonFields& fields, const char* name, std::string& hash)
 {
-    JsonFields entry(object, file, path, status);
-    core::Finding finding;
-    entry.read("name", finding.name);
-    entry.read("note", finding.note);
-    entry.read("structure", finding.structure);
+    fields.read(name, hash);
+    const bool isHex = hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!hash.empty() && (hash.size() != 64 || !isHex)) {
+        fields.fail(name, core::inQuotes(hash), "64 hex digits");
+    }
+}
+
+core::RecordedMoment readMoment(JsonFields& fields, const std::filesystem::path& folder)
+{
+    core::RecordedMoment moment;
+    std::string file;
+    fields.read("file", file);
+    if (file.empty()) {
+        fields.fail("file", fields.has("file") ? "\"\"" : "nothing", "the path of a recording");
+    }
+    moment.file = (folder / std::filesystem::path(file)).lexically_normal().string();
+    readHash(fields, "sha256", moment.sha256);
+    constexpr double kLast = 9007199254740992.0; // whole numbers are exact so far
+    double tick = 0.0;
+    fields.read("tick", tick, -kLast, kLast);
+    if (tick != std::floor(tick)) {
+        fields.fail("tick", "a fraction", "a whole number");
+    }
+    moment.tick = static_cast<std::int64_t>(tick);
+    fields.read("time_s", moment.time_s, 0.0, 1e9);
+    return moment;
+}
+
+void readTouch(JsonFields& entry, core::Finding& finding)
+{
     readIfThere(entry, "force_N", finding.force_N);
     readIfThere(entry, "depth_mm", finding.depth_mm);
-    finding.p_W = point(entry, "position").value_or(finding.p_W);
-    std::size_t i = 0;
-    for (const QJsonObject& felt : entry.objects("layers")) {
-        JsonFields layer(felt, file, path + ".layers[" + std::to_string(i++) + "]", status);
+    for (JsonFields& layer : entry.listOf("layers")) {
         core::FeltLayer& out = finding.layers.emplace_back();
         layer.read("structure", out.structure);
         layer.read("force_N", out.force_N, 0.0, 1e9);
         layer.read("depth_mm", out.depth_mm, 0.0, 1e9);
+    }
+}
+
+core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder)
+{
+    core::Finding finding;
+    entry.read("id", finding.id);
+    entry.read("name", finding.name);
+    readName(entry, "type", core::kFindingTypeNames, finding.type);
+    entry.read("note", finding.note);
+    entry.read("structure", finding.structure);
+    finding.hasPlace = entry.has("position");
+    finding.p_W = point(entry, "position").value_or(finding.p_W);
+    readIfThere(entry, "size_mm", finding.size_mm);
+    readTouch(entry, finding);
+    if (auto camera = entry.fieldsOf("camera")) {
+        readView(*camera, finding.camera.emplace());
+        entry.keepUnknown("camera", camera->unknown());
+    }
+    if (auto moment = entry.fieldsOf("recording")) {
+        finding.recording = readMoment(*moment, folder);
+        entry.keepUnknown("recording", moment->unknown());
+    }
+    entry.read("marked_utc", finding.marked_utc);
+    if (!finding.marked_utc.empty() &&
+        !QDateTime::fromString(QString::fromStdString(finding.marked_utc), Qt::ISODate).isValid()) {
+        entry.fail("marked_utc", core::inQuotes(finding.marked_utc), "a time as 2026-11-23T08:30:00Z");
     }
     finding.extra = entry.unknown();
     return finding;
@@ -226,6 +280,18 @@ Status anotherPrograms(const QJsonObject& document, const std::string& file)
                                                 "expected a file that Palpate saved (.palpate.json)"};
     }
     return {};
+}
+
+/// Older files keep the touched structure's name as the note.
+void takeOldNotes(SceneFile& scene)
+{
+    for (core::Finding& finding : scene.findings) {
+        const bool isName = std::any_of(scene.structures.begin(), scene.structures.end(),
+                                        [&](const SceneStructure& one) { return one.name == finding.note; });
+        if (finding.structure.empty() && !finding.note.empty() && isName) {
+            finding.structure = std::exchange(finding.note, {});
+        }
+    }
 }
 
 } // namespace
@@ -284,12 +350,13 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     if (const auto object = fields.object("camera")) {
         JsonFields camera(*object, file, "camera", status);
-        scene.camera = readCamera(camera);
+        readView(camera, scene.camera.emplace());
+        scene.camera->extra = camera.unknown();
     }
-    i = 0;
-    for (const QJsonObject& object : fields.objects("findings")) {
-        scene.findings.push_back(readFinding(object, file, "findings[" + std::to_string(i++) + "]", status));
+    for (JsonFields& entry : fields.listOf("findings")) {
+        scene.findings.push_back(readFinding(entry, folder));
     }
+    takeOldNotes(scene);
     scene.extra = fields.unknown();
     scene.sha256 = QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
                                             QCryptographicHash::Sha256)

@@ -8,6 +8,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <optional>
+#include <string>
+
 namespace palpate::meshio {
 
 namespace {
@@ -105,6 +108,72 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     return out;
 }
 
+void putView(QJsonObject& out, const core::ViewPose& view)
+{
+    out["position"] = triple(view.position_W);
+    out["focus"] = triple(view.focus_W);
+    out["up"] = triple(view.up_W);
+    out["viewAngle_deg"] = view.viewAngle_deg;
+}
+
+void putIfThere(QJsonObject& out, const char* name, const std::optional<double>& value)
+{
+    if (value) {
+        out[name] = *value;
+    }
+}
+
+void putIfThere(QJsonObject& out, const char* name, const std::string& value)
+{
+    if (!value.empty()) {
+        out[name] = text(value);
+    }
+}
+
+/// What a finding lacks is not said.
+QJsonObject finding(const core::Finding& finding, const std::filesystem::path& folder)
+{
+    QJsonObject out = unknownFields(finding.extra);
+    putIfThere(out, "id", finding.id);
+    out["name"] = text(finding.name);
+    if (finding.type != core::FindingType::Other) {
+        out["type"] = text(std::string(core::nameOf(finding.type)));
+    }
+    if (finding.hasPlace) {
+        out["position"] = triple(finding.p_W);
+    }
+    out["note"] = text(finding.note);
+    putIfThere(out, "structure", finding.structure);
+    putIfThere(out, "size_mm", finding.size_mm);
+    putIfThere(out, "force_N", finding.force_N);
+    putIfThere(out, "depth_mm", finding.depth_mm);
+    if (!finding.layers.empty()) {
+        QJsonArray layers;
+        for (const core::FeltLayer& layer : finding.layers) {
+            layers.append(QJsonObject{
+                {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
+        }
+        out["layers"] = layers;
+    }
+    if (finding.camera) {
+        QJsonObject camera = out["camera"].toObject();
+        putView(camera, *finding.camera);
+        out["camera"] = camera;
+    }
+    if (finding.recording) {
+        QJsonObject moment = out["recording"].toObject();
+        const std::filesystem::path file = finding.recording->file;
+        const std::filesystem::path relative = std::filesystem::absolute(file).lexically_relative(folder);
+        moment["file"] = text((relative.empty() ? file : relative).generic_string());
+        putIfThere(moment, "sha256", finding.recording->sha256);
+        moment["tick"] = static_cast<qint64>(finding.recording->tick);
+        moment["time_s"] = finding.recording->time_s;
+        out["recording"] = moment;
+    }
+    putIfThere(out, "marked_utc", finding.marked_utc);
+    return out;
+}
+
 } // namespace
 
 core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene)
@@ -119,36 +188,12 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
     out["structures"] = structures;
     if (scene.camera) {
         QJsonObject camera = unknownFields(scene.camera->extra);
-        camera["position"] = triple(scene.camera->position_W);
-        camera["focus"] = triple(scene.camera->focus_W);
-        camera["up"] = triple(scene.camera->up_W);
-        camera["viewAngle_deg"] = scene.camera->viewAngle_deg;
+        putView(camera, *scene.camera);
         out["camera"] = camera;
     }
     QJsonArray findings;
-    for (const core::Finding& finding : scene.findings) {
-        QJsonObject one = unknownFields(finding.extra);
-        one["name"] = text(finding.name);
-        one["position"] = triple(finding.p_W);
-        one["note"] = text(finding.note);
-        if (!finding.structure.empty()) {
-            one["structure"] = text(finding.structure);
-        }
-        if (finding.force_N) {
-            one["force_N"] = *finding.force_N;
-        }
-        if (finding.depth_mm) {
-            one["depth_mm"] = *finding.depth_mm;
-        }
-        if (!finding.layers.empty()) {
-            QJsonArray layers;
-            for (const core::FeltLayer& layer : finding.layers) {
-                layers.append(QJsonObject{
-                    {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
-            }
-            one["layers"] = layers;
-        }
-        findings.append(one);
+    for (const core::Finding& one : scene.findings) {
+        findings.append(finding(one, folder));
     }
     out["findings"] = findings;
     return internal::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString());

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 namespace palpate::session {
 
@@ -20,19 +21,62 @@ std::optional<double> numberIn(const QJsonObject& json, const char* key)
     return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
 }
 
-/// @return nothing without a position.
-std::optional<core::Finding> findingIn(const std::string& text)
+std::optional<core::Vec3> pointIn(const QJsonValue& value)
 {
-    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
-    const QJsonArray position = json["position"].toArray();
-    if (position.size() != 3) {
+    const QJsonArray list = value.toArray();
+    if (list.size() != 3 || !list[0].isDouble() || !list[1].isDouble() || !list[2].isDouble()) {
         return std::nullopt;
     }
+    return core::Vec3(list[0].toDouble(), list[1].toDouble(), list[2].toDouble());
+}
+
+std::optional<core::ViewPose> viewIn(const QJsonObject& json)
+{
+    const auto position = pointIn(json["position"]);
+    const auto focus = pointIn(json["focus"]);
+    const auto up = pointIn(json["up"]);
+    if (!position || !focus || !up) {
+        return std::nullopt;
+    }
+    return core::ViewPose{*position, *focus, *up, json["viewAngle_deg"].toDouble(30.0)};
+}
+
+QJsonArray list(const core::Vec3& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+/// The event of a recording that a finding is; nothing when it is none.
+std::optional<core::Finding> findingIn(const RecordingEvent& event)
+{
+    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
+    if (event.kind == "note" && !json.contains("text")) {
+        return std::nullopt;
+    }
+    if (event.kind == "note" && !json.contains("note")) { // of older recordings, which hold the text alone
+        json["note"] = json.value("text");
+        json["name"] = "Note";
+    }
+    auto finding = findingFrom(json);
+    const bool mayLackPlace = event.kind != "finding" || !finding.id.empty();
+    return finding.hasPlace || mayLackPlace ? std::optional(std::move(finding)) : std::nullopt;
+}
+
+} // namespace
+
+core::Finding findingFrom(const QJsonObject& json)
+{
     core::Finding finding;
-    finding.name = json["name"].toString().toStdString();
-    finding.p_W = {position[0].toDouble(), position[1].toDouble(), position[2].toDouble()};
-    finding.note = json["note"].toString().toStdString();
-    finding.structure = json["structure"].toString().toStdString();
+    const auto text = [&](const char* key) { return json[QLatin1String(key)].toString().toStdString(); };
+    finding.id = text("id");
+    finding.name = text("name");
+    finding.type = core::findingType(text("type")).value_or(core::FindingType::Other);
+    const auto place = pointIn(json["position"]);
+    finding.hasPlace = place.has_value();
+    finding.p_W = place.value_or(finding.p_W);
+    finding.note = text("note");
+    finding.structure = text("structure");
+    finding.size_mm = numberIn(json, "size_mm");
     finding.force_N = numberIn(json, "force_N");
     finding.depth_mm = numberIn(json, "depth_mm");
     for (const QJsonValue& value : json["layers"].toArray()) {
@@ -40,22 +84,35 @@ std::optional<core::Finding> findingIn(const std::string& text)
         finding.layers.push_back(
             {layer["structure"].toString().toStdString(), layer["force_N"].toDouble(), layer["depth_mm"].toDouble()});
     }
+    finding.camera = viewIn(json["camera"].toObject());
+    finding.marked_utc = text("marked_utc");
     return finding;
 }
 
-} // namespace
-
-std::string findingJson(const core::Finding& finding)
+QJsonObject toJson(const core::Finding& finding)
 {
     QJsonObject json{{"name", QString::fromStdString(finding.name)},
-                     {"structure", QString::fromStdString(finding.structure)},
-                     {"position", QJsonArray{finding.p_W.x(), finding.p_W.y(), finding.p_W.z()}}};
-    if (finding.force_N) {
-        json["force_N"] = *finding.force_N;
+                     {"structure", QString::fromStdString(finding.structure)}};
+    const auto putText = [&](const char* key, const std::string& value) {
+        if (!value.empty()) {
+            json[QLatin1String(key)] = QString::fromStdString(value);
+        }
+    };
+    const auto putNumber = [&](const char* key, const std::optional<double>& value) {
+        if (value) {
+            json[QLatin1String(key)] = *value;
+        }
+    };
+    putText("id", finding.id);
+    if (finding.type != core::FindingType::Other) {
+        putText("type", std::string(core::nameOf(finding.type)));
     }
-    if (finding.depth_mm) {
-        json["depth_mm"] = *finding.depth_mm;
+    if (finding.hasPlace) {
+        json["position"] = list(finding.p_W);
     }
+    putNumber("size_mm", finding.size_mm);
+    putNumber("force_N", finding.force_N);
+    putNumber("depth_mm", finding.depth_mm);
     if (!finding.layers.empty()) {
         QJsonArray layers;
         for (const core::FeltLayer& layer : finding.layers) {
@@ -65,31 +122,60 @@ std::string findingJson(const core::Finding& finding)
         }
         json["layers"] = layers;
     }
-    if (!finding.note.empty()) {
-        json["note"] = QString::fromStdString(finding.note);
+    putText("note", finding.note);
+    if (finding.camera) {
+        json["camera"] = QJsonObject{{"position", list(finding.camera->position_W)},
+                                     {"focus", list(finding.camera->focus_W)},
+                                     {"up", list(finding.camera->up_W)},
+                                     {"viewAngle_deg", finding.camera->viewAngle_deg}};
+    }
+    putText("marked_utc", finding.marked_utc);
+    return json;
+}
+
+std::string findingJson(const core::Finding& finding)
+{
+    QJsonObject json = toJson(finding);
+    if (!finding.hasPlace) {
+        json["text"] = QString::fromStdString(finding.note); // where older versions look
+        json["note"] = json.value("text");
     }
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
 std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events)
 {
-    std::vector<std::pair<std::int64_t, core::Finding>> findings;
+    using Marked = std::pair<std::int64_t, core::Finding>;
+    std::vector<Marked> findings;
+    std::map<std::string, std::int64_t> firstTicks; // by id: what is deleted and brought back was marked when it was
+    const auto newest = [&](const core::Finding& finding) {
+        return std::find_if(findings.rbegin(), findings.rend(), [&](const Marked& one) {
+            return finding.id.empty() ? one.second.name == finding.name : one.second.id == finding.id;
+        });
+    };
     for (const RecordingEvent& event : events) {
         const bool isUndone = event.kind == "finding-undone";
-        auto finding = isUndone || event.kind == "finding" ? findingIn(event.json) : std::nullopt;
+        const bool isEdited = event.kind == "finding-edited";
+        const bool isNew = event.kind == "finding" || event.kind == "note";
+        auto finding = isUndone || isEdited || isNew ? findingIn(event) : std::nullopt;
         if (!finding) {
             continue;
         }
-        if (!isUndone) {
-            findings.emplace_back(event.tick, std::move(*finding));
+        if (isNew) {
+            const std::int64_t tick =
+                finding->id.empty() ? event.tick : firstTicks.emplace(finding->id, event.tick).first->second;
+            findings.emplace_back(tick, std::move(*finding));
             continue;
         }
-        const auto newest = std::find_if(findings.rbegin(), findings.rend(),
-                                         [&](const auto& one) { return one.second.name == finding->name; });
-        if (newest != findings.rend()) {
-            findings.erase(std::next(newest).base());
+        const auto old = newest(*finding);
+        if (old != findings.rend() && isEdited) {
+            old->second = std::move(*finding);
+        } else if (old != findings.rend()) {
+            findings.erase(std::next(old).base());
         }
     }
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Marked& a, const Marked& b) { return a.first < b.first; });
     return findings;
 }
 
@@ -115,6 +201,9 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
         const bool wasThere = sum.isThere && goesOn;
         double depth_mm = 0.0;
         sum.isThere = false;
+        if (!m.finding.hasPlace) {
+            continue;
+        }
         for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
             const haptics::Contact& contact = tick.felt.contacts[i];
             if ((contact.p_WG - m.finding.p_W).norm() <= m_distance_mm) {

@@ -69,7 +69,14 @@ QJsonArray findingsJson(const std::vector<session::FindingMeasures>& findings)
 {
     QJsonArray out;
     for (const session::FindingMeasures& m : findings) {
-        QJsonObject one{{"name", text(m.finding.name)},
+        if (!m.finding.hasPlace) {
+            continue;
+        }
+        QJsonObject one{{"id", text(m.finding.id)},
+                        {"type", text(std::string(core::nameOf(m.finding.type)))},
+                        {"note", text(m.finding.note)},
+                        {"size_mm", orNull(m.finding.size_mm)},
+                        {"name", text(m.finding.name)},
                         {"structure", text(m.finding.structure)},
                         {"position_mm", QJsonArray{m.finding.p_W.x(), m.finding.p_W.y(), m.finding.p_W.z()}},
                         {"marked_s", m.marked_s},
@@ -88,6 +95,18 @@ QJsonArray findingsJson(const std::vector<session::FindingMeasures>& findings)
         }
         one["layers_when_marked"] = layers;
         out.append(one);
+    }
+    return out;
+}
+
+QJsonArray notesJson(const std::vector<session::FindingMeasures>& findings)
+{
+    QJsonArray out;
+    for (const session::FindingMeasures& m : findings) {
+        if (!m.finding.hasPlace) {
+            out.append(
+                QJsonObject{{"name", text(m.finding.name)}, {"note", text(m.finding.note)}, {"marked_s", m.marked_s}});
+        }
     }
     return out;
 }
@@ -134,6 +153,7 @@ std::string measuresJson(const session::SessionMeasures& m)
     out["late_ticks"] = m.lateTicks ? QJsonValue(static_cast<qint64>(*m.lateTicks)) : QJsonValue();
     out["phases"] = phasesJson(m.phases);
     out["findings"] = findingsJson(m.findings);
+    out["notes"] = notesJson(m.findings);
     return QJsonDocument(out).toJson().toStdString();
 }
 

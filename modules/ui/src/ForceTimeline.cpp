@@ -4,10 +4,12 @@
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchHistory.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +94,26 @@ void ForceTimeline::clear()
 double ForceTimeline::timeAt(double x) const
 {
     return std::clamp(x / std::max(1, width()), 0.0, 1.0) * m_duration_s;
+}
+
+/// Over a mark its words are shown, else what the timeline does.
+bool ForceTimeline::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && m_duration_s > 0.0) {
+        constexpr double kNear_px = 5.0;
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QStringList near;
+        for (const auto& [time_s, text] : m_marks) {
+            if (std::abs(time_s / m_duration_s * width() - help->pos().x()) <= kNear_px) {
+                near << tr("%1 s: %2").arg(QLocale().toString(time_s, 'f', 1), text);
+            }
+        }
+        if (!near.isEmpty()) {
+            QToolTip::showText(help->globalPos(), near.join(QLatin1Char('\n')), this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void ForceTimeline::paintEvent(QPaintEvent*)

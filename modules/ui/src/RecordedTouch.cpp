@@ -89,7 +89,16 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
             continue; // what changed has an event of its own, each press is a clutch, and timing is of the whole
         }
         const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
+        if (event.kind == "finding" || event.kind == "note" || event.kind.starts_with("finding-")) {
+            continue; // below, as they are in the end
+        }
         marks.emplace_back(std::max(0.0, time_s), QString::fromStdString(event.kind));
+    }
+    for (const auto& [tick, finding] : session::findingsOf(m_reader->events())) {
+        const double time_s = static_cast<double>(tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
+        const QString name = QString::fromStdString(finding.name);
+        const QString note = QString::fromStdString(finding.note);
+        marks.emplace_back(std::max(0.0, time_s), note.isEmpty() ? name : name + QStringLiteral(": ") + note);
     }
     return marks;
 }

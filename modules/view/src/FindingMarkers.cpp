@@ -1,121 +1,390 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/FindingMarkers.h"
 
+#include "MarkerShapes.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
+#include <vtkTexture.h>
+#include <vtkTexturedActor2D.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <utility>
 
 namespace palpate::view {
 
 namespace {
 
-constexpr Colour kPin{0.98, 0.75, 0.14}; // seen on tissue and vessels alike, and no colour of a force
-constexpr double kDisc_px = 5.0;
-constexpr double kRim_px = kDisc_px + 1.5;
-constexpr double kFont_px = 13.0;
+using Pixel = Eigen::Vector2d;
+
+constexpr double kRim_px = 1.5;
+constexpr double kHollow_px = 2.4; // width of a hollow shape's line
 constexpr double kLeader_px = 1.6;
+constexpr int kAtlasHeight_px = 2048; // every OpenGL has textures as high
+constexpr Colour kGround{0.08, 0.09, 0.11};
+constexpr double kGroundOpacity = 0.72;
+constexpr Colour kInk{0.97, 0.97, 0.97};
+
+/// Colours of one pixel each.
+std::array<unsigned char, 4> rgba(const Colour& colour, double opacity)
+{
+    const auto byte = [](double share) { return static_cast<unsigned char>(std::lround(255.0 * share)); };
+    return {byte(colour[0]), byte(colour[1]), byte(colour[2]), byte(opacity)};
+}
+
+/// Flat triangles in pixels from the middle of the view, drawn in the order in which they come.
+class Flat
+{
+  public:
+    Flat()
+    {
+        m_colours->SetNumberOfComponents(4);
+        m_colours->SetName("colours");
+        m_places->SetNumberOfComponents(2);
+        m_data->SetPoints(m_points);
+        m_data->SetPolys(m_faces);
+        m_data->GetPointData()->SetScalars(m_colours);
+        m_mapper->SetInputData(m_data);
+        m_actor->SetMapper(m_mapper);
+        m_actor->PickableOff();
+    }
+    [[nodiscard]] vtkTexturedActor2D& actor() { return *m_actor; }
+
+    void clear()
+    {
+        m_points->Reset();
+        m_faces->Reset();
+        m_colours->Reset();
+        m_places->Reset();
+    }
+    void add(const Pixel& a, const Pixel& b, const Pixel& c, const std::array<unsigned char, 4>& colour)
+    {
+        const vtkIdType corners[3] = {point(a, colour), point(b, colour), point(c, colour)};
+        m_faces->InsertNextCell(3, corners);
+    }
+    void addQuad(const std::array<Pixel, 4>& p, const std::array<unsigned char, 4>& colour)
+    {
+        add(p[0], p[1], p[2], colour);
+        add(p[0], p[2], p[3], colour);
+    }
+    /// A rectangle with a piece of the texture. @param low,high  corners, in the texture 0 … 1
+    void addTextured(const std::array<Pixel, 4>& p, const Pixel& low, const Pixel& high,
+                     const std::array<unsigned char, 4>& colour)
+    {
+        vtkIdType corners[4];
+        const Pixel t[4] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            corners[i] = point(p[i], colour);
+            m_places->InsertNextTuple2(t[i].x(), t[i].y());
+        }
+        const vtkIdType triangles[2][3] = {{corners[0], corners[1], corners[2]}, {corners[0], corners[2], corners[3]}};
+        m_faces->InsertNextCell(3, triangles[0]);
+        m_faces->InsertNextCell(3, triangles[1]);
+    }
+    void setTexture(vtkImageData* image)
+    {
+        m_data->GetPointData()->SetTCoords(m_places);
+        m_texture->SetInputData(image);
+        m_actor->SetTexture(m_texture);
+    }
+    void finish(bool isVisible)
+    {
+        m_points->Modified();
+        m_faces->Modified();
+        m_colours->Modified();
+        m_places->Modified();
+        m_data->Modified();
+        m_actor->SetVisibility(isVisible && m_points->GetNumberOfPoints() > 0);
+    }
+
+  private:
+    vtkIdType point(const Pixel& p, const std::array<unsigned char, 4>& colour)
+    {
+        m_colours->InsertNextTypedTuple(colour.data());
+        return m_points->InsertNextPoint(p.x(), p.y(), 0.0);
+    }
+
+    vtkNew<vtkPoints> m_points;
+    vtkNew<vtkCellArray> m_faces;
+    vtkNew<vtkUnsignedCharArray> m_colours;
+    vtkNew<vtkFloatArray> m_places;
+    vtkNew<vtkPolyData> m_data;
+    vtkNew<vtkPolyDataMapper2D> m_mapper;
+    vtkNew<vtkTexture> m_texture;
+    vtkNew<vtkTexturedActor2D> m_actor;
+};
+
+std::array<Pixel, 4> rectangle(const Pixel& middle, const Pixel& half)
+{
+    return {middle - half, middle + Pixel(half.x(), -half.y()), middle + half, middle + Pixel(-half.x(), half.y())};
+}
+
+/// The band between an outline and the same scaled about its middle.
+void addBand(Flat& flat, const Pixel& middle, const std::vector<Pixel>& outline, double inner, double outer,
+             double ratio, const std::array<unsigned char, 4>& colour)
+{
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Pixel a = ratio * outline[i];
+        const Pixel b = ratio * outline[(i + 1) % outline.size()];
+        flat.addQuad({middle + inner * a, middle + outer * a, middle + outer * b, middle + inner * b}, colour);
+    }
+}
+
+void addShape(Flat& flat, const Pixel& middle, core::FindingType type, bool isHidden, double ratio)
+{
+    const std::vector<Pixel>& outline = internal::markerOutline(type);
+    const double radius_px = outline.front().norm();
+    const double rim = 1.0 + kRim_px / radius_px;
+    const Colour colour = core::kFindingColours[static_cast<std::size_t>(type)];
+    if (isHidden) {
+        const double inner = 1.0 - kHollow_px / radius_px;
+        addBand(flat, middle, outline, inner, 1.0, ratio, rgba(colour, FindingMarkers::kHiddenOpacity));
+        return;
+    }
+    const bool isRing = type == core::FindingType::Other;
+    addBand(flat, middle, outline, isRing ? 0.28 : 0.0, rim, ratio, rgba(kDarkRim, 1.0));
+    addBand(flat, middle, outline, isRing ? 0.5 : 0.0, 1.0, ratio, rgba(colour, 1.0));
+}
+
+void addLine(Flat& flat, const Pixel& from, const Pixel& to, double width_px,
+             const std::array<unsigned char, 4>& colour)
+{
+    const Pixel along = (to - from).normalized();
+    const Pixel across = 0.5 * width_px * Pixel(-along.y(), along.x());
+    flat.addQuad({from - across, to - across, to + across, from + across}, colour);
+}
 
 } // namespace
 
-FindingMarkers::~FindingMarkers() = default; // the renderer keeps what it draws
-
-void FindingMarkers::set(const std::vector<Vec3>& places_W)
+/// What is drawn: shapes with lines and the texts' grounds, then the texts out of one texture.
+class FindingMarkers::Picture
 {
-    for (const Marker& old : m_markers) {
-        if (m_overlay != nullptr) {
-            m_overlay->RemoveActor(old.rim);
-            m_overlay->RemoveActor(old.disc);
-            m_overlay->RemoveActor(old.number);
-            m_overlay->RemoveActor(old.leader.actor());
+  public:
+    /// A text's place in the texture, in pixels.
+    struct Piece
+    {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    Flat shapes;
+    Flat texts;
+    std::vector<Piece> pieces; ///< one a mark; of no width: no text
+    Pixel atlasSize = Pixel::Ones();
+
+    /// Writes texts into one image, below one another in columns.
+    void write(const std::vector<std::string>& words, int font_px, int dpi)
+    {
+        vtkNew<vtkTextProperty> style;
+        style->SetFontSize(font_px);
+        style->SetBold(true);
+        style->SetColor(1.0, 1.0, 1.0);
+        pieces.assign(words.size(), {});
+        std::vector<vtkSmartPointer<vtkImageData>> images(words.size());
+        int x = 0, y = 0, wide = 0, high = 1;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (words[i].empty()) {
+                continue;
+            }
+            int size[2] = {0, 0};
+            images[i] = vtkSmartPointer<vtkImageData>::New();
+            if (!vtkTextRenderer::GetInstance()->RenderString(style, vtkStdString(words[i]), images[i], size, dpi)) {
+                continue;
+            }
+            if (y + size[1] > kAtlasHeight_px && y > 0) {
+                x += wide + 1;
+                y = wide = 0;
+            }
+            pieces[i] = {x, y, size[0], size[1]};
+            y += size[1] + 1;
+            wide = std::max(wide, size[0]);
+            high = std::max(high, y);
         }
+        vtkNew<vtkImageData> atlas;
+        atlas->SetDimensions(std::max(1, x + wide), high, 1);
+        atlas->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+        auto* out = static_cast<unsigned char*>(atlas->GetScalarPointer());
+        const int stride = 4 * std::max(1, x + wide);
+        std::fill_n(out, static_cast<std::size_t>(stride) * static_cast<std::size_t>(high), 0);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const Piece& piece = pieces[i];
+            for (int row = 0; row < piece.height; ++row) {
+                const int* extent = images[i]->GetExtent();
+                const auto* in = static_cast<const unsigned char*>(
+                    images[i]->GetScalarPointer(extent[0], extent[2] + row, extent[4]));
+                std::copy_n(in, 4 * piece.width, out + stride * (piece.y + row) + 4 * piece.x);
+            }
+        }
+        atlasSize = Pixel(std::max(1, x + wide), high);
+        texts.setTexture(atlas);
     }
-    m_markers.clear();
-    for (std::size_t i = 0; i < places_W.size(); ++i) {
-        if (!places_W[i].allFinite()) {
-            continue;
-        }
-        Marker one{places_W[i], makeRing(0.0, kRim_px, kDarkRim, 0.0), makeRing(0.0, kDisc_px, kPin, 0.5),
-                   vtkSmartPointer<vtkBillboardTextActor3D>::New(), BillboardLine(kLeader_px, kPin)};
-        one.number->PickableOff();
-        one.number->SetInput((' ' + std::to_string(i + 1) + ' ').c_str());
-        one.number->SetPosition(one.p_W.data());
-        vtkTextProperty* text = one.number->GetTextProperty();
-        text->SetBold(true);
-        text->SetColor(kPin[0], kPin[1], kPin[2]);
-        text->SetBackgroundColor(0.08, 0.09, 0.11);
-        text->SetBackgroundOpacity(0.72);
-        text->SetJustificationToCentered();
-        text->SetVerticalJustificationToCentered();
-        if (m_overlay != nullptr) {
-            m_overlay->AddActor(one.rim);
-            m_overlay->AddActor(one.disc);
-            m_overlay->AddActor(one.number);
-            m_overlay->AddActor(one.leader.actor());
-        }
-        m_markers.push_back(std::move(one));
-    }
-    m_labels.assign(m_markers.size(), {});
-    m_pixelRatio = 0.0;
+};
+
+FindingMarkers::FindingMarkers()
+    : m_picture(std::make_unique<Picture>())
+{
 }
 
-/// Sizes of the texts, which the font says.
-void FindingMarkers::measure(double pixelRatio)
+FindingMarkers::~FindingMarkers() = default; // the renderer keeps what it draws
+
+void FindingMarkers::addTo(vtkRenderer& overlay)
+{
+    m_overlay = &overlay;
+    overlay.AddActor2D(&m_picture->shapes.actor());
+    overlay.AddActor2D(&m_picture->texts.actor());
+    m_picture->shapes.finish(false);
+    m_picture->texts.finish(false);
+}
+
+void FindingMarkers::set(std::vector<FindingMark> marks)
+{
+    std::erase_if(marks, [](const FindingMark& one) { return !one.p_W.allFinite(); });
+    m_marks = std::move(marks);
+    m_isHidden.assign(m_marks.size(), false);
+    m_labels.assign(m_marks.size(), {});
+    ++m_revision;
+    m_pixelRatio = 0.0;
+    m_placed.reset();
+}
+
+void FindingMarkers::select(std::size_t number)
+{
+    if (number != m_selected) {
+        m_selected = number;
+        m_pixelRatio = 0.0;
+        m_placed.reset();
+    }
+}
+
+void FindingMarkers::setVisible(bool isVisible)
+{
+    m_isVisible = isVisible;
+    m_placed.reset();
+}
+
+void FindingMarkers::setFontSize(double size_px)
+{
+    m_font_px = size_px;
+    m_pixelRatio = 0.0;
+    m_placed.reset();
+}
+
+void FindingMarkers::findHidden(const IsBehind& isBehind)
+{
+    for (std::size_t i = 0; i < m_marks.size() && m_marks.size() <= kMostNumbered; ++i) {
+        const bool isHidden = isBehind(m_marks[i].p_W);
+        if (isHidden != m_isHidden[i]) {
+            m_isHidden[i] = isHidden;
+            m_placed.reset();
+        }
+    }
+}
+
+std::string FindingMarkers::textOf(std::size_t i) const
+{
+    const FindingMark& mark = m_marks[i];
+    const bool isSelected = mark.number == m_selected;
+    if (!isSelected && m_marks.size() > kMostNumbered) {
+        return {};
+    }
+    return std::to_string(mark.number) + (isSelected && !mark.name.empty() ? "  " + mark.name : "");
+}
+
+void FindingMarkers::writeTexts(double pixelRatio)
 {
     vtkRenderWindow* window = m_overlay != nullptr ? m_overlay->GetRenderWindow() : nullptr;
-    const int dpi = window != nullptr ? window->GetDPI() : 72;
-    for (std::size_t i = 0; i < m_markers.size(); ++i) {
-        vtkTextProperty* text = m_markers[i].number->GetTextProperty();
-        text->SetFontSize(std::max(8, static_cast<int>(kFont_px * pixelRatio)));
-        int box[4] = {0, 0, 0, 0};
-        vtkTextRenderer::GetInstance()->GetBoundingBox(text, vtkStdString(m_markers[i].number->GetInput()), box, dpi);
-        m_labels[i].size_px = Eigen::Vector2d(box[1] - box[0] + 1, box[3] - box[2] + 1) / pixelRatio;
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        words.push_back(textOf(i));
+    }
+    m_picture->write(words, std::max(8, static_cast<int>(std::lround(m_font_px * pixelRatio))),
+                     window != nullptr ? window->GetDPI() : 72);
+    constexpr double kMargin_px = 3.0;
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const Picture::Piece& piece = m_picture->pieces[i];
+        m_labels[i].size_px =
+            piece.width == 0
+                ? Pixel::Zero()
+                : Pixel(Pixel(piece.width, piece.height) / pixelRatio + Pixel(2.0 * kMargin_px, kMargin_px));
     }
     m_pixelRatio = pixelRatio;
 }
 
 void FindingMarkers::place(const ViewFrame& frame)
 {
+    const int* view_px = m_overlay != nullptr ? m_overlay->GetSize() : nullptr;
+    for (Flat* flat : {&m_picture->shapes, &m_picture->texts}) {
+        flat->actor().SetPosition(view_px != nullptr ? 0.5 * view_px[0] : 0.0,
+                                  view_px != nullptr ? 0.5 * view_px[1] : 0.0);
+    }
     if (frame.pixelRatio != m_pixelRatio) {
-        measure(frame.pixelRatio);
+        writeTexts(frame.pixelRatio);
+    } else if (m_placed == frame) {
+        return;
     }
-    for (std::size_t i = 0; i < m_markers.size(); ++i) {
-        const Vec3 fromEye = m_markers[i].p_W - frame.eye_W;
-        const double size = frame.mmPerPixel(m_markers[i].p_W);
-        m_labels[i].disc_px = Eigen::Vector2d(fromEye.dot(frame.right_W), fromEye.dot(frame.up_W)) / size;
+    Flat& shapes = m_picture->shapes;
+    Flat& texts = m_picture->texts;
+    shapes.clear();
+    texts.clear();
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const Vec3 fromEye = m_marks[i].p_W - frame.eye_W;
+        const double size = frame.mmPerPixel(m_marks[i].p_W);
+        m_labels[i].disc_px = Pixel(fromEye.dot(frame.right_W), fromEye.dot(frame.up_W)) / size;
     }
-    placeLabels(m_labels, kRim_px);
-    for (std::size_t i = 0; i < m_markers.size(); ++i) {
-        Marker& one = m_markers[i];
+    if (m_marks.size() <= kMostNumbered) {
+        placeLabels(m_labels, internal::kMarkerRadius_px);
+    }
+    const double ratio = frame.pixelRatio;
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const bool isBehindEye = !frame.isParallel && (frame.eye_W - m_marks[i].p_W).dot(frame.back_W) <= 0.0;
+        if (isBehindEye) {
+            continue;
+        }
         const DiscLabel& label = m_labels[i];
-        one.rim->SetVisibility(m_isVisible);
-        one.disc->SetVisibility(m_isVisible);
-        one.number->SetVisibility(m_isVisible);
-        one.leader.actor()->SetVisibility(m_isVisible && label.isMoved);
-        placeBillboard(*one.rim, one.p_W, frame);
-        placeBillboard(*one.disc, one.p_W, frame);
-        one.number->SetDisplayOffset(static_cast<int>(std::lround(label.offset_px.x() * frame.pixelRatio)),
-                                     static_cast<int>(std::lround(label.offset_px.y() * frame.pixelRatio)));
-        // From the rim to the text's edge.
-        const Eigen::Vector2d start = label.offset_px.normalized() * kRim_px;
-        const double outside = (0.5 * label.size_px).cwiseQuotient(label.offset_px.cwiseAbs()).minCoeff();
-        const Eigen::Vector2d end = label.offset_px * std::max(0.0, 1.0 - outside);
-        const auto inView = [&](const Eigen::Vector2d& px) -> Vec3 {
-            return one.p_W + (frame.right_W * px.x() + frame.up_W * px.y()) * frame.mmPerPixel(one.p_W);
-        };
-        one.leader.place(inView(start), inView(end), frame);
+        const Picture::Piece& piece = m_picture->pieces[i];
+        const double opacity = m_isHidden[i] ? kHiddenOpacity : 1.0;
+        const Pixel middle = ratio * label.disc_px;
+        addShape(shapes, middle, m_marks[i].type, m_isHidden[i], ratio);
+        if (piece.width == 0) {
+            continue;
+        }
+        const Pixel at = middle + ratio * label.offset_px;
+        if (label.isMoved) { // from the rim to the text's edge
+            const Pixel start = middle + ratio * internal::kMarkerRadius_px * label.offset_px.normalized();
+            const double outside = (0.5 * label.size_px).cwiseQuotient(label.offset_px.cwiseAbs()).minCoeff();
+            const Pixel end = middle + ratio * label.offset_px * std::max(0.0, 1.0 - outside);
+            const Colour colour = core::kFindingColours[static_cast<std::size_t>(m_marks[i].type)];
+            addLine(shapes, start, end, ratio * kLeader_px, rgba(colour, opacity));
+        }
+        shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px), rgba(kGround, kGroundOpacity * opacity));
+        // Whole pixels: between them the letters would be soft.
+        const Pixel half = 0.5 * Pixel(piece.width, piece.height);
+        const Pixel low(std::round(at.x() - half.x()), std::round(at.y() - half.y()));
+        const Pixel from = Pixel(piece.x, piece.y).cwiseQuotient(m_picture->atlasSize);
+        const Pixel to = Pixel(piece.x + piece.width, piece.y + piece.height).cwiseQuotient(m_picture->atlasSize);
+        texts.addTextured(rectangle(low + half, half), from, to, rgba(kInk, m_isHidden[i] ? 0.6 : 1.0));
     }
+    shapes.finish(m_isVisible);
+    texts.finish(m_isVisible);
+    m_placed = frame;
 }
 
 core::Box FindingMarkers::bounds() const
 {
     core::Box box;
     if (m_isVisible) {
-        for (const Marker& one : m_markers) {
+        for (const FindingMark& one : m_marks) {
             box.extend(one.p_W);
         }
     }

@@ -90,6 +90,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     }
     m_structures = std::move(structures);
     m_drawn.clear();
+    ++m_tissueRevision;
     m_legend.hide();
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
@@ -99,11 +100,13 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
 void SceneView::setAppearance(std::size_t i, const Appearance& appearance)
 {
     m_structures[i].picture.setAppearance(appearance);
+    ++m_tissueRevision;
 }
 
 void SceneView::setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface)
 {
     m_structures[i].touchable = std::move(surface);
+    ++m_tissueRevision;
 }
 
 void SceneView::setBackground(const Colour& bottom, const Colour& top, const Colour& text)
@@ -213,10 +216,33 @@ void SceneView::orderFarFirst(const ViewFrame& frame)
     m_drawn = std::move(actors);
 }
 
+/// A ray from the eye to each finding: tissue that it meets before hides the finding.
+void SceneView::findHiddenFindings(const ViewFrame& frame)
+{
+    const Seen now{frame, m_findings.revision(), m_tissueRevision};
+    if (m_findings.count() == 0 || m_seen == now) {
+        return;
+    }
+    m_seen = now;
+    m_findings.findHidden([&](const Vec3& p_W) {
+        // A finding lies on a surface: so near before it is the finding's own.
+        constexpr double kOwn_mm = 0.5, kOwnShare = 1e-3;
+        const double along_mm = (frame.eye_W - p_W).dot(frame.back_W);
+        const Vec3 start = frame.isParallel ? Vec3(p_W + along_mm * frame.back_W) : frame.eye_W;
+        const double distance_mm = (p_W - start).norm();
+        if (distance_mm <= 0.0) {
+            return false;
+        }
+        const auto first = pick({start, (p_W - start) / distance_mm});
+        return first && first->hit.distance_mm < distance_mm - std::max(kOwn_mm, kOwnShare * distance_mm);
+    });
+}
+
 void SceneView::prepareFrame(double pixelRatio)
 {
     const ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     m_cursor.place(frame);
+    findHiddenFindings(frame);
     m_findings.place(frame);
     core::Box box = bounds();
     box.extend(m_cursor.bounds());

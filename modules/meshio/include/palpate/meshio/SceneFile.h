@@ -7,6 +7,7 @@
 #include <palpate/core/Tissue.h>
 #include <palpate/core/TissueMapping.h>
 #include <palpate/core/Types.h>
+#include <palpate/core/ViewPose.h>
 
 #include <array>
 #include <cstdint>
@@ -42,12 +43,8 @@ struct SceneStructure
 };
 
 /// Where the view stands.
-struct SceneCamera
+struct SceneCamera : core::ViewPose
 {
-    core::Vec3 position_W = core::Vec3(0, -500, 0); ///< [mm]
-    core::Vec3 focus_W = core::Vec3::Zero();        ///< [mm]
-    core::Vec3 up_W = core::Vec3::UnitZ();
-    double viewAngle_deg = 30.0;
     std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 

@@ -6,6 +6,8 @@
 #include <palpate/core/Finding.h>
 #include <palpate/servo/TickRecord.h>
 
+#include <QJsonObject>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,19 +16,24 @@
 
 namespace palpate::session {
 
-// A finding is the event "finding" of a recording: name, position, structure, and force, depth and note where there are
-// some. The event "finding-undone", of the same content, takes back the newest finding of that name.
+// A finding is the event "finding" of a recording, a note without a place the event "note" (older recordings: its text
+// alone). "finding-edited" says anew what the one of that id is; "finding-undone", of the same content, takes it back:
+// by its id, in older recordings the newest of that name.
 
-/// @return the event's `json`.
+/// @return the event's `json`; where it was recorded is left out: here.
 [[nodiscard]] std::string findingJson(const core::Finding& finding);
-/// The findings that a recording ends with, each with the tick in which it was marked, by tick. What is not one, or has
-/// no position, is left out.
+/// The same without what only an event needs. What a finding lacks is not said.
+[[nodiscard]] QJsonObject toJson(const core::Finding& finding);
+/// Reads what `toJson` wrote; a field that is missing or wrong is left out.
+[[nodiscard]] core::Finding findingFrom(const QJsonObject& json);
+/// The findings and notes that a recording ends with, each with the tick in which it was marked, by tick. What is none
+/// is left out.
 [[nodiscard]] std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events);
 
 /// What the hand did at one finding; definitions in resources/docs/measures.md.
 struct FindingMeasures
 {
-    core::Finding finding;
+    core::Finding finding;                ///< of a note the measures are zero
     double marked_s = 0.0;                ///< since the session's first tick
     std::optional<double> firstTouched_s; ///< when the contact first came within the distance; none: it never did
     double dwell_s = 0.0;                 ///< contact within the distance

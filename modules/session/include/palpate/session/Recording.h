@@ -72,7 +72,7 @@ struct SceneRecord
 /// Something that happened at a tick. The writer adds "scene" (first tick of a generation), "tissue", "hidden",
 /// "shown", "layer" and "structures" (what changed with it), "clutch" (the hand let go or came back); the recorder
 /// "dropped", "disk", "timing" (how the loop kept time) and "ended" (why it ended by itself); the window "note",
-/// "finding", "finding-undone", "device-lost" and "fault"; recovery "recovered".
+/// "finding", "finding-edited", "finding-undone", "device-lost" and "fault"; recovery "recovered".
 struct RecordingEvent
 {
     std::int64_t tick = 0;

@@ -36,6 +36,7 @@ class ForceTimeline : public QWidget
     void seekWanted(double position_s);
 
   protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -36,6 +36,8 @@ struct ViewFrame
     [[nodiscard]] Eigen::Vector2d pixelOf(const Vec3& p_W) const;
     /// From a point towards the viewer's eye, unit.
     [[nodiscard]] Vec3 towardsViewer(const Vec3& p_W) const;
+
+    friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
 
 /// Turns an unlit flat shape made in pixels (x right, y up, z to the viewer) to the viewer at `p_W`.

@@ -13,6 +13,7 @@
 #include <vtkRenderWindow.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate::view {
@@ -90,6 +91,7 @@ class SceneView
   private:
     [[nodiscard]] double aspect() const;
     void orderFarFirst(const ViewFrame& frame);
+    void findHiddenFindings(const ViewFrame& frame);
 
     vtkSmartPointer<vtkRenderer> m_solid;
     vtkSmartPointer<vtkRenderer> m_overlay;
@@ -98,6 +100,16 @@ class SceneView
     ColourLegend m_legend;
     TouchCursor m_cursor;
     FindingMarkers m_findings;
+    /// What the hidden findings were found for.
+    struct Seen
+    {
+        ViewFrame frame;
+        std::size_t findings = 0;
+        std::size_t tissue = 0;
+        friend bool operator==(const Seen&, const Seen&) = default;
+    };
+    std::optional<Seen> m_seen;
+    std::size_t m_tissueRevision = 0; ///< counts changes of what can hide a finding
     std::vector<ViewStructure> m_structures;
     std::vector<vtkActor*> m_drawn; ///< translucent ones in the order that they were given last
     vtkSmartPointer<vtkRenderWindow> m_window;

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FindingsDesk.h"
+
+#include "Paths.h"
+
+#include <palpate/session/AtomicFile.h>
+#include <palpate/session/Findings.h>
+#include <palpate/study/FindingsFile.h>
+
+#include <QDateTime>
+#include <QFontInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <utility>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+FindingsDesk::FindingsDesk(const Parts& parts, QObject* parent)
+    : QObject(parent)
+    , m_parts(parts)
+    , m_flight(parts.viewport)
+{
+    m_show.setSingleShot(true);
+    m_show.setInterval(0);
+    connect(&m_show, &QTimer::timeout, this, &FindingsDesk::show);
+    connect(&parts.document, &SceneDocument::findingsChanged, &m_show, qOverload<>(&QTimer::start));
+    connect(&parts.panel, &FindingsPanel::selected, this, [this](int row) {
+        m_parts.viewport.view().findings().select(static_cast<std::size_t>(row + 1));
+        m_parts.viewport.update();
+    });
+    connect(&parts.panel, &FindingsPanel::flightWanted, this, &FindingsDesk::flyTo);
+    connect(&parts.panel, &FindingsPanel::playWanted, this, &FindingsDesk::playFrom);
+    connect(&parts.panel, &FindingsPanel::noteWritten, this, &FindingsDesk::addNote);
+    const auto record = [this](const char* kind, const core::Finding& finding) {
+        m_parts.live.note(kind, session::findingJson(finding));
+    };
+    FindingsModel& model = parts.document.findingsModel();
+    connect(&model, &FindingsModel::marked, this,
+            [record](const core::Finding& one) { record(one.hasPlace ? "finding" : "note", one); });
+    connect(&model, &FindingsModel::unmarked, this,
+            [record](const core::Finding& one) { record("finding-undone", one); });
+    connect(&model, &FindingsModel::edited, this,
+            [record](const core::Finding& one) { record("finding-edited", one); });
+    connect(&model, &FindingsModel::refused, this, &FindingsDesk::failed);
+}
+
+const core::Finding& FindingsDesk::finding(int row) const
+{
+    return m_parts.document.findings()[static_cast<std::size_t>(row)];
+}
+
+/// What every finding and note knows of the moment in which it is made.
+core::Finding FindingsDesk::markedNow() const
+{
+    core::Finding now;
+    now.camera = viewPose(m_parts.viewport);
+    now.marked_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    const session::RecorderStatus recording = m_parts.live.recording();
+    const RecordedTouch* played = m_parts.playback.recording();
+    if (recording.isRecording) {
+        now.recording =
+            core::RecordedMoment{m_recording.string(), {}, m_parts.live.newest().tick, recording.duration_s};
+    } else if (played != nullptr) {
+        const double time_s = m_parts.playback.position_s();
+        const auto tick = played->at(time_s);
+        const std::filesystem::path file = std::filesystem::absolute(played->path());
+        now.recording = core::RecordedMoment{file.string(), hashOf(file), tick ? tick->tick : 0, time_s};
+    }
+    return now;
+}
+
+bool FindingsDesk::mark()
+{
+    const view::TouchState& touch = m_parts.viewport.view().cursor().state();
+    if (!touch.isInContact) {
+        Q_EMIT said(tr("Nothing is touched: press on the place first, then mark it (M)."));
+        return false;
+    }
+    core::Finding one = markedNow();
+    one.name = tr("Finding %1").arg(m_parts.document.findings().size() + 1).toStdString();
+    const TouchReading& felt = m_parts.touch.reading();
+    one.structure = felt.structure.toStdString();
+    one.p_W = touch.p_WG;
+    one.force_N = touch.f_W.norm();
+    one.depth_mm = (touch.p_WG - touch.p_WH).norm();
+    for (const FeltLayer& layer : felt.layers) {
+        if (felt.layers.size() > 1) {
+            one.layers.push_back({layer.name.toStdString(), layer.force_N, layer.depth_mm});
+        }
+    }
+    const QString name = QString::fromStdString(one.name);
+    Q_EMIT said(
+        felt.layers.size() > 1
+            ? tr("%1 marked: %2").arg(name, layersText(felt.layers))
+            : tr("%1 marked on %2 with %3 N").arg(name, felt.structure, QLocale().toString(*one.force_N, 'f', 2)));
+    m_parts.document.addFinding(one);
+    m_parts.panel.select(static_cast<int>(m_parts.document.findings().size()) - 1);
+    return true;
+}
+
+void FindingsDesk::addNote(const QString& text)
+{
+    core::Finding one = markedNow();
+    one.hasPlace = false;
+    one.name = tr("Note %1").arg(m_parts.document.findings().size() + 1).toStdString();
+    one.note = text.toStdString();
+    m_parts.document.addFinding(one);
+    m_parts.panel.select(static_cast<int>(m_parts.document.findings().size()) - 1);
+}
+
+void FindingsDesk::step(int by)
+{
+    const auto count = static_cast<int>(m_parts.document.findings().size());
+    if (count == 0) {
+        Q_EMIT said(tr("No finding yet: press on a place and mark it (M)."));
+        return;
+    }
+    const int at = m_parts.panel.current();
+    const int next = at < 0 ? (by > 0 ? 0 : count - 1) : (at + by + count) % count;
+    m_parts.panel.select(next);
+    flyTo(next);
+}
+
+void FindingsDesk::flyTo(int row)
+{
+    const core::Finding& to = finding(row);
+    core::ViewPose pose = viewPose(m_parts.viewport);
+    if (to.camera) {
+        pose = *to.camera;
+    } else if (to.hasPlace) { // from the side at hand
+        pose.position_W += to.p_W - pose.focus_W;
+        pose.focus_W = to.p_W;
+    } else {
+        Q_EMIT said(tr("%1 keeps no view.").arg(QString::fromStdString(to.name)));
+        return;
+    }
+    m_flight.flyTo(pose);
+}
+
+void FindingsDesk::playFrom(int row)
+{
+    constexpr double kBefore_s = 1.0;
+    const core::Finding& one = finding(row);
+    const QString name = QString::fromStdString(one.name);
+    if (!one.recording) {
+        Q_EMIT said(tr("%1 was not marked in a recording.").arg(name));
+        return;
+    }
+    if (m_parts.live.recording().isRecording) {
+        Q_EMIT said(tr("A recording is being made: stop it (R) to play."));
+        return;
+    }
+    const core::RecordedMoment moment = *one.recording; // opening may change the findings
+    const std::filesystem::path file = moment.file;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        Q_EMIT failed(tr("%1: the recording of %2 is not there any more.").arg(toText(file), name));
+        return;
+    }
+    if (!moment.sha256.empty() && hashOf(file) != moment.sha256) {
+        Q_EMIT failed(tr("%1: this is another recording than the one in which %2 was marked.").arg(toText(file), name));
+        return;
+    }
+    const auto isOpen = [&] {
+        const RecordedTouch* played = m_parts.playback.recording();
+        return played != nullptr && std::filesystem::equivalent(played->path(), file, error);
+    };
+    if (!isOpen()) {
+        Q_EMIT recordingWanted(file);
+    }
+    if (isOpen()) {
+        m_parts.playback.seek(std::max(0.0, moment.time_s - kBefore_s));
+        m_parts.playback.play();
+    }
+}
+
+void FindingsDesk::exportTo(const std::filesystem::path& path)
+{
+    const bool isTable = path.extension() == ".csv";
+    const std::vector<core::Finding>& all = m_parts.document.findings();
+    const core::Status status =
+        session::writeAtomically(path, isTable ? study::findingsCsv(all) : study::findingsMarkups(all));
+    if (status.isOk()) {
+        Q_EMIT said(tr("%n finding(s) written to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
+    } else {
+        Q_EMIT failed(QString::fromStdString(status.message()));
+    }
+}
+
+void FindingsDesk::importFrom(const std::filesystem::path& path)
+{
+    auto markups = study::readMarkups(path);
+    if (!markups.isOk()) {
+        Q_EMIT failed(QString::fromStdString(markups.status().message()));
+        return;
+    }
+    const auto count = static_cast<int>(markups.value().findings.size());
+    m_parts.document.findingsModel().add(std::move(markups.value().findings),
+                                         tr("Import %n finding(s)", nullptr, count));
+    Q_EMIT said(tr("%n finding(s) taken from %1", nullptr, count).arg(toText(path.filename())));
+    QStringList losses;
+    for (const std::string& loss : markups.value().losses) {
+        losses << QString::fromStdString(loss);
+    }
+    if (!losses.isEmpty()) {
+        Q_EMIT failed(losses.join(QLatin1Char('\n')));
+    }
+}
+
+void FindingsDesk::endRecording()
+{
+    const std::vector<core::Finding>& all = m_parts.document.findings();
+    const std::string file = m_recording.string();
+    const bool isUsed = std::any_of(
+        all.begin(), all.end(), [&](const core::Finding& one) { return one.recording && one.recording->file == file; });
+    if (isUsed) {
+        m_parts.document.findingsModel().setRecordingHash(file, hashOf(m_recording));
+    }
+    m_recording.clear();
+}
+
+/// Each file is read once: a whole recording doesn't change.
+std::string FindingsDesk::hashOf(const std::filesystem::path& recording) const
+{
+    std::string& hash = m_hashes[recording];
+    if (hash.empty()) {
+        hash = meshio::fileHash(recording);
+    }
+    return hash;
+}
+
+void FindingsDesk::show()
+{
+    std::vector<view::FindingMark> marks;
+    std::size_t number = 0;
+    for (const core::Finding& one : m_parts.document.findings()) {
+        ++number;
+        if (one.hasPlace) {
+            marks.push_back({one.p_W, one.type, number, one.name});
+        }
+    }
+    if (m_parts.playback.recording() != nullptr) { // its own are drawn too, where the scene has them not
+        for (const core::Finding& one : m_parts.playback.recording()->findings()) {
+            const bool isThere = std::any_of(marks.begin(), marks.end(),
+                                             [&](const view::FindingMark& mark) { return mark.p_W == one.p_W; });
+            if (one.hasPlace && !isThere) {
+                marks.push_back({one.p_W, one.type, ++number, one.name});
+            }
+        }
+    }
+    view::FindingMarkers& markers = m_parts.viewport.view().findings();
+    markers.setFontSize(QFontInfo(m_parts.viewport.font()).pixelSize());
+    markers.set(std::move(marks));
+    markers.select(static_cast<std::size_t>(m_parts.panel.current() + 1));
+    m_parts.viewport.update();
+    Q_EMIT countChanged(markers.marks().size());
+}

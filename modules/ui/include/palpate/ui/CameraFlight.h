@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/VtkViewport.h"
+
+#include <palpate/core/ViewPose.h>
+
+#include <QVariantAnimation>
+
+namespace palpate::ui {
+
+/// @return where the view's camera stands.
+[[nodiscard]] core::ViewPose viewPose(VtkViewport& viewport);
+
+/// Moves the view's camera to another place in 0.3 s, and there exactly.
+class CameraFlight : public QObject
+{
+    Q_OBJECT
+  public:
+    static constexpr int kTime_ms = 300;
+
+    /// @param viewport  must outlive this
+    explicit CameraFlight(VtkViewport& viewport, QObject* parent = nullptr);
+    void flyTo(const core::ViewPose& to);
+
+  private:
+    void show(const core::ViewPose& pose);
+    [[nodiscard]] core::ViewPose between(double share) const;
+
+    VtkViewport& m_viewport;
+    QVariantAnimation m_clock;
+    core::ViewPose m_from;
+    core::ViewPose m_to;
+};
+
+} // namespace palpate::ui
