@@ -80,6 +80,15 @@ core::Result<double> unitOption(const std::string& text)
     return Status(StatusCode::BadCommandLine, "--unit: found \"" + text + "\", expected m, cm or mm");
 }
 
+core::Result<core::FileFrame> frameOption(const std::string& text)
+{
+    const auto named = core::frameNamed(text);
+    if (text.empty() || named) {
+        return named.value_or(core::FileFrame::Untagged);
+    }
+    return Status(StatusCode::BadCommandLine, "--frame: found \"" + text + "\", expected LPS, RAS or Y-up");
+}
+
 Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs)
 {
     const auto isSame = [](const std::filesystem::path& a, const std::filesystem::path& b) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Text.h>
 
@@ -35,6 +36,11 @@ using core::grouped;
 /// @param least  smallest value that is allowed, or with `isAbove` the largest that is not
 [[nodiscard]] core::Result<double> numberOption(std::string_view option, const std::string& text, double least,
                                                 bool isAbove);
+/// What `--frame` is, for the help of each command that has it.
+inline constexpr const char* kFrameHelp =
+    "Axes of a mesh file's coordinates, whatever its tag says: LPS, RAS or Y-up (x left, y up, z front)";
+/// @return the frame called `text`; as the files say for an empty one
+[[nodiscard]] core::Result<core::FileFrame> frameOption(const std::string& text);
 /// @return millimetres of one unit called `text`.
 [[nodiscard]] core::Result<double> unitOption(const std::string& text);
 

@@ -35,7 +35,7 @@ struct EvaluateOptions
 {
     std::vector<fs::path> scenes;
     fs::path motion, out = "out/evaluation";
-    std::string unit = "mm", stiffness, layers;
+    std::string unit = "mm", frame, stiffness, layers;
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
@@ -69,13 +69,11 @@ class Uninterrupted
 };
 
 /// @param losses  gets a line for what could not be opened
-core::Result<Subjects> loadSubjects(const EvaluateOptions& options, double unit_mm, std::optional<double> stiffness,
-                                    std::vector<std::string>& losses)
+core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio::ReadOptions& read,
+                                    std::optional<double> stiffness, std::vector<std::string>& losses)
 {
     Subjects subjects;
     for (const fs::path& path : options.scenes) {
-        meshio::ReadOptions read;
-        read.unit_mm = unit_mm;
         auto loaded = study::openScene(path, read);
         if (!loaded.isOk()) {
             return loaded.status();
@@ -211,6 +209,10 @@ int runEvaluate(EvaluateOptions options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    const auto frame = frameOption(options.frame);
+    if (!frame.isOk()) {
+        return report(frame.status());
+    }
     if (const Status status = checkLayers(options.layers); !status.isOk()) {
         return report(status);
     }
@@ -237,7 +239,10 @@ int runEvaluate(EvaluateOptions options)
                              "--out: " + options.out.string() + " cannot be made: " + error.message()));
     }
     std::vector<std::string> losses;
-    const auto subjects = loadSubjects(options, unit.value(), stiffness.value(), losses);
+    meshio::ReadOptions read;
+    read.unit_mm = unit.value();
+    read.frame = frame.value();
+    const auto subjects = loadSubjects(options, read, stiffness.value(), losses);
     if (!subjects.isOk()) {
         return report(subjects.status());
     }
@@ -280,6 +285,7 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--out", options->out, "Folder for report.html, chart.svg, results.json and the tables as CSV")
         ->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_option("--frame", options->frame, kFrameHelp);
     command->add_option("--stiffness", options->stiffness,
                         "Stiffness of every tissue [N/mm]; without it, the scene's own");
     command->add_option("--layers", options->layers, kLayersHelp);

@@ -26,7 +26,7 @@ namespace {
 struct InfoOptions
 {
     std::vector<std::filesystem::path> files;
-    std::string unit = "mm", layers;
+    std::string unit = "mm", frame, layers;
     bool isPartial = false;
     bool isJson = false;
 };
@@ -78,11 +78,16 @@ int runMeshInfo(const InfoOptions& options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    const auto frame = frameOption(options.frame);
+    if (!frame.isOk()) {
+        return report(frame.status());
+    }
     if (const Status status = checkLayers(options.layers); !status.isOk()) {
         return report(status);
     }
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
+    read.frame = frame.value();
     read.isPartial = options.isPartial;
     QJsonArray all;
     std::vector<std::string> losses;
@@ -116,6 +121,7 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
                      "Mesh files (" + meshio::meshFormatNames("or") + "), scene files or folders of meshes")
         ->required();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_option("--frame", options->frame, kFrameHelp);
     command->add_option("--layers", options->layers, kLayersHelp);
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");

@@ -19,14 +19,17 @@ namespace palpate::app {
 
 namespace {
 
-const char* frameName(meshio::FileFrame frame)
+const char* frameName(const meshio::LoadedStructure& structure)
 {
-    return frame == meshio::FileFrame::Ras ? "RAS" : "LPS";
+    return core::axesOf(core::takenFrame(structure.description.frame, structure.frame)).data();
 }
 
-const char* frameSource(meshio::FileFrame frame)
+const char* frameSource(const meshio::LoadedStructure& structure)
 {
-    return frame == meshio::FileFrame::Untagged ? "assumed: the file has no SPACE tag" : "the file's SPACE tag";
+    if (structure.description.frame != core::FileFrame::Untagged) {
+        return "chosen";
+    }
+    return structure.frame == core::FileFrame::Untagged ? "assumed: the file has no SPACE tag" : "the file's SPACE tag";
 }
 
 const char* unitName(double unit_mm)
@@ -134,8 +137,8 @@ void printReport(const FileReport& report)
         const meshio::LoadedStructure& structure = report.scene.structures[i];
         const geometry::MeshReport& r = structure.surface->report;
         print("  %s: %s triangles, %s vertices, frame %s (%s)%s\n", structure.description.name.c_str(),
-              grouped(r.triangles).c_str(), grouped(r.vertices).c_str(), frameName(structure.frame),
-              frameSource(structure.frame), structure.description.palpable ? "" : "; not palpable");
+              grouped(r.triangles).c_str(), grouped(r.vertices).c_str(), frameName(structure), frameSource(structure),
+              structure.description.palpable ? "" : "; not palpable");
         if (!r.bounds.isEmpty()) {
             const core::Vec3 size = r.bounds.sizes();
             const core::Vec3 centre = r.bounds.center();
@@ -243,8 +246,8 @@ QJsonObject toJson(const meshio::LoadedStructure& structure, const session::Stru
         {"mesh", text(source.mesh)},
         {"part", text(source.part)},
         {"unit_mm", source.unit_mm},
-        {"frame", frameName(structure.frame)},
-        {"frame_from", frameSource(structure.frame)},
+        {"frame", frameName(structure)},
+        {"frame_from", frameSource(structure)},
         {"palpable", structure.description.palpable},
         {"sha256", text(source.sha256)},
         {"input_vertices", count(r.inputVertices)},

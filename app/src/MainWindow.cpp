@@ -28,7 +28,7 @@ using namespace palpate::ui;
 
 MainWindow::MainWindow()
 {
-    setWindowTitle(tr("Palpate"));
+    setWindowTitle(tr("Palpate[*]"));
     setAcceptDrops(true);
     setDockNestingEnabled(false);
 
@@ -139,6 +139,7 @@ void MainWindow::makeStatusBar()
     statusBar()->addWidget(m_hint, 1);
     statusBar()->addWidget(m_progress);
     statusBar()->addWidget(m_cancel);
+    statusBar()->addPermanentWidget(&m_coordinates->button());
     statusBar()->addPermanentWidget(notice);
 }
 
@@ -248,6 +249,11 @@ void MainWindow::connectLoading()
                                        : problems.join(QLatin1Char(' ')));
             });
     connect(m_structures, &StructurePanel::colourChosen, m_maps, &MapDisplay::show);
+    connect(m_coordinates, &CoordinatesChoice::chosen, this, &MainWindow::readAs);
+    connect(&m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_isEditedMeanwhile = true; });
+    connect(&m_model, &QAbstractItemModel::modelReset, this, &MainWindow::showCoordinates);
+    connect(&m_model, &QAbstractItemModel::rowsInserted, this, &MainWindow::showCoordinates);
+    connect(&m_model, &QAbstractItemModel::rowsRemoved, this, &MainWindow::showCoordinates);
 }
 
 void MainWindow::connectTouch()

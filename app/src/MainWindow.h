@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CoordinatesChoice.h"
 #include "FindingsDesk.h"
 #include "RecordingControl.h"
 #include "SceneDocument.h"
@@ -46,7 +47,9 @@ class MainWindow : public QMainWindow
     ~MainWindow() override;
 
     /// Opens meshes and scenes as one scene, and the last recording among them to play in it.
-    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0);
+    /// @param frame  axes of mesh files, whatever their tags say; Untagged: as these say
+    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
+              palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged);
 
     [[nodiscard]] const palpate::ui::ActionList& commands() const noexcept { return m_actions; }
     [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
@@ -95,6 +98,8 @@ class MainWindow : public QMainWindow
     bool saveSceneTo(const std::filesystem::path& path);
     bool mayDiscard();
     void offerLeftover();
+    void readAs(palpate::core::FileFrame frame);
+    void showCoordinates();
     void showTitle();
     [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
@@ -156,6 +161,8 @@ class MainWindow : public QMainWindow
     palpate::ui::Playback* m_playback = nullptr;
     palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
+    CoordinatesChoice* m_coordinates = nullptr;
+    bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;

@@ -89,6 +89,8 @@ void MainWindow::makeViewActions()
     addView("view-feet", tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, view::ViewFrom::Feet);
     addView("view-oblique", tr("Oblique"), Qt::Key_0, view::ViewFrom::Oblique);
     m_actions.addSeparator(ActionGroup::View);
+    m_coordinates = new CoordinatesChoice(m_actions, this);
+    m_actions.addSeparator(ActionGroup::View);
     m_actions.addGesture(ActionGroup::InView, tr("hold Space"), tr("palpate while it is held"));
     m_actions.addGesture(ActionGroup::InView, tr("drag"), tr("camera: rotate · palpate: press and slide"));
     m_actions.addGesture(ActionGroup::InView, tr("click"), tr("camera: select the structure (with Ctrl: one more)"));

@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 
@@ -21,7 +22,7 @@
 using namespace palpate;
 using namespace palpate::ui;
 
-void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm)
+void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm, core::FileFrame frame)
 {
     std::vector<std::filesystem::path> meshes;
     std::optional<std::filesystem::path> recording;
@@ -47,7 +48,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     }
     m_waitingRecording = recording;
     m_unit_mm = unit_mm;
-    m_loader.open(meshes, unit_mm);
+    m_loader.open(meshes, unit_mm, frame);
 }
 
 void MainWindow::offerMetres()
@@ -61,11 +62,39 @@ void MainWindow::offerMetres()
     }
     m_message->offer(
         tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
-        tr("Read as metres"), [this] { open(m_files, 1000.0); });
+        tr("Read as metres"), [this] { open(m_files, 1000.0, m_model.structure(0).frame); });
+}
+
+/// Reads the open meshes again, along other axes.
+void MainWindow::readAs(core::FileFrame frame)
+{
+    if (m_model.rowCount() == 0) {
+        return;
+    }
+    if (m_live.recording().isRecording) {
+        say(tr("Stop the recording first: it holds the surfaces as they lie now."));
+        return;
+    }
+    m_waitingRecording.reset();
+    m_isEditedMeanwhile = false;
+    m_loader.reopen(m_document->inFrame(frame), m_files);
+}
+
+/// What is known of the patient's sides: the button in the status bar and the cube in the view.
+void MainWindow::showCoordinates()
+{
+    m_coordinates->show(m_model.rows(), std::any_of(m_files.begin(), m_files.end(),
+                                                    [](const auto& file) { return session::isRecordingFile(file); }));
+    m_viewport->view().cube().setSidesKnown(m_coordinates->isKnown());
+    m_viewport->update();
 }
 
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
+    if (scene->isReopened && m_isEditedMeanwhile) { // it lacks what was changed while it was read
+        readAs(scene->rows.front().loaded.description.frame);
+        return;
+    }
     m_playback->setRecording(nullptr);
     m_files = scene->files;
     std::vector<view::ViewStructure> pictures;
@@ -110,12 +139,19 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     const int notes = tellNotes(*scene);
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
     say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
+    if (scene->isReopened) {
+        say(tr("Read again with coordinates %1: tissue and findings are kept, undo starts anew.")
+                .arg(m_coordinates->button().text()),
+            20000);
+    }
     showWhatPlays();
-    if (scene->areMeshes() && !m_waitingRecording) {
+    if (scene->areMeshes() && !scene->isReopened && !m_waitingRecording) {
         nameTissues(scene->layering, 0);
         m_model.undoStack().setClean(); // nothing that a person did and would miss
     }
-    layOut(*scene);
+    if (!scene->isReopened) {
+        layOut(*scene);
+    }
     if (!scene->problems.isEmpty()) {
         showError(scene->problems.join(QLatin1Char('\n')));
     }
@@ -159,7 +195,24 @@ meshio::SceneCamera MainWindow::cameraNow() const
 
 bool MainWindow::saveScene()
 {
-    return m_document->file().empty() ? saveSceneAs() : saveSceneTo(m_document->file());
+    if (m_document->file().empty()) {
+        return saveSceneAs();
+    }
+    if (m_document->isFileChanged()) {
+        QMessageBox box(QMessageBox::Warning, tr("The scene was changed elsewhere"),
+                        tr("%1 was saved by another window or program since it was opened here. To save it would "
+                           "replace what was saved there.")
+                            .arg(toText(m_document->file().filename())),
+                        QMessageBox::Cancel, this);
+        QPushButton* const anyway = box.addButton(tr("Save anyway"), QMessageBox::DestructiveRole);
+        QPushButton* const elsewhere = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+        box.setDefaultButton(elsewhere);
+        box.exec();
+        if (box.clickedButton() != anyway) {
+            return box.clickedButton() == elsewhere && saveSceneAs();
+        }
+    }
+    return saveSceneTo(m_document->file());
 }
 
 bool MainWindow::saveSceneAs()
@@ -200,8 +253,11 @@ bool MainWindow::mayDiscard()
 
 void MainWindow::showTitle()
 {
-    const QString name =
+    QString name =
         m_files.empty() || m_files.front().empty() ? tr("Unsaved scene") : toText(m_files.front().filename());
+    if (m_files.size() > 1) {
+        name = tr("%1 and %2 more").arg(name).arg(m_files.size() - 1);
+    }
     setWindowTitle(tr("%1[*] – Palpate").arg(name));
     setWindowModified(m_document->isModified());
 }
@@ -212,7 +268,14 @@ void MainWindow::offerLeftover()
     if (copy && m_model.rowCount() == 0) {
         m_message->offer(
             tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
-            [this, copy] { open({*copy}); }, MessageBar::Keep::UntilAnswered);
+            [this, copy] {
+                if (m_document->claimLeftover(*copy)) {
+                    open({*copy});
+                } else {
+                    say(tr("These changes were already restored in another window."));
+                }
+            },
+            MessageBar::Keep::UntilAnswered);
     }
 }
 

@@ -18,6 +18,7 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
         ->required();
     command->add_option("--out", options->out, "Write the ticks as CSV");
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_option("--frame", options->frame, kFrameHelp);
     for (std::size_t i = 0; i < core::kTissueTerms.size(); ++i) {
         const core::TissueTerm& term = core::kTissueTerms[i];
         if (term.option.empty()) {

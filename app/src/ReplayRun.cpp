@@ -53,6 +53,11 @@ Status ReplayRun::checkOptions()
         return unit.status();
     }
     m_unit_mm = unit.value();
+    const auto frame = frameOption(m_options.frame);
+    if (!frame.isOk()) {
+        return frame.status();
+    }
+    m_frame = frame.value();
     if (Status layers = checkLayers(m_options.layers); !layers.isOk()) {
         return layers;
     }
@@ -145,6 +150,7 @@ Status ReplayRun::loadScene()
     auto start = std::chrono::steady_clock::now();
     meshio::ReadOptions readOptions;
     readOptions.unit_mm = m_unit_mm;
+    readOptions.frame = m_frame;
     readOptions.isPartial = m_options.isPartial;
     auto loaded = study::openScene(m_options.scene, readOptions);
     if (!loaded.isOk()) {

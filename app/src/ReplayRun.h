@@ -27,7 +27,7 @@ namespace palpate::app {
 struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
-    std::string unit = "mm", radius, layers;
+    std::string unit = "mm", frame, radius, layers;
     std::array<std::string, core::kTissueTerms.size()> tissue; ///< in the order of the terms; empty: as it is
     std::string device;                                        ///< the hand's, when live; empty: the motion itself
     std::vector<std::filesystem::path> pluginFolders;
@@ -86,6 +86,7 @@ class ReplayRun
 
     const ReplayOptions& m_options;
     double m_unit_mm = 1.0;
+    core::FileFrame m_frame = core::FileFrame::Untagged;
     session::TissueOverride m_tissue;
     std::optional<double> m_radius;
     bool m_isRelayered = false; ///< by `--layers auto`

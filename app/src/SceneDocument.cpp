@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kCopyDelay_ms = 1500; // after the newest edit
 constexpr const char* kCopyOf = "copy_of";
+constexpr const char* kCopyOfHash = "copy_of_sha256";
 
 QString copyFolder()
 {
@@ -67,6 +69,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_rest = scene.scene;
     m_rest.structures.clear();
     m_rest.findings.clear();
+    m_findings.reset(scene.scene.findings); // before a copy of unsaved changes is written, which holds them
     m_unopened = scene.unopened;
     const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
     m_file = isScene ? scene.files.front() : std::filesystem::path();
@@ -74,15 +77,21 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         // Unsaved changes come back as such: of the file that they were made on, which is as it was.
         QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(m_rest.extra)).object();
         m_file = toPath(extra.take(QLatin1String(kCopyOf)).toString());
+        m_rest.sha256 = extra.take(QLatin1String(kCopyOfHash)).toString().toStdString();
         m_rest.extra =
             extra.isEmpty() ? std::string() : QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
         m_model.undoStack().resetClean();
         writeCopy();
         if (m_copy != scene.files.front()) {
             discardLeftover(scene.files.front());
+        } else { // of a program with the same number
+            m_lock = std::move(m_claim);
         }
+    } else if (scene.isReopened) {
+        m_model.undoStack().resetClean();
+        writeCopy();
     }
-    m_findings.reset(scene.scene.findings);
+    m_claim.reset();
 }
 
 void SceneDocument::add(const ui::OpenedScene& scene)
@@ -132,6 +141,40 @@ meshio::SceneFile SceneDocument::content() const
     return scene;
 }
 
+bool SceneDocument::isFileChanged() const
+{
+    const std::string now = m_rest.sha256.empty() ? std::string() : meshio::fileHash(m_file);
+    return !now.empty() && now != m_rest.sha256;
+}
+
+meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
+{
+    meshio::SceneFile scene = content();
+    scene.camera.reset();
+    for (core::Finding& finding : scene.findings) {
+        const auto& rows = m_model.rows();
+        const auto named = std::find_if(rows.begin(), rows.end(), [&](const ui::StructureRow& row) {
+            return row.loaded.description.name == finding.structure ||
+                   ui::readableName(row.loaded.description.name).toStdString() == finding.structure;
+        });
+        const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
+        core::Transform turn = on.description.X_WM;
+        turn.rotate(core::lpsRotation(frame) *
+                    core::lpsRotation(core::takenFrame(on.description.frame, on.frame)).transpose());
+        turn = turn * on.description.X_WM.inverse();
+        finding.p_W = turn * finding.p_W;
+        if (finding.camera) {
+            finding.camera->position_W = turn * finding.camera->position_W;
+            finding.camera->focus_W = turn * finding.camera->focus_W;
+            finding.camera->up_W = turn.linear() * finding.camera->up_W;
+        }
+    }
+    for (meshio::SceneStructure& structure : scene.structures) {
+        structure.frame = frame;
+    }
+    return scene;
+}
+
 core::Status SceneDocument::save(const std::filesystem::path& file, const meshio::SceneCamera& camera)
 {
     const std::string unknown = m_rest.camera ? m_rest.camera->extra : std::string();
@@ -150,6 +193,7 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     const core::Status saved = meshio::writeScene(file, scene);
     if (saved.isOk()) {
         m_file = file;
+        m_rest.sha256 = meshio::fileHash(file);
         m_model.undoStack().setClean();
         m_copyTimer.stop();
         dropCopy();
@@ -172,6 +216,7 @@ void SceneDocument::writeCopy()
     meshio::SceneFile scene = content();
     QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();
     extra[QLatin1String(kCopyOf)] = toText(m_file);
+    extra[QLatin1String(kCopyOfHash)] = QString::fromStdString(m_rest.sha256);
     scene.extra = QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
     (void)meshio::writeScene(m_copy, scene); // a copy for bad days; the next edit tries again
 }
@@ -198,6 +243,18 @@ std::optional<std::filesystem::path> SceneDocument::findLeftover()
         }
     }
     return std::nullopt;
+}
+
+bool SceneDocument::claimLeftover(const std::filesystem::path& copy)
+{
+    auto lock = std::make_unique<QLockFile>(lockOf(copy));
+    lock->setStaleLockTime(0);
+    std::error_code error;
+    if (!lock->tryLock(0) || !std::filesystem::exists(copy, error)) {
+        return false;
+    }
+    m_claim = std::move(lock);
+    return true;
 }
 
 void SceneDocument::discardLeftover(const std::filesystem::path& copy)

@@ -31,6 +31,8 @@ class SceneDocument : public QObject
     void add(const palpate::ui::OpenedScene& scene);
     /// The scene file that it came from or was saved to; empty when there is none.
     [[nodiscard]] const std::filesystem::path& file() const noexcept { return m_file; }
+    /// True when the file is another one than when it was read or saved: another window or program wrote it since.
+    [[nodiscard]] bool isFileChanged() const;
     [[nodiscard]] bool isModified() const { return !m_model.undoStack().isClean(); }
     [[nodiscard]] const std::vector<palpate::core::Finding>& findings() const noexcept { return m_findings.findings(); }
     /// The same to be edited, undoably.
@@ -38,11 +40,17 @@ class SceneDocument : public QObject
     /// Adds a finding, undoably; `marked` and `unmarked` tell each time that it comes or goes.
     void addFinding(const palpate::core::Finding& finding);
 
+    /// The scene with its meshes taken to be along other axes: structures and what could not be opened say it, findings
+    /// turn with the structure that they are on. The view is left out: what it looked at turns away.
+    [[nodiscard]] palpate::meshio::SceneFile inFrame(palpate::core::FileFrame frame) const;
+
     /// Saves all of it: what could not be opened and what this version does not know is kept.
     palpate::core::Status save(const std::filesystem::path& file, const palpate::meshio::SceneCamera& camera);
 
     /// @return the copy of unsaved changes that a crashed program left, if there is one.
     [[nodiscard]] static std::optional<std::filesystem::path> findLeftover();
+    /// Keeps such a copy for this window, until a scene is taken. @return false when another window has it, or had
+    bool claimLeftover(const std::filesystem::path& copy);
     /// Deletes such a copy.
     static void discardLeftover(const std::filesystem::path& copy);
 
@@ -64,5 +72,6 @@ class SceneDocument : public QObject
     std::vector<palpate::meshio::SceneStructure> m_unopened;
     QTimer m_copyTimer;
     std::filesystem::path m_copy;
-    std::unique_ptr<QLockFile> m_lock; ///< held as long as the copy is ours
+    std::unique_ptr<QLockFile> m_lock;  ///< held as long as the copy is ours
+    std::unique_ptr<QLockFile> m_claim; ///< of a copy that is being opened
 };

@@ -213,7 +213,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     }
     window.show();
     if (!options.files.empty()) {
-        window.open(options.files, options.unit_mm);
+        window.open(options.files, options.unit_mm, options.frame);
     } else if (options.screenshot) {
         QTimer::singleShot(kSettle_ms, &window, [&window] { Q_EMIT window.ready(); });
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@ struct WindowOptions
     /// Mesh and scene files to open as one scene, and at most one recording (`*.palpate`) to play in it.
     std::vector<std::filesystem::path> files;
     double unit_mm = 1.0; ///< what one unit of a mesh file is [mm]; a scene file says its own
+    palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged; ///< of mesh files; Untagged: as they say
     /// Without a person at hand: opens the files, touches the scene with a scripted hand (or plays the recording),
     /// writes a PNG of the whole window in contact, prints one line of what it saw to stdout and exits.
     std::optional<std::filesystem::path> screenshot;

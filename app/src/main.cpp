@@ -27,6 +27,7 @@ struct WindowCommandLine
 {
     WindowOptions options;
     std::string unit = "mm";
+    std::string frame;
     std::string screenshot;
     std::string size;
 };
@@ -36,6 +37,7 @@ void addWindowOptions(CLI::App& app, WindowCommandLine& line)
     app.add_option("FILE", line.options.files,
                    "Meshes (" + meshio::meshFormatNames("or") + ") or a scene to open, and a recording to play");
     app.add_option("--unit", line.unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    app.add_option("--frame", line.frame, app::kFrameHelp);
     app.add_option("--device", line.options.device, "The hand's device: mouse, simulated, playback or a plugin's");
     app.add_option("--plugin-path", line.options.pluginFolders, "Folder to look for device plugins in first")
         ->allow_extra_args(false);
@@ -52,6 +54,11 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
         return app::report(unit.status());
     }
     line.options.unit_mm = unit.value();
+    const auto frame = app::frameOption(line.frame);
+    if (!frame.isOk()) {
+        return app::report(frame.status());
+    }
+    line.options.frame = frame.value();
     for (const auto& file : line.options.files) {
         std::error_code error;
         if (!std::filesystem::exists(file, error)) {

@@ -79,7 +79,7 @@ class Wire
         QCOMPARE(::ftruncate(m_file, 0), 0);
         QCOMPARE(::pwrite(m_file, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
     }
-    [[nodiscard]] core::Result<meshio::MeshFile> taken() const { return readOutcome(m_file, "/somewhere/a.stl", 1.0); }
+    [[nodiscard]] core::Result<meshio::MeshFile> taken() const { return readOutcome(m_file, "/somewhere/a.stl"); }
 
   private:
     int m_file;

@@ -318,7 +318,7 @@ void MeshReading::objNegativeIndicesAndContinuedLines()
     const geometry::TriangleMesh& mesh = file.value().structures[0].mesh;
     QCOMPARE(mesh.triangles.size(), std::size_t{1});
     QVERIFY(mesh.bounds().max() == Vec3(2.5, 1.5, 0));
-    QCOMPARE(file.value().notes.size(), std::size_t{1}); // the line element
+    QCOMPARE(file.value().notes.size(), std::size_t{2}); // the line element, a vertex's colour
 }
 
 void MeshReading::stlSolidsBecomeStructures()

@@ -15,7 +15,7 @@ core::Status writeAtomically(const std::filesystem::path& path, std::string_view
         std::error_code ignored;
         return fault(
             std::filesystem::exists(folder, ignored) ? core::StatusCode::Unreadable : core::StatusCode::NotFound,
-            path.filename().string(), "", "cannot be written: " + std::string(why), "a place that can be written");
+            path.filename().string(), "", "cannot be written: " + std::string(why) + "; choose another folder", "");
     };
     if (name.toStdString() != path.string()) { // Qt would write to another one
         return failed("its name is not UTF-8");

@@ -233,6 +233,8 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.files = server().limits.files;
     task.unit_mm = options.unit_mm;
     task.isPartial = options.isPartial;
+    task.frame = options.frame;
+    task.readsScale = options.readsScale;
     if (const int error = ask(task, path, {file.descriptor.value(), result.value(), told.value(), keeper.value()});
         error != 0) {
         return unstarted(error);
@@ -251,7 +253,7 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
                      "a mesh that can be read sooner");
     }
     // The reader gives its memory back meanwhile.
-    Result<MeshFile> outcome = readOutcome(result.value(), path, options.unit_mm);
+    Result<MeshFile> outcome = readOutcome(result.value(), path);
     if (outcome.isOk() && options.progress && !options.progress(1.0)) {
         return Status(StatusCode::Cancelled, name + ": reading was cancelled");
     }

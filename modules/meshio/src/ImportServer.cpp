@@ -52,6 +52,8 @@ Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path,
         ReadOptions options;
         options.unit_mm = task.unit_mm;
         options.isPartial = task.isPartial;
+        options.frame = task.frame;
+        options.readsScale = task.readsScale;
         options.progress = [progress = ends.progress, newest = -1](double share) mutable {
             const int step = static_cast<int>(share * (kDoneByte - 1));
             if (step > newest && step < kDoneByte) {

@@ -21,7 +21,9 @@ struct ImportTask
     std::uint64_t cpu_s = 0;
     std::uint64_t files = 0;
     double unit_mm = 1.0;
+    FileFrame frame = FileFrame::Untagged;
     bool isPartial = false;
+    bool readsScale = true;
 };
 
 /// The descriptors that go with a task.

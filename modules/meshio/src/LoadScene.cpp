@@ -15,6 +15,8 @@
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -32,6 +34,7 @@ struct Source
 {
     std::filesystem::path path;
     double unit_mm = 1.0;
+    FileFrame frame = FileFrame::Untagged; ///< chosen
     std::optional<Result<MeshFile>> file;
 };
 
@@ -60,7 +63,8 @@ class Loader
     Status addScene(SceneFile scene, const std::string& name);
     Result<LoadedScene> open(const std::string& name);
     Status addFolder(const std::filesystem::path& path);
-    std::size_t sourceOf(const std::filesystem::path& path, double unit_mm);
+    std::size_t sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame);
+    std::size_t sourceOf(const SceneStructure& one) { return sourceOf(one.mesh, one.unit_mm, one.frame); }
     void readSources();
     void expandFiles();
     void findChanged();
@@ -74,18 +78,18 @@ class Loader
     const ReadOptions& m_options;
     bool m_isSceneFile = false;
     std::vector<Source> m_sources;
-    std::map<std::pair<std::filesystem::path, double>, std::size_t> m_sourceOf;
+    std::map<std::tuple<std::filesystem::path, double, FileFrame>, std::size_t> m_sourceOf;
     std::vector<Pending> m_pending;
     std::atomic<bool> m_isCancelled{false};
     Status m_firstFailure;
     LoadedScene m_scene;
 };
 
-std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm)
+std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame)
 {
-    const auto [found, isNew] = m_sourceOf.emplace(std::pair(path, unit_mm), m_sources.size());
+    const auto [found, isNew] = m_sourceOf.emplace(std::tuple(path, unit_mm, frame), m_sources.size());
     if (isNew) {
-        m_sources.push_back({path, unit_mm, std::nullopt});
+        m_sources.push_back({path, unit_mm, frame, std::nullopt});
     }
     return found->second;
 }
@@ -102,8 +106,15 @@ Status Loader::addScene(SceneFile scene, const std::string& name)
         return fault(StatusCode::Empty, name, "structures", "none", "at least one");
     }
     m_scene.scene = std::move(scene);
-    for (const SceneStructure& structure : m_scene.scene.structures) {
-        (void)sourceOf(structure.mesh, structure.unit_mm);
+    for (SceneStructure& structure : m_scene.scene.structures) {
+        if (structure.frame == FileFrame::Untagged) {
+            structure.frame = m_options.frame;
+        } else if (m_options.frame != FileFrame::Untagged && structure.frame != m_options.frame) {
+            m_scene.warnings.push_back(structure.name + ": taken as " + std::string(core::axesOf(structure.frame)) +
+                                       ", as the scene file says; not as " +
+                                       std::string(core::axesOf(m_options.frame)));
+        }
+        (void)sourceOf(structure);
     }
     m_isSceneFile = true;
     return {};
@@ -129,7 +140,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
     }
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files) {
-        (void)sourceOf(file, m_options.unit_mm);
+        (void)sourceOf(file, m_options.unit_mm, m_options.frame);
     }
     return {};
 }
@@ -143,6 +154,8 @@ void Loader::readSources()
         Source& source = m_sources[i];
         ReadOptions options;
         options.unit_mm = source.unit_mm;
+        options.frame = source.frame;
+        options.readsScale = m_options.readsScale && !m_isSceneFile;
         options.isPartial = m_options.isPartial;
         // The caller's function is called on the caller's thread only.
         options.progress = [&, isCaller = thread == 0](double share) {
@@ -175,7 +188,8 @@ void Loader::expandFiles()
             SceneStructure& d = pending.description;
             d.mesh = source.path;
             d.part = file.structures.size() > 1 ? structure.name : std::string();
-            d.unit_mm = source.unit_mm;
+            d.unit_mm = file.unit_mm;
+            d.frame = source.frame;
             d.name = structure.name;
             d.colour = structure.colour.value_or(anatomyColour(structure.name, m_pending.size() - 1));
             pending.frame = file.frame;
@@ -189,7 +203,7 @@ void Loader::findChanged()
 {
     std::set<std::filesystem::path> seen;
     for (const SceneStructure& wanted : m_scene.scene.structures) {
-        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        const Source& source = m_sources[sourceOf(wanted)];
         if (wanted.sha256.empty() || !source.file->isOk() || !seen.insert(wanted.mesh).second) {
             continue;
         }
@@ -206,7 +220,7 @@ void Loader::findChanged()
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {
-        const Source& source = m_sources[sourceOf(wanted.mesh, wanted.unit_mm)];
+        const Source& source = m_sources[sourceOf(wanted)];
         if (!source.file->isOk()) {
             m_scene.unopened.push_back(wanted);
             continue;
@@ -290,7 +304,13 @@ void Loader::noteFrames()
         for (const std::string& note : file.notes) {
             m_scene.warnings.push_back(name + ": " + note);
         }
-        if (file.frame == FileFrame::Untagged) {
+        if (source.frame != FileFrame::Untagged) {
+            if (file.frame != FileFrame::Untagged && file.frame != source.frame) {
+                m_scene.warnings.push_back(name + ": tagged SPACE=" + std::string(core::axesOf(file.frame)) +
+                                           ", but taken as " + std::string(core::axesOf(source.frame)) +
+                                           ", as was chosen");
+            }
+        } else if (file.frame == FileFrame::Untagged) {
             untagged.push_back(name);
         } else if (file.frame == FileFrame::Ras) {
             m_scene.warnings.push_back(name + ": tagged SPACE=RAS: x and y negated to get LPS");
@@ -348,7 +368,7 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
     } else if (isSceneFile(whole)) {
         status = addScene(whole);
     } else {
-        (void)sourceOf(whole, m_options.unit_mm);
+        (void)sourceOf(whole, m_options.unit_mm, m_options.frame);
     }
     return status.isOk() ? open(path.filename().string()) : status;
 }

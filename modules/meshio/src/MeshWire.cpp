@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fcntl.h>
 #include <string>
@@ -152,6 +153,7 @@ Head headOf(const Result<MeshFile>& outcome)
     head.put(file.format);
     head.put(file.loss);
     head.put(static_cast<std::uint8_t>(file.frame));
+    head.put(file.unit_mm);
     head.put(std::uint64_t{file.notes.size()});
     for (const std::string& note : file.notes) {
         head.put(note);
@@ -248,7 +250,7 @@ const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshC
 
 } // namespace
 
-Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, double unit_mm)
+Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
     const auto nonsense = [&name](const char* what) {
@@ -276,7 +278,6 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
 
     MeshFile file;
     file.path = path;
-    file.unit_mm = unit_mm;
     file.format = head.text();
     file.loss = head.text();
     const auto frame = head.take<std::uint8_t>();
@@ -284,6 +285,10 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, 
         return nonsense("an unknown frame");
     }
     file.frame = static_cast<FileFrame>(frame);
+    file.unit_mm = head.take<double>();
+    if (!(file.unit_mm > 0.0) || !std::isfinite(file.unit_mm)) {
+        return nonsense("an impossible unit");
+    }
     for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
         file.notes.push_back(head.text());
     }

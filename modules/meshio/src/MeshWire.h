@@ -12,7 +12,6 @@ namespace palpate::meshio::internal {
 /// Takes an outcome out of a memory file, whose pages are given back on the way, so that a large mesh is never in
 /// memory twice. Nothing is believed: every size, index, coordinate and text is checked.
 /// @param path     the file that was read; names it in messages
-/// @param unit_mm  what was asked for
-[[nodiscard]] core::Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path, double unit_mm);
+[[nodiscard]] core::Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path);
 
 } // namespace palpate::meshio::internal

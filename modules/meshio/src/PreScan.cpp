@@ -3,6 +3,8 @@
 
 #include "Fault.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <cctype>
 #include <cmath>
 
@@ -15,7 +17,7 @@ void noteSpace(std::string_view value, PreScan& scan)
     } else if (value == "RAS") {
         scan.frame = FileFrame::Ras;
     } else {
-        scan.notes.push_back("the frame SPACE=" + inQuotes(value) + " is not known (LPS and RAS are): taken as LPS");
+        scan.notes.push_back("the frame SPACE=" + inQuotes(value) + " is not known (LPS and RAS are): it is not used");
     }
 }
 
@@ -32,6 +34,24 @@ void noteSpaceTag(std::string_view text, PreScan& scan)
         ++length;
     }
     noteSpace(value.substr(0, length), scan);
+}
+
+void noteScaleTag(std::string_view text, PreScan& scan)
+{
+    constexpr std::string_view kTag = ";SCALE=";
+    constexpr double kLeast = 1e-6, kMost = 1e6;
+    const std::size_t at = text.find(kTag);
+    if (at == std::string_view::npos) {
+        return;
+    }
+    const std::string_view rest = text.substr(at + kTag.size());
+    const std::string_view word = rest.substr(0, rest.find_first_not_of("0123456789+-.eE"));
+    const std::optional<double> scale = core::parseNumber(word);
+    if (scale && *scale >= kLeast && *scale <= kMost) {
+        scan.scale = scale;
+    } else {
+        scan.notes.push_back("SCALE=" + inQuotes(word) + " in the header is not used: expected 1e-06 to 1e+06");
+    }
 }
 
 std::string coordinateFault(double value, double unit_mm)

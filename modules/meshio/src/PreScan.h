@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,9 @@ struct PreScan
 {
     std::string format;
     FileFrame frame = FileFrame::Untagged;
-    std::uint64_t points = 0; ///< that the reader must give back
-    std::uint64_t cells = 0;  ///< polygons and strips that the reader must give back
+    std::optional<double> scale; ///< units of the file for a mm, where it says so
+    std::uint64_t points = 0;    ///< that the reader must give back
+    std::uint64_t cells = 0;     ///< polygons and strips that the reader must give back
     /// The points as the file has them, where VTK's reader would round them to floats; empty where it does not.
     std::vector<core::Vec3> exactPoints;
     /// Names of the parts, and one entry a polygon: its part. Both empty when the content has no parts, or when VTK's
@@ -38,9 +40,10 @@ struct PreScan
 /// How a pre-scan names the file and reads its numbers.
 struct ScanContext
 {
-    std::string file;       ///< name in messages
-    double unit_mm = 1.0;   ///< for the limit on coordinates
-    bool isPartial = false; ///< keep what is whole of a file that was cut off
+    std::string file;                      ///< name in messages
+    double unit_mm = 1.0;                  ///< for the limit on coordinates
+    FileFrame frame = FileFrame::Untagged; ///< chosen, whatever the tag says
+    bool isPartial = false;                ///< keep what is whole of a file that was cut off
     /// Told the share of the bytes done; false cancels. May be empty.
     std::function<bool(double)> progress;
 };
@@ -53,7 +56,9 @@ inline constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>
 
 /// Looks for 3D Slicer's `SPACE=LPS` or `SPACE=RAS` in a header or comment and keeps it in `scan`.
 void noteSpaceTag(std::string_view text, PreScan& scan);
-/// The same for the tag's value alone.
+/// Looks for 3D Slicer's `SCALE=` in the header of an STL, the factor that it wrote the millimetres with.
+void noteScaleTag(std::string_view text, PreScan& scan);
+/// As `noteSpaceTag`, for the tag's value alone.
 void noteSpace(std::string_view value, PreScan& scan);
 
 /// @return an empty text when `value` may be a coordinate, else what is wrong with it

@@ -3,6 +3,7 @@
 
 #include "Fault.h"
 #include "ImportServer.h"
+#include "JsonFields.h"
 #include "NumericLocale.h"
 #include "PreScan.h"
 #include "TriangleSoup.h"
@@ -34,6 +35,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     context.file = path.filename().string();
     context.unit_mm = options.unit_mm;
     context.isPartial = options.isPartial;
+    context.frame = options.frame;
     const auto share = [&options](double from, double to) -> std::function<bool(double)> {
         if (!options.progress) {
             return {};
@@ -50,6 +52,13 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         return scanned.status();
     }
     PreScan& scan = scanned.value();
+    if (scan.scale && *scan.scale != 1.0) {
+        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
+        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
+        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
+                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
+                                     : "not used, as the unit was given"));
+    }
     context.progress = share(kScanned, kRead);
     Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
     if (!data.isOk()) {
@@ -71,7 +80,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.path = path;
     file.format = scan.format;
     file.frame = scan.frame;
-    file.unit_mm = options.unit_mm;
+    file.unit_mm = context.unit_mm;
     file.structures = std::move(structures).value();
     file.notes = std::move(scan.notes);
     if (!scan.loss.empty()) {

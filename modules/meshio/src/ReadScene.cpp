@@ -150,6 +150,15 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("sha256", s.sha256);
     fields.read("part", s.part);
     fields.read("unit_mm", s.unit_mm, 1e-6, 1e6);
+    if (fields.has("frame")) {
+        std::string frame;
+        fields.read("frame", frame);
+        if (const auto named = core::frameNamed(frame)) {
+            s.frame = *named;
+        } else {
+            fields.fail("frame", internal::inQuotes(frame), "LPS, RAS or Y-up");
+        }
+    }
     s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
     fields.read("name", s.name);
     if (const auto colour = fields.numbers("colour", 3, 0.0, 1.0)) {
@@ -258,6 +267,21 @@ core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder
     return finding;
 }
 
+/// What a JSON file is that is no scene; ok for one that may be.
+Status anotherPrograms(const QJsonObject& document, const std::string& file)
+{
+    if (document.contains(QLatin1String("markups"))) {
+        return {StatusCode::Unsupported, file +
+                                             ": is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, "
+                                             "then take the marks in with File > Import findings"};
+    }
+    if (!document.contains(QLatin1String("version")) && !document.contains(QLatin1String("structures"))) {
+        return {StatusCode::Unsupported, file + ": is not a Palpate scene: found neither `version` nor `structures`; "
+                                                "expected a file that Palpate saved (.palpate.json)"};
+    }
+    return {};
+}
+
 /// Older files keep the touched structure's name as the note.
 void takeOldNotes(SceneFile& scene)
 {
@@ -302,11 +326,14 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
                                                                          : error.errorString().toStdString(),
                                "a scene as a JSON object");
     }
+    if (Status other = anotherPrograms(document.object(), file); !other.isOk()) {
+        return other;
+    }
     Status status;
     SceneFile scene;
     JsonFields fields(document.object(), file, "", status);
     if (!fields.has("version")) {
-        fields.fail("version", "nothing", "1: is this a scene file?");
+        fields.fail("version", "nothing", "1");
     }
     double version = SceneFile::kVersion;
     fields.read("version", version, 1.0, 1e9);
@@ -331,6 +358,10 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     takeOldNotes(scene);
     scene.extra = fields.unknown();
+    scene.sha256 = QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
+                                            QCryptographicHash::Sha256)
+                       .toHex()
+                       .toStdString();
     return status.isOk() ? Result<SceneFile>(std::move(scene)) : Result<SceneFile>(status);
 }
 

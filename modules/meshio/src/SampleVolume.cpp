@@ -93,6 +93,7 @@ struct TextHeader
 {
     Eigen::Matrix3d directions = Eigen::Matrix3d::Identity(); ///< a column each, unit, in the file's space
     bool isRas = false;                                       ///< the file's space; else LPS
+    bool hasSpace = false;                                    ///< the file says it
     bool isPacked = false;                                    ///< its voxels are compressed
 };
 
@@ -136,6 +137,7 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
             axes.directions = *matrix;
         }
         if (const auto space = valueAfter("space:")) {
+            axes.hasSpace = true;
             axes.isRas =
                 space->find("right-anterior-superior") != std::string::npos || space->find("RAS") != std::string::npos;
         }
@@ -175,7 +177,29 @@ Eigen::Affine3d fromNifti(vtkNIFTIImageReader& reader)
     return X;
 }
 
-Result<Volume> readVolume(const std::filesystem::path& path)
+/// Turns a volume as its text header says, and one that says no axes as `frame` does.
+/// @param header  of MetaImage and NRRD; nothing where a direction is said that can't be read
+Status place(Volume& volume, const std::optional<TextHeader>& header, const std::string& file, core::FileFrame frame)
+{
+    const bool isNrrd = endsWith(file, ".nrrd") || endsWith(file, ".nhdr");
+    if (isNrrd || endsWith(file, ".mha") || endsWith(file, ".mhd")) {
+        if (!header) {
+            return fault(StatusCode::BadFormat, file, "", "directions of its axes that can't be read",
+                         "three vectors that are not in a plane");
+        }
+        const Vec3 origin(volume.image->GetOrigin());
+        const Eigen::Matrix3d flip = header->isRas ? Vec3(-1, -1, 1).asDiagonal() : Vec3(1, 1, 1).asDiagonal();
+        volume.toVoxel.linear() = header->directions.inverse() * flip;
+        volume.toVoxel.translation() = origin - header->directions.inverse() * origin;
+    }
+    if (endsWith(file, ".vti") || (isNrrd && !header->hasSpace)) {
+        volume.toVoxel.rotate(core::lpsRotation(frame).transpose());
+    }
+    return {};
+}
+
+/// @param frame  of a file that says none
+Result<Volume> readVolume(const std::filesystem::path& path, core::FileFrame frame)
 {
     const std::string file = path.filename().string();
     std::error_code error;
@@ -245,17 +269,8 @@ Result<Volume> readVolume(const std::filesystem::path& path)
         return fault(StatusCode::BadFormat, file, "", "VTK could not read it: " + messages.firstError(),
                      "a readable volume");
     }
-    if (endsWith(file, ".nrrd") || endsWith(file, ".nhdr") || endsWith(file, ".mha") || endsWith(file, ".mhd")) {
-        const std::optional<TextHeader>& axes = header;
-        if (!axes) {
-            return fault(StatusCode::BadFormat, file, "", "directions of its axes that can't be read",
-                         "three vectors that are not in a plane");
-        }
-        const Vec3 origin(volume.image->GetOrigin());
-        const Eigen::Matrix3d flip = axes->isRas ? Vec3(-1, -1, 1).asDiagonal() : Vec3(1, 1, 1).asDiagonal();
-        const Eigen::Matrix3d back = axes->directions.inverse() * flip;
-        volume.toVoxel.linear() = back;
-        volume.toVoxel.translation() = origin - axes->directions.inverse() * origin;
+    if (Status status = place(volume, header, file, frame); !status.isOk()) {
+        return status;
     }
     volume.values = volume.image->GetPointData()->GetScalars();
     const vtkIdType points = volume.image->GetNumberOfPoints();
@@ -313,9 +328,10 @@ std::vector<Vec3> normalsOf(const geometry::TriangleMesh& mesh)
 
 } // namespace
 
-Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, const geometry::RepairedMesh& surface)
+Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, const geometry::RepairedMesh& surface,
+                                        core::FileFrame frame)
 {
-    const Result<Volume> read = readVolume(mapping.file);
+    const Result<Volume> read = readVolume(mapping.file, frame);
     if (!read.isOk()) {
         return read.status();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/TissueMapping.h>
 #include <palpate/geometry/MeshReport.h>
@@ -17,7 +18,11 @@ namespace palpate::meshio::internal {
 /// `w(r, z) = (6c/pi) z^2 / (r^2 + (z + c)^2)^3`, c = a/pi, for a contact of radius a = `contactRadius_mm`.
 /// @return NaN where less than half of that weight lies on known values above 0
 /// @par Source resources/docs/maps.md
+/// @param frame  chosen for the surface's mesh: a volume whose file says no axes (`.vti`, NRRD without `space`) is
+/// along
+///               the same ones
 [[nodiscard]] core::Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping,
-                                                            const geometry::RepairedMesh& surface);
+                                                            const geometry::RepairedMesh& surface,
+                                                            core::FileFrame frame = core::FileFrame::Untagged);
 
 } // namespace palpate::meshio::internal

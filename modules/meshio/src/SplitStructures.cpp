@@ -37,11 +37,9 @@ bool isPlaceholder(std::string_view name)
 /// Converts the file's points to LPS and mm; the first one that may not be is an error.
 Result<std::vector<Vec3>> toWorld(const std::vector<Vec3>& points, FileFrame frame, const ScanContext& context)
 {
-    const double x = frame == FileFrame::Ras ? -context.unit_mm : context.unit_mm;
-    const Vec3 scale(x, x, context.unit_mm);
     std::vector<Vec3> out(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        out[i] = points[i].cwiseProduct(scale);
+        out[i] = core::toLps(frame, points[i]) * context.unit_mm;
         if (!(out[i].cwiseAbs().maxCoeff() <= kMostMm) || !out[i].allFinite()) {
             return fault(StatusCode::NonFinite, context.file, "point " + std::to_string(i),
                          out[i].allFinite() ? "it is farther than 10 km from the origin"
@@ -78,7 +76,8 @@ void takeValues(const std::vector<geometry::MeshArray>& from, bool isPerTriangle
 Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, const PreScan& scan,
                                                    const ScanContext& context, const std::string& fallbackName)
 {
-    const Result<std::vector<Vec3>> world = toWorld(soup.mesh.vertices, scan.frame, context);
+    const Result<std::vector<Vec3>> world =
+        toWorld(soup.mesh.vertices, core::takenFrame(context.frame, scan.frame), context);
     if (!world.isOk()) {
         return world.status();
     }

@@ -87,7 +87,8 @@ void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
     for (const TissueMapping& mapping : structure.description.maps.value_or(knownMappings(mesh))) {
         SurfaceMap map{mapping, false, {}};
         if (mapping.array.empty()) {
-            core::Result<std::vector<float>> sampled = sampleVolume(mapping, *structure.surface);
+            core::Result<std::vector<float>> sampled =
+                sampleVolume(mapping, *structure.surface, structure.description.frame);
             if (!sampled.isOk()) {
                 losses.push_back(name + ": " + sampled.status().message());
                 continue;

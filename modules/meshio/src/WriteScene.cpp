@@ -76,6 +76,9 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
         out["part"] = text(s.part);
     }
     out["unit_mm"] = s.unit_mm;
+    if (s.frame != core::FileFrame::Untagged) {
+        out["frame"] = text(std::string(core::axesOf(s.frame)));
+    }
     out["name"] = text(s.name);
     out["colour"] = QJsonArray{s.colour[0], s.colour[1], s.colour[2]};
     out["opacity"] = s.opacity;

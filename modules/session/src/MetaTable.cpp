@@ -5,6 +5,7 @@
 
 #include <palpate/core/Numbers.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -166,32 +167,44 @@ std::vector<std::pair<std::string, std::string>> hashedPairs(const MetaTable& me
     return pairs;
 }
 
-std::string poseText(const core::Transform& X_WM)
+std::string poseText(const StructureSource& source)
 {
     std::string out;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
             out += out.empty() ? "" : " ";
-            core::appendNumber(out, X_WM(row, column));
+            core::appendNumber(out, source.X_WM(row, column));
         }
+    }
+    if (source.frame != core::FileFrame::Untagged) {
+        out.append(" ").append(core::axesOf(source.frame));
     }
     return out;
 }
 
-core::Transform parsePose(const std::string& pose)
+void parsePose(std::string_view text, StructureSource& source)
 {
+    source.X_WM = core::Transform::Identity();
+    source.frame = core::FileFrame::Untagged;
+    const bool isCut = text.ends_with(' ');
     core::Transform X_WM = core::Transform::Identity();
-    std::string_view rest = pose;
+    const auto takeWord = [&text] {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(word.size() + 1, text.size()));
+        return word;
+    };
     for (int i = 0; i < 12; ++i) {
-        const auto end = rest.find(' ');
-        const auto value = core::parseNumber(rest.substr(0, end));
-        if (!value || (end == std::string_view::npos) != (i == 11)) {
-            return core::Transform::Identity();
+        const auto value = core::parseNumber(takeWord());
+        if (!value) {
+            return;
         }
         X_WM(i / 4, i % 4) = *value;
-        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     }
-    return X_WM;
+    const auto frame = text.empty() ? core::FileFrame::Untagged : core::frameNamed(text);
+    if (frame && !isCut) {
+        source.X_WM = X_WM;
+        source.frame = *frame;
+    }
 }
 
 } // namespace palpate::session::internal

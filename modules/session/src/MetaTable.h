@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,9 @@ inline constexpr const char* kComplete = "complete";
 /// The pairs that the first check covers.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> hashedPairs(const MetaTable& meta);
 
-/// A pose as the text of its upper three rows.
-[[nodiscard]] std::string poseText(const core::Transform& X_WM);
-/// @return the identity when the text is not twelve numbers.
-[[nodiscard]] core::Transform parsePose(const std::string& text);
+/// A source's pose as the text of its upper three rows, and behind it the frame where one was chosen.
+[[nodiscard]] std::string poseText(const StructureSource& source);
+/// Sets pose and frame; the identity and none when the text is not twelve numbers and at most a frame's name.
+void parsePose(std::string_view text, StructureSource& source);
 
 } // namespace palpate::session::internal

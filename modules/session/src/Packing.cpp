@@ -58,7 +58,7 @@ void packScene(std::string& out, const SceneRecord& scene, int version)
         putText(out, structure.source.part);
         putNumber(out, structure.source.unit_mm);
         put(out, static_cast<std::uint8_t>(structure.source.flipped));
-        putText(out, poseText(structure.source.X_WM));
+        putText(out, poseText(structure.source));
         putText(out, structure.source.sha256);
         for (const core::TissueTerm& term : tissueTerms(version)) {
             putNumber(out, structure.tissue.*term.member + 0.0); // a REAL column keeps no sign of a zero

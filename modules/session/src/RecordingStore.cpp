@@ -191,7 +191,7 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
     std::int64_t number = 0;
     for (const StructureRecord& structure : scene.structures) {
         const StructureSource& source = structure.source;
-        const std::string pose = poseText(source.X_WM);
+        const std::string pose = poseText(source);
         for (Statement* statement : {&m_insertMesh, &m_insertStructure}) {
             statement->bind(0, source.mesh);
             statement->bind(1, source.part);

@@ -85,7 +85,7 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.source.unit_mm = rows.real(4);
         structure.source.flipped = rows.integer(5) != 0;
         structure.source.sha256 = rows.bytes(6);
-        structure.source.X_WM = parsePose(rows.bytes(7));
+        parsePose(rows.bytes(7), structure.source);
         structure.layer = static_cast<std::uint32_t>(rows.integer(8));
         structure.palpable = rows.integer(9) != 0;
         structure.lawTable = rows.bytes(11);

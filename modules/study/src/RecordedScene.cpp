@@ -38,6 +38,24 @@ std::vector<std::string> feltHashes(const RecordingReader& reader)
     return hashes;
 }
 
+/// How a mesh file was read for a recording. One that it does not name (a scene or a folder) as its first.
+meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
+{
+    meshio::ReadOptions options;
+    options.readsScale = false; // the unit is said
+    if (reader.scenes().empty() || reader.scenes().front().structures.empty()) {
+        return options;
+    }
+    const std::vector<session::StructureRecord>& all = reader.scenes().front().structures;
+    const auto named = std::find_if(all.begin(), all.end(), [&](const auto& one) {
+        return fs::path(one.source.mesh).filename() == file.filename();
+    });
+    const session::StructureSource& source = (named == all.end() ? all.front() : *named).source;
+    options.unit_mm = source.unit_mm;
+    options.frame = source.frame;
+    return options;
+}
+
 /// @return a file as it was said then, else from the recording's folder, else of its name in that folder.
 std::optional<fs::path> whereIs(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
 {
@@ -163,7 +181,6 @@ class Reopening
         }
         meshio::LoadedStructure out;
         out.description = description(record, number);
-        out.frame = meshio::FileFrame::Lps;
         out.surface = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
         return out;
     }
@@ -189,7 +206,9 @@ class Reopening
             return {};
         }
         const std::vector<meshio::SceneStructure> asked = wanted.structures;
-        auto read = meshio::loadScene(std::move(wanted), m_reader.path(), m_options);
+        meshio::ReadOptions options = m_options;
+        options.frame = core::FileFrame::Untagged; // as it was read then
+        auto read = meshio::loadScene(std::move(wanted), m_reader.path(), options);
         if (!read.isOk()) {
             if (read.status().code() != StatusCode::Cancelled) {
                 m_out.losses.push_back(read.status().message());
@@ -322,11 +341,8 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
     if (files.empty()) {
         return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
     }
-    meshio::ReadOptions options;
-    if (!reader.scenes().empty() && !reader.scenes().front().structures.empty()) {
-        options.unit_mm = reader.scenes().front().structures.front().source.unit_mm;
-    }
     for (const fs::path& file : files) {
+        const meshio::ReadOptions options = readAs(reader, file);
         std::error_code error;
         if (!fs::exists(file, error)) {
             return Status(StatusCode::NotFound, file.string() + ": no such file");

@@ -11,8 +11,8 @@ namespace palpate::study {
 
 session::StructureSource sourceOf(const meshio::SceneStructure& description, std::string sha256)
 {
-    return {description.mesh.string(), description.part, description.unit_mm, description.flipped, std::move(sha256),
-            description.X_WM,          nullptr};
+    return {description.mesh.string(), description.part,  description.unit_mm, description.frame,
+            description.flipped,       std::move(sha256), description.X_WM,    nullptr};
 }
 
 std::vector<session::StructureSource> sourcesOf(const meshio::LoadedScene& scene, bool embeds)
@@ -33,6 +33,7 @@ meshio::SceneStructure descriptionOf(const session::StructureRecord& record)
     description.mesh = record.source.mesh;
     description.part = record.source.part;
     description.unit_mm = record.source.unit_mm;
+    description.frame = record.source.frame;
     description.flipped = record.source.flipped;
     description.X_WM = record.source.X_WM;
     description.name = record.name;

@@ -27,7 +27,7 @@ constexpr double kReading = 0.7; // of the progress; the rest is pictures and ha
 
 bool OpenedScene::areMeshes() const
 {
-    return std::none_of(files.begin(), files.end(), [](const std::filesystem::path& file) {
+    return !isReopened && std::none_of(files.begin(), files.end(), [](const std::filesystem::path& file) {
         return meshio::isSceneFile(file) || session::isRecordingFile(file);
     });
 }
@@ -64,23 +64,34 @@ void SceneLoader::finish()
 class SceneLoader::Opening
 {
   public:
-    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, double unit_mm,
+    /// @param open  what the files are added to; none: a scene of its own
+    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, const meshio::ReadOptions& options,
             std::vector<OpenSurface> open)
         : m_loader(loader)
         , m_job(loader.m_job)
         , m_read(loader.m_reader)
-        , m_unit_mm(unit_mm)
+        , m_options(options)
+        , m_files(std::move(files))
         , m_open(std::move(open))
     {
-        m_opened->files = std::move(files);
         m_opened->addedTo = m_open.size();
+    }
+    /// Opens a scene that is in memory.
+    Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, meshio::SceneFile scene)
+        : Opening(loader, {files.empty() ? std::filesystem::path() : files.front()}, meshio::ReadOptions(), {})
+    {
+        m_opened->files = std::move(files);
+        m_opened->isReopened = true;
+        m_read = [scene = std::move(scene)](const std::filesystem::path& path, const meshio::ReadOptions& how) {
+            return meshio::loadScene(scene, path, how);
+        };
     }
 
     void operator()()
     {
         QElapsedTimer timer;
         timer.start();
-        for (std::size_t i = 0; i < m_opened->files.size() && !m_job->isCancelled; ++i) {
+        for (std::size_t i = 0; i < m_files.size() && !m_job->isCancelled; ++i) {
             read(i);
         }
         prepare();
@@ -125,30 +136,31 @@ class SceneLoader::Opening
 
     void read(std::size_t i)
     {
-        const std::filesystem::path& file = m_opened->files[i];
+        const std::filesystem::path& file = m_files[i];
         const QString what = tr("Reading %1").arg(QString::fromStdString(file.filename().string()));
-        const auto count = static_cast<double>(m_opened->files.size());
-        meshio::ReadOptions options;
-        options.unit_mm = m_unit_mm;
+        const auto count = static_cast<double>(m_files.size());
+        meshio::ReadOptions options = m_options;
         options.progress = [&](double share) {
             return progress(what, kReading * (static_cast<double>(i) + share) / count);
         };
         progress(what, kReading * static_cast<double>(i) / count);
         auto loaded = m_read(file, options);
         if (loaded.isOk()) {
-            add(std::move(loaded).value(), i == 0);
+            add(std::move(loaded).value(), file);
         } else if (loaded.status().code() != core::StatusCode::Cancelled) {
             m_problems << QString::fromStdString(loaded.status().message());
         }
     }
 
-    void add(meshio::LoadedScene part, bool isFirst)
+    void add(meshio::LoadedScene part, const std::filesystem::path& file)
     {
-        if (isFirst) {
+        if (m_opened->rows.empty()) {
             m_opened->scene = part.scene;
         } else {
-            auto& all = m_opened->scene.structures;
-            all.insert(all.end(), part.scene.structures.begin(), part.scene.structures.end());
+            join(part.scene, file);
+        }
+        if (!m_opened->isReopened) {
+            m_opened->files.push_back(file);
         }
         for (meshio::LoadedStructure& one : part.structures) {
             m_opened->rows.push_back({std::move(one), nullptr, nullptr, {}});
@@ -159,6 +171,29 @@ class SceneLoader::Opening
         }
         for (const std::string& line : part.warnings) {
             m_opened->warnings << QString::fromStdString(line);
+        }
+    }
+
+    /// Adds a scene to those before it. There is one view: the first that a file says.
+    void join(const meshio::SceneFile& scene, const std::filesystem::path& file)
+    {
+        meshio::SceneFile& all = m_opened->scene;
+        all.structures.insert(all.structures.end(), scene.structures.begin(), scene.structures.end());
+        all.findings.insert(all.findings.end(), scene.findings.begin(), scene.findings.end());
+        QStringList lost;
+        if (scene.camera && all.camera) {
+            lost << tr("its view");
+        } else if (scene.camera) {
+            all.camera = scene.camera;
+        }
+        if (!scene.extra.empty() && !all.extra.empty()) {
+            lost << tr("the fields of it that this version does not know");
+        } else if (!scene.extra.empty()) {
+            all.extra = scene.extra;
+        }
+        if (!lost.isEmpty()) {
+            m_opened->warnings << tr("%1: opened together with another scene; not taken: %2")
+                                      .arg(QString::fromStdString(file.filename().string()), lost.join(tr(", ")));
         }
     }
 
@@ -224,30 +259,44 @@ class SceneLoader::Opening
     SceneLoader& m_loader;
     std::shared_ptr<Job> m_job;
     Reader m_read;
-    double m_unit_mm;
-    std::vector<OpenSurface> m_open; ///< what the files are added to
+    meshio::ReadOptions m_options;
+    std::vector<std::filesystem::path> m_files; ///< to open
+    std::vector<OpenSurface> m_open;            ///< what the files are added to
     double m_lastTold = -1.0;
     std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
     QStringList m_problems;
 };
 
-void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm)
+void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm, core::FileFrame frame)
 {
     ++m_scene;
-    start(std::move(files), unit_mm, {});
+    begin();
+    meshio::ReadOptions options;
+    options.unit_mm = unit_mm;
+    options.frame = frame;
+    m_worker = std::thread(Opening(*this, std::move(files), options, {}));
 }
 
 void SceneLoader::add(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open)
 {
-    start(std::move(files), unit_mm, std::move(open));
+    begin();
+    meshio::ReadOptions options;
+    options.unit_mm = unit_mm;
+    m_worker = std::thread(Opening(*this, std::move(files), options, std::move(open)));
 }
 
-void SceneLoader::start(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open)
+void SceneLoader::reopen(meshio::SceneFile scene, std::vector<std::filesystem::path> files)
+{
+    ++m_scene;
+    begin();
+    m_worker = std::thread(Opening(*this, std::move(files), std::move(scene)));
+}
+
+void SceneLoader::begin()
 {
     finish();
     m_job = std::make_shared<Job>();
     m_isBusy = true;
-    m_worker = std::thread(Opening(*this, std::move(files), unit_mm, std::move(open)));
 }
 
 void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface)

@@ -3,8 +3,6 @@
 
 #include <palpate/core/Types.h>
 
-#include <vtkAnnotatedCubeActor.h>
-#include <vtkNew.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
@@ -12,19 +10,14 @@
 namespace palpate::view {
 
 OrientationCube::OrientationCube()
-    : m_renderer(vtkSmartPointer<vtkRenderer>::New())
+    : m_cube(vtkSmartPointer<vtkAnnotatedCubeActor>::New())
+    , m_renderer(vtkSmartPointer<vtkRenderer>::New())
 {
-    vtkNew<vtkAnnotatedCubeActor> cube;
-    cube->SetXPlusFaceText("L"); // LPS: x grows to the patient's left, y to the back, z to the head
-    cube->SetXMinusFaceText("R");
-    cube->SetYPlusFaceText("P");
-    cube->SetYMinusFaceText("A");
-    cube->SetZPlusFaceText("S");
-    cube->SetZMinusFaceText("I");
+    vtkAnnotatedCubeActor* cube = m_cube;
+    setSidesKnown(true);
     cube->SetXFaceTextRotation(0);
     cube->SetYFaceTextRotation(0);
     cube->SetZFaceTextRotation(-90);
-    cube->SetFaceTextScale(0.62);
     cube->SetTextEdgesVisibility(0);
     cube->GetCubeProperty()->SetColor(0.86, 0.88, 0.90);
     cube->GetCubeProperty()->SetAmbient(0.35);
@@ -36,9 +29,27 @@ OrientationCube::OrientationCube()
         letter->LightingOff();
         letter->SetInterpolationToFlat();
     }
-    m_renderer->AddActor(cube);
+    m_renderer->AddActor(m_cube);
     m_renderer->SetLayer(1);
     m_renderer->InteractiveOff();
+}
+
+void OrientationCube::setSidesKnown(bool isKnown)
+{
+    const std::string mark = isKnown ? "" : "?";
+    // LPS: x grows to the patient's left, y to the back, z to the head
+    m_cube->SetXPlusFaceText(("L" + mark).c_str());
+    m_cube->SetXMinusFaceText(("R" + mark).c_str());
+    m_cube->SetYPlusFaceText(("P" + mark).c_str());
+    m_cube->SetYMinusFaceText(("A" + mark).c_str());
+    m_cube->SetZPlusFaceText(("S" + mark).c_str());
+    m_cube->SetZMinusFaceText(("I" + mark).c_str());
+    m_cube->SetFaceTextScale(isKnown ? 0.62 : 0.48);
+}
+
+std::string OrientationCube::left() const
+{
+    return m_cube->GetXPlusFaceText();
 }
 
 void OrientationCube::place(vtkCamera& main, const int size_px[2], double pixelRatio)

@@ -14,7 +14,7 @@ using core::StatusCode;
 namespace {
 
 constexpr int kReadTimeout_ms = 50; // how long `stop` may wait
-constexpr hid::HidDriver::Kind kKind{"spacemouse", "no 6-axis mouse is on the bus; plug one in", 250'000'000};
+constexpr hid::HidDriver::Kind kKind{"spacemouse", "no 6-axis mouse is connected: plug one in", 250'000'000};
 constexpr std::array<std::uint8_t, 2> kLightOn{4, 1};
 constexpr std::array<std::uint8_t, 2> kLightOff{4, 0};
 constexpr std::uint16_t kDesktopPage = 1;

@@ -22,8 +22,9 @@ constexpr std::uint16_t kProduct = 0x0006;
 constexpr int kReadTimeout_ms = 10;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr std::int64_t kStartTimeout_ns = 1500 * kMillisecond_ns;
-constexpr hid::HidDriver::Kind kKind{
-    "woodenhaptics", "no arm is on the bus (USB 1234:0006); plug it in and switch it on", 100 * kMillisecond_ns};
+constexpr hid::HidDriver::Kind kKind{"woodenhaptics",
+                                     "no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on",
+                                     100 * kMillisecond_ns};
 // A force that the servo thread does not renew is not wanted any more.
 constexpr std::int64_t kPushEnds_ns = 20 * kMillisecond_ns;
 constexpr int kPriority = 75; // above the servo thread's, which waits for nobody; each turn is short

@@ -558,6 +558,9 @@ Result<PreScan> LegacyScan::run()
         }
         status = readSection(word);
     }
+    if (m_body.rest().find("COLOR_SCALARS") != std::string_view::npos) {
+        m_scan.notes.emplace_back("colours not read: COLOR_SCALARS");
+    }
     if (status.isOk() && m_scan.cells == 0) {
         status = wrong(StatusCode::Empty, "0 polygons and strips", "at least one");
     }

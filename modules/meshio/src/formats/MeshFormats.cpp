@@ -102,7 +102,9 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
                        "a Git LFS pointer, not the file itself (fetch it with \"git lfs pull\")");
     }
     if (const std::string_view other = otherFormat(startOf(bytes)); !other.empty()) {
-        return refused(StatusCode::Unsupported, other);
+        return fault(StatusCode::Unsupported, path.filename().string(), "",
+                     "is " + std::string(other) + ", which Palpate does not read",
+                     "an " + meshFormatNames("or") + " mesh: save it as one of these");
     }
     // Damaged ones: let the format's own check say how.
     for (const MeshFormat* format : formatTable()) {

@@ -86,6 +86,8 @@ class ObjScan
     std::vector<std::uint32_t> m_objectOfFace;
     std::vector<std::uint32_t> m_groupOfFace;
     std::uint64_t m_ignored = 0; ///< lines, points and free-form elements
+    NameList m_materials;
+    bool m_hasVertexColours = false;
     PreScan m_scan;
 };
 
@@ -132,6 +134,12 @@ Status ObjScan::readVertex(std::string_view rest)
     }
     m_plain += '\n';
     ++m_points;
+    constexpr int kColour = 3; // one number more is a weight
+    int more = 0;
+    while (more < kColour && !takeWord(rest).empty()) {
+        ++more;
+    }
+    m_hasVertexColours = m_hasVertexColours || more == kColour;
     return {};
 }
 
@@ -198,6 +206,8 @@ Status ObjScan::run()
             m_object = m_objects.idOf(trimmed(rest.substr(0, 256)));
         } else if (word == "g") {
             m_group = m_groups.idOf(trimmed(rest.substr(0, 256)));
+        } else if (word == "usemtl") {
+            (void)m_materials.idOf(trimmed(rest.substr(0, 256)));
         } else if (word == "l" || word == "p" || word == "curv" || word == "curv2" || word == "surf") {
             ++m_ignored;
         }
@@ -232,6 +242,12 @@ PreScan ObjScan::finish()
     }
     if (m_ignored > 0) {
         m_scan.notes.push_back(counted(m_ignored, "line, point or curve element") + " ignored");
+    }
+    if (!m_materials.names().empty()) {
+        m_scan.notes.push_back("colours not read: those of its " + counted(m_materials.names().size(), "material"));
+    }
+    if (m_hasVertexColours) {
+        m_scan.notes.emplace_back("colours not read: those of its vertices");
     }
     return std::move(m_scan);
 }

@@ -66,6 +66,11 @@ std::optional<PlyProperty> readProperty(std::string_view rest)
     return property;
 }
 
+bool isColour(const PlyProperty& property)
+{
+    return property.name == "red" || property.name == "diffuse_red" || property.name == "r";
+}
+
 /// The fewest bytes that one instance of the element takes.
 std::uint64_t leastBytes(const PlyElement& element, PlyEncoding encoding)
 {
@@ -152,6 +157,11 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
     if (!isDone || !hasFormat) {
         return wrong(StatusCode::BadFormat, isDone ? "no \"format\" line" : "the file ends in the header",
                      isDone ? "one in the header" : "\"end_header\"");
+    }
+    for (const PlyElement& element : header.elements) {
+        if (std::any_of(element.properties.begin(), element.properties.end(), isColour)) {
+            scan.notes.push_back("colours not read: those of its elements " + inQuotes(element.name));
+        }
     }
     header.bodyBegin = lines.end();
     header.bodyLine = lines.number();

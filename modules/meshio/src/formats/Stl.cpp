@@ -116,6 +116,7 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
     scan.cells = declared;
     scan.points = std::uint64_t{declared} * 3;
     noteSpaceTag(bytes.substr(0, kHeader), scan);
+    noteScaleTag(bytes.substr(0, kHeader), scan);
 
     if (Status status = checkFacets(bytes, declared, context); !status.isOk()) {
         return status;
@@ -180,6 +181,7 @@ Status AsciiStl::takeSolid(std::string_view word, std::string_view rest)
         return wrong(inQuotes(word), "\"solid\"");
     }
     noteSpaceTag(rest, m_scan);
+    noteScaleTag(rest, m_scan);
     const auto [found, isNew] =
         m_parts.emplace(trimmed(rest.substr(0, 256)), static_cast<std::uint32_t>(m_parts.size()));
     if (isNew) {

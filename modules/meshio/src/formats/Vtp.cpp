@@ -293,6 +293,12 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
         if (array.components > kMostElements) {
             continue;
         }
+        if (array.type == "UInt8" && (array.components == 3 || array.components == 4)) { // VTK's colours
+            std::string note = "colours not read: the array " + inQuotes(array.name) + " of its " + each + "s";
+            if (std::ranges::count(m_scan.notes, note) == 0) { // once for all pieces
+                m_scan.notes.push_back(std::move(note));
+            }
+        }
         const bool isText = array.type == "String";
         const Result<std::uint64_t> held = isText ? countStrings(array) : countValues(array);
         if (isKnown && (!held.isOk() || held.value() != tuples)) {

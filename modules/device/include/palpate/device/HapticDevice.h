@@ -91,7 +91,7 @@ class HapticDevice
     [[nodiscard]] virtual DeviceReport report() const { return {}; }
     /// Takes the pose that the device is in now as its calibration pose. Any thread but the servo thread; returns at
     /// once, `report` tells when it is done.
-    virtual core::Status calibrate() { return {core::StatusCode::Unsupported, "this device has nothing to calibrate"}; }
+    virtual core::Status calibrate() { return {core::StatusCode::Unsupported, "This device needs no calibration."}; }
 
     HapticDevice() = default;
     HapticDevice(const HapticDevice&) = delete;

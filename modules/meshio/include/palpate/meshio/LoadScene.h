@@ -23,8 +23,8 @@ struct SurfaceMap
 /// One structure ready for the view and for touching: repaired, flipped and posed in the world frame.
 struct LoadedStructure
 {
-    SceneStructure description; ///< its `part` is filled where the mesh file holds several
-    FileFrame frame = FileFrame::Untagged;
+    SceneStructure description;            ///< its `part` is filled where the mesh file holds several
+    FileFrame frame = FileFrame::Untagged; ///< the mesh file's tag; `description.frame` is what was chosen for it
     std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
     std::vector<SurfaceMap> maps{};                        ///< at most one for each quantity
 };
@@ -46,7 +46,8 @@ struct LoadedScene
 /// Opens a scene file, a mesh file, or a folder (all its mesh files, sorted by name). Meshes without a scene file get
 /// default tissue and colours by known anatomical names; all is visible and palpable, in layer 0. What cannot be opened
 /// is a loss while anything else can; a mesh that has changed since the scene was saved is one too, and is opened.
-/// @param options  `unit_mm` holds for mesh files only: a scene file says its own
+/// @param options  `unit_mm` holds for mesh files only: a scene file says its own. So does `frame`, but for structures
+///                 of a scene that say none.
 [[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Opens a scene that is in memory: the meshes are read again. @param path  what messages name

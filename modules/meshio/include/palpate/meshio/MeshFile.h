@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/TriangleMesh.h>
 
@@ -15,13 +16,7 @@
 
 namespace palpate::meshio {
 
-/// Anatomical frame that a file says its coordinates are in (the `SPACE=` tag of 3D Slicer).
-enum class FileFrame : std::uint8_t
-{
-    Untagged, ///< no tag: taken as LPS
-    Lps,
-    Ras, ///< converted on import: x and y change sign
-};
+using core::FileFrame;
 
 /// One structure of a file, in LPS and mm.
 struct MeshStructure
@@ -36,9 +31,9 @@ struct MeshStructure
 struct MeshFile
 {
     std::filesystem::path path;
-    std::string format; ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
-    FileFrame frame = FileFrame::Untagged;
-    double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
+    std::string format;                    ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
+    FileFrame frame = FileFrame::Untagged; ///< its tag (`SPACE=` of 3D Slicer), whatever was asked for
+    double unit_mm = 1.0;                  ///< what one unit of the file was taken as [mm]
     std::vector<MeshStructure> structures;
     std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
     std::string loss;               ///< what a file that was cut off has lost, one line with its count; see `isPartial`
@@ -52,6 +47,10 @@ struct ReadOptions
     /// Reads what is whole of an STL, OBJ or PLY that was cut off, instead of refusing it, and says in `loss` what is
     /// not there. A VTP that was cut off is refused all the same.
     bool isPartial = false;
+    /// The axes that the coordinates are along, whatever the file's tag says; Untagged: as the tag says, else LPS.
+    FileFrame frame = FileFrame::Untagged;
+    /// Takes the unit from 3D Slicer's `SCALE=` in an STL header, where there is one and `unit_mm` is 1.
+    bool readsScale = true;
 };
 
 /// Reads a mesh file of one of the formats of MeshFormats.h; which one is told from the content.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Tissue.h>
@@ -24,6 +25,8 @@ struct SceneStructure
     std::string sha256;         ///< of the mesh file when the scene was saved, 64 hex digits; empty: not said
     std::string part;           ///< name of the structure inside the mesh file; empty: all of the file
     double unit_mm = 1.0;       ///< what one unit of the mesh file is [mm]
+    core::FileFrame frame =
+        core::FileFrame::Untagged; ///< chosen for the mesh file; Untagged: as its tag says, else LPS
     std::string name;
     std::array<double, 3> colour{0.85, 0.6, 0.5}; ///< red, green, blue in 0 … 1
     double opacity = 1.0;                         ///< 0 … 1
@@ -53,7 +56,8 @@ struct SceneFile
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
     std::vector<core::Finding> findings;
-    std::string extra; ///< top-level fields that this version does not know, as a JSON object
+    std::string sha256; ///< of the file's bytes when it was read, 64 hex digits; empty: of no file. Not written
+    std::string extra;  ///< top-level fields that this version does not know, as a JSON object
 };
 
 /// @return true for a path that is named as a scene file (".json").

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/FileFrame.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/geometry/MeshReport.h>
@@ -31,9 +32,10 @@ inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 /// Where the surface of a structure came from; what a HapticScene does not know about itself.
 struct StructureSource
 {
-    std::string mesh;     ///< path of the file
-    std::string part;     ///< structure inside the file, empty: all of it
-    double unit_mm = 1.0; ///< what one unit of the file was taken as [mm]
+    std::string mesh;                                  ///< path of the file
+    std::string part;                                  ///< structure inside the file, empty: all of it
+    double unit_mm = 1.0;                              ///< what one unit of the file was taken as [mm]
+    core::FileFrame frame = core::FileFrame::Untagged; ///< chosen for the file; Untagged: as its tag says, else LPS
     bool flipped = false;
     std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
     core::Transform X_WM = core::Transform::Identity(); ///< pose

@@ -20,13 +20,14 @@ namespace palpate::ui {
 /// Everything the window needs of newly opened files.
 struct OpenedScene
 {
-    std::vector<std::filesystem::path> files;
+    std::vector<std::filesystem::path> files; ///< those that could be opened
     meshio::SceneFile scene;
     std::vector<StructureRow> rows;
     std::vector<meshio::SceneStructure> unopened; ///< what a scene file names but could not be opened
     QStringList problems;     ///< what could not be opened, or is another one now, while others could; one line each
     QStringList warnings;     ///< one line each
     study::Layering layering; ///< what lies in what, row by row; the rows have the layers of their files
+    bool isReopened = false;  ///< its meshes were read again, in other axes: the scene is as it was but for these
     /// True when mesh files alone were opened, which say nothing of layers: no scene file, no recording.
     [[nodiscard]] bool areMeshes() const;
     double seconds = 0.0; ///< from the wish to open to ready
@@ -58,9 +59,13 @@ class SceneLoader : public QObject
     void setReader(Reader reader) { m_reader = std::move(reader); }
 
     /// Opens mesh and scene files as one scene. What was being opened is cancelled.
-    void open(std::vector<std::filesystem::path> files, double unit_mm);
+    /// @param frame  of mesh files, whatever their tags say; Untagged: as these say
+    void open(std::vector<std::filesystem::path> files, double unit_mm,
+              core::FileFrame frame = core::FileFrame::Untagged);
     /// Opens files to be added to the open scene. @param open  its structures, row by row
     void add(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open);
+    /// Reads the meshes of an open scene again. @param files  as which it was opened
+    void reopen(meshio::SceneFile scene, std::vector<std::filesystem::path> files);
     /// Builds the haptic copy of one structure.
     void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
     /// Finds what varies over a structure: reads and samples its volumes.
@@ -86,7 +91,7 @@ class SceneLoader : public QObject
     struct Job;
     class Opening;
     void finish();
-    void start(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open);
+    void begin();
 
     Reader m_reader = [](const auto& path, const auto& options) { return meshio::loadScene(path, options); };
     std::shared_ptr<Job> m_job;

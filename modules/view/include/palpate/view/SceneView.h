@@ -63,6 +63,7 @@ class SceneView
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
+    [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
     [[nodiscard]] vtkCamera& camera() noexcept { return *m_solid->GetActiveCamera(); }

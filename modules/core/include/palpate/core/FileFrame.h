@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/core/Types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace palpate::core {
+
+/// The axes that a file's coordinates are along. The world's are LPS; each is a rotation to them, so that triangles
+/// stay wound as they were.
+enum class FileFrame : std::uint8_t
+{
+    Untagged, ///< nothing says it: taken as LPS
+    Lps,      ///< x to the patient's left, y to the back, z to the head (DICOM, ITK)
+    Ras,      ///< x to the right, y to the front, z to the head (NIfTI, older models of 3D Slicer)
+    YUp,      ///< x to the left, y to the head, z to the front (glTF 2.0, section 3.4; modelling programs)
+};
+
+/// As scene files, recordings and the command line write them; nothing for `Untagged`.
+inline constexpr std::array<std::string_view, 4> kFrameNames{"", "LPS", "RAS", "Y-up"};
+
+/// @return the axes' name, "LPS" also for what nothing says
+[[nodiscard]] constexpr std::string_view axesOf(FileFrame frame) noexcept
+{
+    return kFrameNames[frame == FileFrame::Untagged ? 1 : static_cast<std::size_t>(frame)];
+}
+
+/// @return the frame of that name, one of `kFrameNames` but the empty one
+[[nodiscard]] constexpr std::optional<FileFrame> frameNamed(std::string_view name) noexcept
+{
+    for (std::size_t i = 1; i < kFrameNames.size(); ++i) {
+        if (kFrameNames[i] == name) {
+            return static_cast<FileFrame>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+/// @param chosen  by a person, who knows better than a tag
+/// @param tag     what the file says
+[[nodiscard]] constexpr FileFrame takenFrame(FileFrame chosen, FileFrame tag) noexcept
+{
+    return chosen == FileFrame::Untagged ? tag : chosen;
+}
+
+/// Turns a file's point, or direction, to LPS. Exact.
+[[nodiscard]] inline Vec3 toLps(FileFrame frame, const Vec3& p) noexcept
+{
+    switch (frame) {
+    case FileFrame::Ras:
+        return {-p.x(), -p.y(), p.z()};
+    case FileFrame::YUp:
+        return {p.x(), -p.z(), p.y()};
+    case FileFrame::Untagged:
+    case FileFrame::Lps:
+        break;
+    }
+    return p;
+}
+
+/// The same as a rotation.
+[[nodiscard]] inline Eigen::Matrix3d lpsRotation(FileFrame frame) noexcept
+{
+    Eigen::Matrix3d R;
+    for (int axis = 0; axis < 3; ++axis) {
+        R.col(axis) = toLps(frame, Vec3::Unit(axis));
+    }
+    return R;
+}
+
+} // namespace palpate::core

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../support/Shapes.h"
+#include "CoordinatesChoice.h"
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/MessageList.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLockFile>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+
+namespace {
+
+QString textOf(const std::filesystem::path& file)
+{
+    return QString::fromStdString(file.string());
+}
+
+QJsonObject jsonOf(const std::filesystem::path& file)
+{
+    QFile in(textOf(file));
+    return in.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(in.readAll()).object() : QJsonObject();
+}
+
+QStringList said; // by Qt, since the test began
+
+void hear(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& line)
+{
+    said << line;
+}
+
+} // namespace
+
+/// What the window does with files: their axes, names, other windows, copies of unsaved changes. By its commands.
+class OpenedFiles : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+    std::filesystem::path folder() const { return m_desk->folder(); }
+    CoordinatesChoice& coordinates() const { return *m_desk->window().findChild<CoordinatesChoice*>(); }
+    view::SceneView& view() const { return m_desk->window().viewport().view(); }
+    /// All that was said since the window opened, as its list of messages has it.
+    QString told() const
+    {
+        QStringList lines;
+        const QAbstractItemModel& all = *m_desk->window().findChild<ui::MessageList*>()->model();
+        for (int row = 0; row < all.rowCount(); ++row) {
+            lines << all.index(row, 0).data().toString();
+        }
+        return lines.join('\n');
+    }
+
+    std::filesystem::path write(const char* name, const std::string& text) const
+    {
+        std::ofstream(folder() / name) << text;
+        return folder() / name;
+    }
+    std::filesystem::path writeScene(const char* name, const char* fields = "", const char* findings = "") const
+    {
+        return write(name, R"({"version": 1, "structures": [{"mesh": "liver.stl", "name": "liver",
+                              "stiffness_N_per_mm": 0.3)" +
+                               std::string(fields) + R"(}], "findings": [)" + findings + "]}");
+    }
+
+    /// Triggers a command; the question that it asks is answered by the button of that text. Without one it must not
+    /// ask.
+    void answer(const char* command, const QString& button) const
+    {
+        bool isAsked = false, isAnswered = false;
+        QTimer look;
+        connect(&look, &QTimer::timeout, &look, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                isAsked = true;
+                for (QAbstractButton* one : box->buttons()) {
+                    if (one->text().remove('&') == button) {
+                        isAnswered = true;
+                        one->click();
+                        return;
+                    }
+                }
+                box->reject();
+            }
+        });
+        look.start(20);
+        m_desk->command(command).trigger();
+        QVERIFY2(isAsked == !button.isEmpty(), isAsked ? "asked" : "not asked");
+        QCOMPARE(isAnswered, isAsked);
+    }
+
+    bool readAgain(const char* command) const
+    {
+        QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
+        m_desk->command(command).trigger();
+        return QTest::qWaitFor([&] { return ready.count() > 0; }, 30000);
+    }
+
+    static QString copies()
+    {
+        return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/unsaved";
+    }
+    /// A copy of unsaved changes, as a program that is gone leaves it.
+    QString leaveCopy(const std::filesystem::path& of) const
+    {
+        QDir().mkpath(copies());
+        QJsonObject scene = jsonOf(of);
+        scene["copy_of"] = textOf(of);
+        QJsonArray structures = scene["structures"].toArray();
+        QJsonObject one = structures[0].toObject();
+        one["mesh"] = textOf(folder() / "liver.stl");
+        structures[0] = one;
+        scene["structures"] = structures;
+        QFile file(copies() + "/1.palpate.json");
+        if (file.open(QIODevice::WriteOnly)) {
+            file.write(QJsonDocument(scene).toJson());
+        }
+        return file.fileName();
+    }
+    /// The button that brings unsaved changes back; null where that is not offered.
+    QPushButton* offer() const
+    {
+        for (QPushButton* button : m_desk->window().findChild<ui::MessageBar*>()->findChildren<QPushButton*>()) {
+            if (button->isVisible() && button->text() == QStringLiteral("Restore")) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+        QDir(copies()).removeRecursively();
+        // Longer to x, y and z by 10, 20 and 30 mm: the same after no turn.
+        m_desk->writeStl("liver.stl", test::box(Vec3(-20, -20, -20), Vec3(30, 40, 50), 2));
+        for (const char* name : {"a.stl", "b.stl", "c.stl"}) {
+            m_desk->writeStl(name, test::box(Vec3(60, 0, 0), Vec3(80, 20, 20), 2));
+        }
+    }
+    void init()
+    {
+        said.clear();
+        QVERIFY(m_desk->show());
+    }
+    void cleanupTestCase()
+    {
+        m_desk.reset();
+        QDir(copies()).removeRecursively();
+    }
+
+    void axesThatNobodySaidAreQuestioned()
+    {
+        QVERIFY(!coordinates().button().isVisible());
+        QVERIFY(m_desk->open({folder() / "liver.stl"}));
+        QVERIFY(coordinates().button().isVisible());
+        QCOMPARE(coordinates().button().text(), QStringLiteral("LPS assumed"));
+        QCOMPARE(view().cube().left(), std::string("L?"));
+        QVERIFY(!m_desk->command("frame-lps").isChecked());
+        QVERIFY(readAgain("frame-lps")); // said: nothing moves
+        QCOMPARE(coordinates().button().text(), QStringLiteral("LPS"));
+        QCOMPARE(view().cube().left(), std::string("L"));
+        QVERIFY(view().bounds().max() == Vec3(30, 40, 50));
+        QVERIFY(m_desk->command("frame-lps").isChecked());
+    }
+
+    void aTagIsNotQuestioned()
+    {
+        QVERIFY(m_desk->openPhantom());
+        QCOMPARE(coordinates().button().text(), QStringLiteral("LPS"));
+        QCOMPARE(view().cube().left(), std::string("L"));
+    }
+
+    void chosenAxesTurnTheSceneAndAreKept()
+    {
+        const auto scene =
+            writeScene("s.palpate.json", "", R"({"name": "F", "position": [30, 10, 5], "structure": "liver",
+                "camera": {"position": [300, 0, 50], "focus": [30, 10, 5], "up": [0, 0, 1], "viewAngle_deg": 30}})");
+        QVERIFY(m_desk->open({scene}));
+        QCOMPARE(coordinates().button().text(), QStringLiteral("LPS assumed"));
+        QVERIFY(!m_desk->window().isWindowModified());
+        QVERIFY(readAgain("frame-ras"));
+        QVERIFY(view().bounds().min() == Vec3(-30, -40, -20) && view().bounds().max() == Vec3(20, 20, 50));
+        QCOMPARE(coordinates().button().text(), QStringLiteral("RAS"));
+        QCOMPARE(view().cube().left(), std::string("L"));
+        QVERIFY2(told().contains("Read again with coordinates RAS"), qPrintable(told()));
+        QVERIFY(m_desk->window().isWindowModified());
+        answer("save", {});
+        QVERIFY(!m_desk->window().isWindowModified());
+        const QJsonObject saved = jsonOf(scene);
+        QCOMPARE(saved["structures"][0]["frame"].toString(), QStringLiteral("RAS"));
+        QCOMPARE(saved["structures"][0]["stiffness_N_per_mm"].toDouble(), 0.3);
+        QCOMPARE(saved["findings"][0]["position"], (QJsonArray{-30.0, -10.0, 5.0})); // on the same place of the liver
+        QCOMPARE(saved["findings"][0]["camera"]["position"], (QJsonArray{-300.0, 0.0, 50.0}));
+        QVERIFY(readAgain("frame-y-up"));
+        QVERIFY(view().bounds().min() == Vec3(-20, -50, -20) && view().bounds().max() == Vec3(30, 20, 40));
+        QCOMPARE(coordinates().button().text(), QStringLiteral("Y up"));
+        answer("save", {});
+        QCOMPARE(jsonOf(scene)["findings"][0]["position"], (QJsonArray{30.0, -5.0, 10.0}));
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({scene}));
+        QVERIFY(view().bounds().max() == Vec3(30, 20, 40));
+        QCOMPARE(view().cube().left(), std::string("L"));
+    }
+
+    void whatIsChangedMeanwhileIsKept()
+    {
+        QVERIFY(m_desk->open({folder() / "liver.stl", folder() / "a.stl"}));
+        QAbstractItemModel& list = *m_desk->window().findChild<QTreeView*>()->model();
+        QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
+        m_desk->command("frame-ras").trigger();
+        const QModelIndex shown = list.index(0, ui::StructureModel::Shown);
+        QVERIFY(list.setData(shown, Qt::Unchecked, Qt::CheckStateRole));
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        QCOMPARE(shown.model()->index(0, ui::StructureModel::Shown).data(Qt::CheckStateRole).toInt(),
+                 static_cast<int>(Qt::Unchecked));
+        QCOMPARE(coordinates().button().text(), QStringLiteral("RAS"));
+        QVERIFY(view().bounds().min() == Vec3(-80, -20, 0)); // of what is shown
+    }
+
+    void notesStandAmongTheMessages()
+    {
+        QVERIFY(m_desk->open({folder() / "liver.stl"}));
+        QVERIFY2(told().contains("no SPACE tag: coordinates taken as LPS"), qPrintable(told()));
+    }
+
+    void twoWindowsDoNotWipeEachOthersScene()
+    {
+        const auto scene = writeScene("two.palpate.json");
+        QVERIFY(m_desk->open({scene}));
+        answer("save", {}); // nobody else was here
+        const auto other = [&] { writeScene("two.palpate.json", "", R"({"name": "theirs", "position": [1, 2, 3]})"); };
+        other();
+        answer("save", QStringLiteral("Cancel"));
+        QCOMPARE(jsonOf(scene)["findings"][0]["name"].toString(), QStringLiteral("theirs"));
+        answer("save", QStringLiteral("Save anyway"));
+        QCOMPARE(jsonOf(scene)["findings"].toArray().size(), 0);
+        answer("save", {}); // what it wrote itself is not another's
+        other();
+        answer("save", QStringLiteral("Cancel"));
+        QVERIFY(QFile::remove(textOf(scene))); // gone: nothing to be lost
+        answer("save", {});
+        QVERIFY(QFile::exists(textOf(scene)));
+    }
+
+    void theTitleNamesWhatIsOpen()
+    {
+        const auto marks = write("F.mrk.json", R"({"markups": []})");
+        QVERIFY(m_desk->open({marks, folder() / "liver.stl"}));
+        QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("liver.stl[*] – Palpate"));
+        QVERIFY(m_desk->window().findChild<ui::MessageBar*>()->text().contains(
+            "F.mrk.json: is a list of 3D Slicer marks, not a Palpate scene"));
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({folder() / "liver.stl", folder() / "a.stl", folder() / "b.stl"}));
+        QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("liver.stl and 2 more[*] – Palpate"));
+    }
+
+    void findingsOfASecondSceneAreKept()
+    {
+        const auto one = writeScene("one.palpate.json", "", R"({"name": "A", "position": [30, 0, 0]})");
+        const auto two = write("more.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl"}], "findings":
+            [{"name": "B", "position": [60, 5, 5]}, {"name": "C", "position": [60, 9, 9]}]})");
+        QVERIFY(m_desk->open({one, two}));
+        QTRY_COMPARE(view().findings().count(), std::size_t{3});
+        QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("one.palpate.json and 1 more[*] – Palpate"));
+    }
+
+    void unsavedChangesComeBackOnce()
+    {
+        const auto scene = writeScene("r.palpate.json", "", R"({"name": "A", "position": [30, 0, 0]})");
+        const QString copy = leaveCopy(scene);
+        QVERIFY(m_desk->show());
+        QTRY_VERIFY(offer() != nullptr);
+        const QtMessageHandler before = qInstallMessageHandler(hear);
+        QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
+        offer()->click();
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        qInstallMessageHandler(before);
+        QVERIFY2(!said.join('\n').contains("setWindowModified"), qPrintable(said.join('\n')));
+        QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("r.palpate.json[*] – Palpate"));
+        QVERIFY(m_desk->window().isWindowModified());
+        QVERIFY(!QFile::exists(copy));
+        const QStringList ours = QDir(copies()).entryList({"*.palpate.json"}, QDir::Files); // until they are saved
+        QCOMPARE(ours.size(), 1);
+        QCOMPARE(jsonOf((copies() + '/' + ours[0]).toStdString())["findings"].toArray().size(), 1);
+        m_desk->close();
+    }
+
+    void anotherWindowWasFaster()
+    {
+        const auto scene = writeScene("r.palpate.json");
+        const QString copy = leaveCopy(scene);
+        QVERIFY(m_desk->show());
+        QTRY_VERIFY(offer() != nullptr);
+        QLockFile others(copy + ".lock"); // has it open
+        others.setStaleLockTime(0);
+        QVERIFY(others.tryLock(0));
+        offer()->click();
+        QVERIFY2(told().contains("already restored in another window"), qPrintable(told()));
+        others.unlock();
+        QVERIFY(m_desk->show());
+        QTRY_VERIFY(offer() != nullptr);
+        QVERIFY(QFile::remove(copy)); // was done with it
+        offer()->click();
+        QVERIFY2(told().contains("already restored in another window"), qPrintable(told()));
+    }
+};
+
+PALPATE_TEST(OpenedFiles)
+#include "tst_OpenedFiles.moc"
