@@ -47,11 +47,11 @@ void MainWindow::makeToolBar()
     m_redoAction->setEnabled(false);
 
     auto* chips = new ChipRow(bar);
-    m_depthChip = chips->add(tr("What the pointer or the device does"), 3);
-    m_recordingChip = chips->add(tr("Recording"), 9, true);
-    m_deviceChip = chips->add(tr("Device"), 2);
-    m_rateChip = chips->add(tr("Servo rate"), 0);
-    m_realtimeChip = chips->add(tr("Real-time scheduling"), 1);
+    m_depthChip = chips->add("mode", tr("What the pointer or the device does"), 3);
+    m_recordingChip = chips->add("recording", tr("Recording"), 9, true);
+    m_deviceChip = chips->add("device", tr("Device"), 2);
+    m_rateChip = chips->add("rate", tr("Servo rate"), 0);
+    m_realtimeChip = chips->add("realtime", tr("Real-time scheduling"), 1);
     bar->addWidget(chips);
 }
 

@@ -199,13 +199,13 @@ void MainWindow::closeScene()
     m_palpateAction->setChecked(false);
     m_playback->setRecording(nullptr);
     m_live.stop();
-    m_message->hide();
+    m_message->forgetScene();
     m_viewport->view().setStructures({});
     m_model.setRows({});
     m_document->take({});
     m_files.clear();
     m_unit_mm = 1.0;
-    m_stack->setCurrentWidget(m_welcome);
+    m_stack->setCurrentIndex(0); // the page that it started with
     setWindowTitle(tr("Palpate"));
     setWindowModified(false);
     showWhatPlays();

@@ -2,6 +2,69 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>CoordinatesChoice</name>
+    <message>
+        <source>RAS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates: LPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates: RAS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates: Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 assumed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files&apos; coordinates are %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not every file says along which axes it lies: %1 is assumed, and left and right may be exchanged. Click to say it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FeltLayers</name>
     <message>
         <source>%1 N, %2 mm in</source>
@@ -18,6 +81,101 @@
     <message>
         <source>slides %1 N</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindingType</name>
+    <message>
+        <source>lump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>landmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindingsDesk</name>
+    <message>
+        <source>Nothing is touched: press on the place first, then mark it (M).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 marked: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 marked on %2 with %3 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No finding yet: press on a place and mark it (M).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 keeps no view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not marked in a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording is being made: stop it (R) to play.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the recording of %2 is not there any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: this is another recording than the one in which %2 was marked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) written to %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n finding(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) taken from %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -227,23 +385,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hide or show the panels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Let go</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>let go, then back to the camera</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>V  H</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -304,10 +450,6 @@
     </message>
     <message>
         <source>Note…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write a note at this moment of the recording</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -375,10 +517,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hide or show all panels (Tab in the view)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Session</source>
         <translation type="unfinished"></translation>
     </message>
@@ -391,10 +529,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation type="unfinished"></translation>
     </message>
@@ -404,26 +538,6 @@
     </message>
     <message>
         <source>Real-time scheduling</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the pointer does: it moves the camera, or it presses this deep [mm]; the wheel sets it (P switches)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>● recording %1, %2 dropped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of the recording [min:s] and ticks lost because the disk was slow</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -484,14 +598,6 @@
     </message>
     <message>
         <source>%1 notes on these files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1  ·  %2 (point here to read)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… and %1 more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -567,35 +673,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What it says…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recording %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing is touched: press on the place first, then mark it (M).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Finding %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 marked: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 marked on %2 with %3 N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Note at this moment of the recording:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -606,43 +684,323 @@
         <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Palpate[*]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings and measures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open what was recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to the scene…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open more meshes or a scene beside what is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import findings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the points of a 3D Slicer markups file (.mrk.json) as findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export findings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a structure…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List only structures with these words in their names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the structure…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write another name for the selected structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected structures out of the scene; their files stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera: select the structure (with Ctrl: one more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+E  Ctrl+H</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the structure that begins so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F2  Del</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rename, remove from the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter  F2  Del</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the findings: go there, edit, delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the findings: play where it was marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a finding and write…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark the place that is touched and write about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a note without a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the next finding, in the view from which it was marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the finding before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the pointer or the device does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm]; the wheel sets it (P switches)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the recording first: it holds the surfaces as they lie now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 (F4 lists them)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read again with coordinates %1: tissue and findings are kept, undo starts anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scene was changed elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was saved by another window or program since it was opened here. To save it would replace what was saved there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These changes were already restored in another window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1 to the open scene?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1 structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was added to the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 structures were added to the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was added lies in or around other structures, but the layers that were set are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tissue by names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 got its tissue by its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 structures got tissue by their names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tissue as before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keys go to the next panel, and on to the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keys go to the panel before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide or show all panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide the list of all messages since the start, with all notes on files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single-letter keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands by one letter; off: letters do nothing, for speech input and for hands that touch keys by chance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not real-time: %1: %2. %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touching with the %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning the view</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
     <message>
-        <source>What %1 says</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measures of the session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Measuring…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ticks as CSV…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Path and surface as VTP…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ticks as CSV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Path and surface as VTP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -650,7 +1008,130 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Written to %1 and beside it</source>
+        <source>Data table (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Data table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path and map for 3D Slicer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of the session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What became of the newest export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all tables, to be pasted into a spreadsheet (Ctrl+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every tick with its time, places, forces, depth and events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tables above, and more, for a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a spreadsheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 is there already. Choose it by its whole name to replace it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 ends in %2. A name for %3 ends in %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to %1 and %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path is written to %1; the map is not: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RecordingControl</name>
+    <message>
+        <source>Length of the recording [min:s]; ticks that were late, because the computer was busy: nothing was felt in them; ticks that were lost, because the disk was slow: they were felt and are not in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording is running. End it and close?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was felt until now is kept in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● recording %1, the disk does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● recording %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording failed at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ended by itself</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -695,6 +1176,17 @@
     <name>palpate::ui::ActionList</name>
     <message>
         <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ChipRow</name>
+    <message>
+        <source>What else there is to say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What there is no room for in this row</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -801,6 +1293,120 @@
     </message>
 </context>
 <context>
+    <name>palpate::ui::FindingsModel</name>
+    <message>
+        <source>%1: %2 N, %3 mm deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt %1 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1 findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number, as in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>№</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The structure that was touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size across, as you judge it [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force when it was marked [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth when it was marked [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size: found “%1”, expected millimetres as %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FindingsPanel</name>
+    <message>
+        <source>Findings and notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No finding yet. Press on a place and mark it with M; N writes a note without a place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a note (N), Enter keeps it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New note without a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::ForceBar</name>
     <message>
         <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
@@ -831,6 +1437,10 @@
     </message>
     <message>
         <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -921,10 +1531,6 @@
     </message>
     <message>
         <source>%1 of %2 ticks late</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not real-time: point here to read how to permit it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1095,6 +1701,26 @@ the loop go where there is room.</source>
         <source>Energy %1 mJ · damping added %2 N</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not real-time: the list of messages (F4) says how to permit it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HintLine</name>
+    <message>
+        <source>The newest message; F4 shows all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+Press here or F4 for all messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No new message</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::KeysCard</name>
@@ -1256,6 +1882,10 @@ the loop go where there is room.</source>
     </message>
     <message>
         <source>nothing said</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: nothing said</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1425,11 +2055,95 @@ the loop go where there is room.</source>
 <context>
     <name>palpate::ui::MessageBar</name>
     <message>
-        <source>Message</source>
+        <source> … and %1 more lines (F4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the list of messages (F4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 older message waits (F4 shows all)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 older messages wait (F4 shows all)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageRow</name>
+    <message>
+        <source>Close this message; the list of messages keeps it (F4)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Messages</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::PalpationController</name>
+    <message>
+        <source>%1 mm is the deepest press: the scene is no larger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that can be felt is in view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>presses %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressing %1 mm, slid off the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressing %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressing %1 of %2 mm</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1443,11 +2157,19 @@ the loop go where there is room.</source>
 <context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
-        <source>%1 was cut off before it was closed; what was written is shown.</source>
+        <source>%1 ended at %2 s because the disk was full; what was felt after is not in it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 ticks are missing; they were lost while it was recorded.</source>
+        <source>%1 ended at %2 s because the disk could not be written; what was felt after is not in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks were lost while it was recorded, because the disk was too slow.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1463,6 +2185,22 @@ the loop go where there is room.</source>
     </message>
     <message>
         <source>Preparing for touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fields of it that this version does not know</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: opened together with another scene; not taken: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1493,7 +2231,74 @@ the loop go where there is room.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2 dropped</source>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 late, %2 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureList</name>
+    <message>
+        <source>Structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter the structures by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List only what has these words in its name (Ctrl+F); Esc lists all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order and groups of the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By tissue, softest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By layer, outermost first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By file or folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By layer, as felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1566,13 +2371,21 @@ Felt: %3</source>
         <source>Can be felt</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1 structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
-    <message>
-        <source>Structures</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Colour of the structure</source>
         <translation type="unfinished"></translation>
@@ -1690,14 +2503,6 @@ Felt: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show only this</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Feel only this</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1785,6 +2590,168 @@ Felt: %3</source>
         <source>Dry (0.40, chosen)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Change %1 structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only what is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel only what is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureTree</name>
+    <message>
+        <source>Felt outermost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt %1 below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide all of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the hand pass through all of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel all of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Terms</name>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force for each mm pressed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newton per millimetre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force against each mm/s of movement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newton seconds per millimetre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the normal force that holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction sliding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the normal force that drags while it slides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force against each mm/s of sliding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness at first touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Growth with depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the ball</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness of the layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bonded to what is below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness before the click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at which it gives way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force that it falls to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth over which it falls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness after the click</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::TouchChart</name>
@@ -1814,6 +2781,10 @@ Felt: %3</source>
     </message>
     <message>
         <source>Depth [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the surface</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1892,6 +2863,57 @@ Where more facets lie in one place than a tick has time for, it goes on from whe
     </message>
     <message>
         <source>constraints 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm deep · slid off the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slid off the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ViewKeys</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the camera by 15°; with Shift: move it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+  −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+← → ↑ ↓</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the place to press by 2 mm along the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>press there, let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page down  up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>press deeper, less deep by 0.5 mm</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

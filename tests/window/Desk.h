@@ -4,6 +4,7 @@
 #include "MainWindow.h"
 
 #include <QImage>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -50,5 +51,22 @@ class Desk
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
 };
+
+/// Of the messages over the view, a line each, the one on top.
+[[nodiscard]] inline QString newest(const QString& messages)
+{
+    return messages.section(QLatin1Char('\n'), 0, 0);
+}
+
+/// The first button of the message on top. @return nothing when it has none
+[[nodiscard]] inline QPushButton* answerOf(const palpate::ui::MessageBar& messages)
+{
+    for (const ui::MessageRow* row : messages.findChildren<ui::MessageRow*>()) {
+        if (row->text().section(QLatin1Char('\n'), 0, 0) == newest(messages.text())) {
+            return row->findChild<QPushButton*>();
+        }
+    }
+    return nullptr;
+}
 
 } // namespace palpate::test

@@ -65,7 +65,7 @@ class Records : public QObject
     ui::Chip* chip() const
     {
         for (ui::Chip* one : m_desk->window().findChildren<ui::Chip*>()) {
-            if (one->accessibleName() == QStringLiteral("Recording")) {
+            if (one->objectName() == QStringLiteral("recording")) {
                 return one;
             }
         }
@@ -157,7 +157,8 @@ class Records : public QObject
         QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
         m_desk->pressKeyOf("fit");
         QTRY_VERIFY(chip()->text().isEmpty());
-        message().findChild<QPushButton*>()->click(); // Open what was recorded
+        QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open what was recorded"));
+        test::answerOf(message())->click();
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QVERIFY2(message().text().contains(QStringLiteral("what was felt after is not in it")),
                  qPrintable(message().text()));

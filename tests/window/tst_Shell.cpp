@@ -136,8 +136,8 @@ class Shell : public QObject
         ui::ChipRow& row = the<ui::ChipRow>();
         QWidget small;
         ui::ChipRow folding(&small);
-        ui::Chip* first = folding.add(QStringLiteral("first"), 1);
-        ui::Chip* last = folding.add(QStringLiteral("last"), 2, true);
+        ui::Chip* first = folding.add("first", QStringLiteral("first"), 1);
+        ui::Chip* last = folding.add("second", QStringLiteral("last"), 2, true);
         first->say(QStringLiteral("liver of a patient"));
         last->say(QStringLiteral("recording 00:10, 4 dropped"));
         small.show();

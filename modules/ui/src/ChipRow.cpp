@@ -29,9 +29,10 @@ ChipRow::ChipRow(QWidget* parent)
     connect(m_rest, &QToolButton::clicked, this, &ChipRow::openRest);
 }
 
-Chip* ChipRow::add(const QString& name, int weight, bool mustStay)
+Chip* ChipRow::add(const char* id, const QString& name, int weight, bool mustStay)
 {
     auto* chip = new Chip(name, this);
+    chip->setObjectName(QLatin1String(id));
     m_entries.push_back({chip, weight, mustStay});
     connect(chip, &Chip::changed, this, &ChipRow::fit);
     return chip;

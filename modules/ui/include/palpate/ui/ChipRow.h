@@ -19,8 +19,9 @@ class ChipRow : public QWidget
   public:
     explicit ChipRow(QWidget* parent = nullptr);
     /// Adds a chip at the end of the row.
+    /// @param id  its object name, for tests; not translated
     /// @param weight  of two chips the one with the smaller weight is shortened and folded first
-    Chip* add(const QString& name, int weight, bool mustStay = false);
+    Chip* add(const char* id, const QString& name, int weight, bool mustStay = false);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
