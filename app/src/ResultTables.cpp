@@ -14,10 +14,10 @@ using namespace palpate;
 
 namespace {
 
-QString tr(const char* text)
+struct ResultTexts
 {
-    return QCoreApplication::translate("ResultTables", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(ResultTables)
+};
 
 QString number(double value, int digits = 2)
 {
@@ -31,26 +31,30 @@ QString count(std::int64_t value)
 
 ResultTable sessionTable(const session::SessionMeasures& m)
 {
-    return {tr("Session"),
-            {{tr("Duration"), tr("In contact"), tr("Contacts"), tr("Path of the hand"), tr("Path on the surface"),
-              tr("Ticks late"), tr("Ticks lost")},
+    return {ResultTexts::tr("Session"),
+            {{ResultTexts::tr("Duration"), ResultTexts::tr("In contact"), ResultTexts::tr("Contacts"),
+              ResultTexts::tr("Path of the hand"), ResultTexts::tr("Path on the surface"),
+              ResultTexts::tr("Ticks late"), ResultTexts::tr("Ticks lost")},
              {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
-              tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)), tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),
-              m.lateTicks ? count(*m.lateTicks) : tr("not said"), count(m.lostTicks)}}};
+              ResultTexts::tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)),
+              ResultTexts::tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),
+              m.lateTicks ? count(*m.lateTicks) : ResultTexts::tr("not said"), count(m.lostTicks)}}};
 }
 
 ResultTable touchTable(const session::SessionMeasures& m)
 {
-    ResultTable table{tr("Touch"),
-                      {{tr("Force and depth"), tr("Time spent [s]"), tr("Mean [N]"), tr("Median [N]"),
-                        tr("Nearly highest [N]"), tr("Peak [N]"), tr("Deepest [mm]"), tr("Presses")}}};
+    ResultTable table{
+        ResultTexts::tr("Touch"),
+        {{ResultTexts::tr("Force and depth"), ResultTexts::tr("Time spent [s]"), ResultTexts::tr("Mean [N]"),
+          ResultTexts::tr("Median [N]"), ResultTexts::tr("Nearly highest [N]"), ResultTexts::tr("Peak [N]"),
+          ResultTexts::tr("Deepest [mm]"), ResultTexts::tr("Presses")}}};
     const auto contact = [&](const QString& name, const session::ContactMeasures& c,
                              const std::vector<session::Phase>& phases) {
         table.rows.push_back({name, number(c.time_s, 1), number(c.meanForce_N), number(c.medianForce_N),
                               number(c.p95Force_N), number(c.peakForce_N), number(c.peakDepth_mm, 1),
                               count(session::summary(phases, session::Phase::Kind::Press).phases)});
     };
-    contact(tr("All"), m.sums.contact, m.phases);
+    contact(ResultTexts::tr("All"), m.sums.contact, m.phases);
     for (const auto& [name, part] : m.sums.structures) {
         const auto phases = m.structurePhases.find(name);
         contact(ui::readableName(name), part,
@@ -61,39 +65,43 @@ ResultTable touchTable(const session::SessionMeasures& m)
 
 ResultTable phaseTable(const session::SessionMeasures& m)
 {
-    ResultTable table{tr("Search and press"),
-                      {{tr("Hand"), tr("Phases"), tr("Time spent [s]"), tr("Mean [N]"), tr("Peak [N]")}}};
+    ResultTable table{ResultTexts::tr("Search and press"),
+                      {{ResultTexts::tr("Hand"), ResultTexts::tr("Phases"), ResultTexts::tr("Time spent [s]"),
+                        ResultTexts::tr("Mean [N]"), ResultTexts::tr("Peak [N]")}}};
     for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
         const session::PhaseSummary sum = session::summary(m.phases, kind);
-        table.rows.push_back({kind == session::Phase::Kind::Search ? tr("Searching") : tr("Pressing"),
-                              count(sum.phases), number(sum.time_s, 1), number(sum.meanForce_N),
-                              number(sum.peakForce_N)});
+        table.rows.push_back(
+            {kind == session::Phase::Kind::Search ? ResultTexts::tr("Searching") : ResultTexts::tr("Pressing"),
+             count(sum.phases), number(sum.time_s, 1), number(sum.meanForce_N), number(sum.peakForce_N)});
     }
     return table;
 }
 
 ResultTable surfaceTable(const session::SessionMeasures& m, bool isFingertip)
 {
-    const QString distance = tr("%1 mm").arg(QLocale().toString(m.distance_mm));
+    const QString distance = ResultTexts::tr("%1 mm").arg(QLocale().toString(m.distance_mm));
     ResultTable table{
-        isFingertip ? tr("Share of the surface that was examined: within %1, the fingertip's radius").arg(distance)
-                    : tr("Share of the surface that was examined: within %1").arg(distance),
-        {{tr("Surface"), tr("Area [cm²]"), tr("Examined [%]"), tr("Longest time at one place [s]")}}};
+        isFingertip
+            ? ResultTexts::tr("Share of the surface that was examined: within %1, the fingertip's radius").arg(distance)
+            : ResultTexts::tr("Share of the surface that was examined: within %1").arg(distance),
+        {{ResultTexts::tr("Surface"), ResultTexts::tr("Area [cm²]"), ResultTexts::tr("Examined [%]"),
+          ResultTexts::tr("Longest time at one place [s]")}}};
     for (const session::SurfaceMeasures& surface : m.surfaces) {
         table.rows.push_back({ui::readableName(surface.structure), number(0.01 * surface.area_mm2, 1),
                               number(100.0 * surface.coverage(), 1), number(surface.longestDwell_s, 1)});
     }
     for (const std::string& name : m.unmeasured) {
-        table.rows.push_back({ui::readableName(name), tr("its mesh is not there"), {}, {}});
+        table.rows.push_back({ui::readableName(name), ResultTexts::tr("its mesh is not there"), {}, {}});
     }
     return table;
 }
 
 ResultTable findingTable(const session::SessionMeasures& m)
 {
-    ResultTable table{tr("Findings"),
-                      {{tr("Finding"), tr("On"), tr("Marked"), tr("First touched"), tr("Time spent [s]"),
-                        tr("Times returned"), tr("Mean [N]"), tr("Peak [N]")}}};
+    ResultTable table{ResultTexts::tr("Findings"),
+                      {{ResultTexts::tr("Finding"), ResultTexts::tr("On"), ResultTexts::tr("Marked"),
+                        ResultTexts::tr("First touched"), ResultTexts::tr("Time spent [s]"),
+                        ResultTexts::tr("Times returned"), ResultTexts::tr("Mean [N]"), ResultTexts::tr("Peak [N]")}}};
     for (const session::FindingMeasures& one : m.findings) {
         if (!one.finding.hasPlace) {
             continue;
@@ -101,7 +109,7 @@ ResultTable findingTable(const session::SessionMeasures& m)
         table.rows.push_back(
             {ui::typeSign(one.finding.type) + QLatin1Char(' ') + QString::fromStdString(one.finding.name),
              ui::readableName(one.finding.structure), ui::clockText(one.marked_s),
-             one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : tr("never"), number(one.dwell_s, 1),
+             one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : ResultTexts::tr("never"), number(one.dwell_s, 1),
              count(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
     }
     return table;
@@ -109,7 +117,7 @@ ResultTable findingTable(const session::SessionMeasures& m)
 
 ResultTable noteTable(const session::SessionMeasures& m)
 {
-    ResultTable table{tr("Notes"), {{tr("Note"), tr("Written")}}};
+    ResultTable table{ResultTexts::tr("Notes"), {{ResultTexts::tr("Note"), ResultTexts::tr("Written")}}};
     for (const session::FindingMeasures& one : m.findings) {
         if (!one.finding.note.empty()) {
             const QString about = one.finding.hasPlace ? QString::fromStdString(one.finding.name + ": ") : QString();
@@ -121,8 +129,9 @@ ResultTable noteTable(const session::SessionMeasures& m)
 
 ResultTable layerTable(const session::SessionMeasures& m)
 {
-    ResultTable table{tr("Findings, layer by layer"),
-                      {{tr("Felt when marked"), tr("Structure"), tr("Force [N]"), tr("Depth [mm]")}}};
+    ResultTable table{ResultTexts::tr("Findings, layer by layer"),
+                      {{ResultTexts::tr("Felt when marked"), ResultTexts::tr("Structure"), ResultTexts::tr("Force [N]"),
+                        ResultTexts::tr("Depth [mm]")}}};
     for (const session::FindingMeasures& one : m.findings) {
         for (const core::FeltLayer& layer : one.finding.layers) {
             table.rows.push_back({QString::fromStdString(one.finding.name), ui::readableName(layer.structure),
@@ -172,8 +181,8 @@ QString toHtml(const std::vector<ResultTable>& tables)
         html += htmlOf(table);
     }
     return html + QStringLiteral("<p style='margin-top: 14px'>%1</p>")
-                      .arg(tr("Nearly highest: the force that 95 % of the contact stayed below. "
-                              "Research measures, not a diagnosis."));
+                      .arg(ResultTexts::tr("Nearly highest: the force that 95 % of the contact stayed below. "
+                                           "Research measures, not a diagnosis."));
 }
 
 QString toTsv(const std::vector<ResultTable>& tables)

@@ -1136,6 +1136,201 @@
     </message>
 </context>
 <context>
+    <name>ResultTables</name>
+    <message>
+        <source>Session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path of the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path on the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force and depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time spent [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearly highest [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deepest [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search and press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the surface that was examined: within %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area [cm²]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Examined [%]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest time at one place [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its mesh is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times returned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings, layer by layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt when marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>SceneDocument</name>
     <message>
         <source>Mark %1</source>
