@@ -2,7 +2,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "LayersOption.h"
-#include "PhantomFolder.h"
+#include "ProgramFolders.h"
 #include "ProgressLine.h"
 
 #include <palpate/evaluation/Report.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MainWindow.h"
 #include "Paths.h"
-#include "PhantomFolder.h"
+#include "ProgramFolders.h"
 
 #include <palpate/study/RecordedScene.h>
 #include <palpate/ui/PanelScroll.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window's commands, each once; menus and the key card are made of their list.
 #include "FingertipMenu.h"
+#include "Help.h"
 #include "Language.h"
 #include "MainWindow.h"
 
@@ -169,6 +170,8 @@ void MainWindow::makeDeviceAndHelpActions()
         "keys", ActionGroup::Help, tr("All keys"), tr("Show all keys"),
         {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)},
         Symbol::Keys);
+    auto* help = new palpate::app::Help(this, m_actions);
+    connect(help, &palpate::app::Help::said, this, [this](const QString& line) { say(line); });
 }
 
 void MainWindow::makeMenus()

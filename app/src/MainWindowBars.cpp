@@ -2,7 +2,7 @@
 // Tool bar, chips and what they show of the parts' state.
 #include "MainWindow.h"
 
-#include "PhantomFolder.h"
+#include "ProgramFolders.h"
 
 #include <palpate/ui/Theme.h>
 

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
+#include "Help.h"
+#include "ProgramFolders.h"
 #include "TestRunner.h"
 
+#include <palpate/session/Recording.h>
+
+#include <QAccessible>
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QSet>
+#include <QTimer>
 
 #include <algorithm>
+#include <filesystem>
 
 using namespace palpate;
 
@@ -116,6 +126,48 @@ class Desk : public QObject
                      id);
         }
         QVERIFY(all.size() > 20);
+    }
+
+    /// A label's accessible name stands in place of its text: one that names what a number is would hide the number.
+    void aScreenReaderHearsWhatLabelsSay()
+    {
+        int heard = 0;
+        for (QLabel* label : m_desk->window().findChildren<QLabel*>()) {
+            if (!label->isVisible() || label->text().isEmpty() || Qt::mightBeRichText(label->text())) {
+                continue;
+            }
+            QAccessibleInterface* reader = QAccessible::queryAccessibleInterface(label);
+            QVERIFY(reader != nullptr);
+            const QString name = reader->text(QAccessible::Name);
+            QVERIFY2(name.contains(QString(label->text()).remove(QLatin1Char('&'))),
+                     qPrintable(label->text() + " is heard as " + name));
+            ++heard;
+        }
+        QVERIFY(heard > 10);
+    }
+
+    void helpTellsVersionsAndFindsTheDocuments()
+    {
+        const QString text = app::Help::versions();
+        for (const QString& one : {QString::fromStdString(session::palpateVersion()), QString(qVersion()),
+                                   QString("VTK "), QString("SQLite ")}) {
+            QVERIFY2(text.contains(one), qPrintable(text));
+        }
+        const auto folder = app::docsFolder();
+        QVERIFY(folder && std::filesystem::exists(*folder / "glossary.md"));
+        QTimer::singleShot(200, [] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            QVERIFY(box != nullptr);
+            for (QAbstractButton* button : box->buttons()) {
+                if (box->buttonRole(button) == QMessageBox::ActionRole) {
+                    button->click(); // copies, and leaves the box open
+                }
+            }
+            QVERIFY(box->isVisible() && box->informativeText().contains(QStringLiteral("Not a medical device")));
+            box->reject();
+        });
+        m_desk->command("about").trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), text);
     }
 };
 

@@ -98,6 +98,7 @@ class Language : public QObject
         for (const QWidget* widget : m_desk->window().findChildren<QWidget*>()) {
             const QString where = QLatin1String(widget->metaObject()->className());
             check(widget->accessibleName(), where + QStringLiteral("'s name"), found);
+            check(widget->accessibleDescription(), where + QStringLiteral("'s description"), found);
             check(widget->toolTip(), where + QStringLiteral("'s tip"), found);
             if (const auto* label = qobject_cast<const QLabel*>(widget)) {
                 check(label->text(), where, found);

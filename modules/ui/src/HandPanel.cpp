@@ -122,12 +122,12 @@ HandPanel::HandPanel(QWidget* parent)
         label->setWordWrap(true);
     }
     m_timing->setForegroundRole(QPalette::PlaceholderText);
-    m_force->setAccessibleName(tr("Force on the hand"));
-    m_held->setAccessibleName(tr("Stiffness that is held"));
-    m_energyText->setAccessibleName(tr("Energy observer"));
+    m_force->setAccessibleDescription(tr("Force on the hand"));
+    m_held->setAccessibleDescription(tr("Stiffness that is held"));
+    m_energyText->setAccessibleDescription(tr("Energy observer"));
     m_energy->setToolTip(tr("Energy observer: what the hand has put into the touched tissue and not got back [mJ].\n"
                             "Below zero the program would give more than it took; damping then takes it away."));
-    m_timing->setAccessibleName(tr("Latency and jitter"));
+    m_timing->setAccessibleDescription(tr("Latency and jitter"));
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(14, 8, 14, 10);
@@ -173,7 +173,7 @@ QWidget* HandPanel::makeMapping()
     m_fits = makeFits();
     form->addRow(m_fits);
     m_reach = new QLabel(mapping);
-    m_reach->setAccessibleName(tr("What fills the workspace"));
+    m_reach->setAccessibleDescription(tr("What fills the workspace"));
     form->addRow(m_reach);
     m_scale = new QDoubleSpinBox(mapping);
     m_scale->setRange(0.01, 100.0);

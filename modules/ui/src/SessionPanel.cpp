@@ -34,7 +34,7 @@ SessionPanel::SessionPanel(QWidget* parent)
 {
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumWidth(10);
-    m_time->setAccessibleName(tr("Position and length"));
+    m_time->setAccessibleDescription(tr("Position and length"));
     m_time->setToolTip(tr("Position / length [min:s]"));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {

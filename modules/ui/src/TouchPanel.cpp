@@ -45,7 +45,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     large.setPointSizeF(font().pointSizeF() * 3.6);
     large.setWeight(QFont::DemiBold);
     m_force->setFont(large);
-    m_force->setAccessibleName(tr("Force in newton"));
+    m_force->setAccessibleDescription(tr("Force in newton"));
     m_force->setToolTip(tr("Force on the hand [N]"));
     QFont unit = font();
     unit.setPointSizeF(font().pointSizeF() * 1.8);
@@ -55,10 +55,10 @@ TouchPanel::TouchPanel(QWidget* parent)
     medium.setWeight(QFont::DemiBold);
     m_structure->setFont(medium);
     m_structure->setTextFormat(Qt::PlainText);
-    m_structure->setAccessibleName(tr("Touched structure"));
+    m_structure->setAccessibleDescription(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
     m_layers->setTextFormat(Qt::RichText);
-    m_layers->setAccessibleName(tr("Touched structures, the outermost first, with their forces and depths"));
+    m_layers->setAccessibleDescription(tr("Touched structures, the outermost first, with their forces and depths"));
     m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its share of the force [N],\n"
                             "and how deep the hand is in it [mm]"));
     m_layers->setMinimumWidth(10);
@@ -70,7 +70,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
     medium.setWeight(QFont::Normal);
     m_detail->setFont(medium);
-    m_detail->setAccessibleName(tr("Depth and stiffness"));
+    m_detail->setAccessibleDescription(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
                             "that are touched [N/mm]"));
     m_solver->setWordWrap(true);
@@ -121,10 +121,10 @@ void TouchPanel::setLayers(std::vector<FeltLayer> layers)
     const bool hasFriction = !layers.empty() && layers.front().friction != haptics::Friction::None;
     if (layers.size() < 2 && !hasFriction) { // name and force stand above
         m_layers->clear();
-        m_layers->setAccessibleDescription({});
+        m_layers->setAccessibleName({});
         return;
     }
-    m_layers->setAccessibleDescription(layersText(layers));
+    m_layers->setAccessibleName(layersText(layers)); // its own text is markup
     for (FeltLayer& layer : layers) {
         layer.name = m_layers->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() - 160));
     }
