@@ -206,7 +206,7 @@ void MainWindow::closeScene()
     m_files.clear();
     m_unit_mm = 1.0;
     m_stack->setCurrentIndex(0); // the page that it started with
-    setWindowTitle(tr("Palpate"));
+    setWindowTitle(tr("Palpate[*]"));
     setWindowModified(false);
     showWhatPlays();
     showStatus();

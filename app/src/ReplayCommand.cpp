@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
+#include "Console.h"
 #include "LayersOption.h"
 #include "ReplayRun.h"
 

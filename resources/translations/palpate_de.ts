@@ -5,176 +5,176 @@
     <name>CoordinatesChoice</name>
     <message>
         <source>RAS</source>
-        <translation type="unfinished"></translation>
+        <translation>RAS</translation>
     </message>
     <message>
         <source>Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>Y oben</translation>
     </message>
     <message>
         <source>LPS</source>
-        <translation type="unfinished"></translation>
+        <translation>LPS</translation>
     </message>
     <message>
         <source>Coordinates: LPS</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten: LPS</translation>
     </message>
     <message>
         <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien zählen nach links, hinten und kopfwärts des Patienten, wie DICOM</translation>
     </message>
     <message>
         <source>Coordinates: RAS</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten: RAS</translation>
     </message>
     <message>
         <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien zählen nach rechts, vorn und kopfwärts des Patienten, wie ältere Modelle von 3D Slicer</translation>
     </message>
     <message>
         <source>Coordinates: Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten: Y oben</translation>
     </message>
     <message>
         <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien zählen nach links, kopfwärts und nach vorn, wie Modellierprogramme</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> und </translation>
     </message>
     <message>
         <source>%1 assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 angenommen</translation>
     </message>
     <message>
         <source>The files&apos; coordinates are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Koordinaten der Dateien sind %1.</translation>
     </message>
     <message>
         <source>Not every file says along which axes it lies: %1 is assumed, and left and right may be exchanged. Click to say it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jede Datei sagt, an welchen Achsen sie liegt: %1 ist angenommen, links und rechts können vertauscht sein. Zum Angeben klicken.</translation>
     </message>
     <message>
         <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberflächen gehören zu einer Aufzeichnung und bleiben, wie sie getastet wurden.</translation>
     </message>
     <message>
         <source>Coordinates: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten: %1</translation>
     </message>
 </context>
 <context>
     <name>FeltLayers</name>
     <message>
         <source>%1 N, %2 mm in</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N, %2 mm tief</translation>
     </message>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
     <message>
         <source>holds %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>haftet %1 N</translation>
     </message>
     <message>
         <source>slides %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>gleitet %1 N</translation>
     </message>
 </context>
 <context>
     <name>FindingType</name>
     <message>
         <source>lump</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>hard area</source>
-        <translation type="unfinished"></translation>
+        <translation>harte Stelle</translation>
     </message>
     <message>
         <source>soft area</source>
-        <translation type="unfinished"></translation>
+        <translation>weiche Stelle</translation>
     </message>
     <message>
         <source>landmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Landmarke</translation>
     </message>
     <message>
         <source>keep away</source>
-        <translation type="unfinished"></translation>
+        <translation>zu meiden</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>anderes</translation>
     </message>
 </context>
 <context>
     <name>FindingsDesk</name>
     <message>
         <source>Nothing is touched: press on the place first, then mark it (M).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist berührt: erst auf die Stelle drücken, dann markieren (M).</translation>
     </message>
     <message>
         <source>Finding %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Befund %1</translation>
     </message>
     <message>
         <source>%1 marked: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 markiert: %2</translation>
     </message>
     <message>
         <source>%1 marked on %2 with %3 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf %2 markiert, mit %3 N</translation>
     </message>
     <message>
         <source>Note %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz %1</translation>
     </message>
     <message>
         <source>No finding yet: press on a place and mark it (M).</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Befund: auf eine Stelle drücken und sie markieren (M).</translation>
     </message>
     <message>
         <source>%1 keeps no view.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine Ansicht gespeichert.</translation>
     </message>
     <message>
         <source>%1 was not marked in a recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht in einer Aufzeichnung markiert.</translation>
     </message>
     <message>
         <source>A recording is being made: stop it (R) to play.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufzeichnung läuft: zum Abspielen erst beenden (R).</translation>
     </message>
     <message>
         <source>%1: the recording of %2 is not there any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Aufzeichnung von %2 ist nicht mehr da.</translation>
     </message>
     <message>
         <source>%1: this is another recording than the one in which %2 was marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: dies ist eine andere Aufzeichnung als die, in der %2 markiert wurde.</translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s) written to %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Befund nach %1 geschrieben</numerusform>
+            <numerusform>%n Befunde nach %1 geschrieben</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Import %n finding(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Befund importieren</numerusform>
+            <numerusform>%n Befunde importieren</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s) taken from %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Befund aus %1 übernommen</numerusform>
+            <numerusform>%n Befunde aus %1 übernommen</numerusform>
         </translation>
     </message>
 </context>
@@ -182,2976 +182,3030 @@
     <name>MainWindow</name>
     <message>
         <source>Palpate</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Strukturen</translation>
     </message>
     <message>
         <source>Touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührung</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung</translation>
     </message>
     <message>
         <source>Progress of opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Öffnens</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stop opening; what was open stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen abbrechen; was offen war, bleibt</translation>
     </message>
     <message>
         <source>Research, training and planning rehearsal. Not a medical device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Forschung, Ausbildung und Planungsübung. Kein Medizinprodukt.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Redo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen: %1</translation>
     </message>
     <message>
         <source>Opening was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Öffnen wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Reading what varies over %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lese, was über %1 variiert…</translation>
     </message>
     <message>
         <source>The map of %1 is felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Karte von %1 ist zu fühlen.</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen…</translation>
     </message>
     <message>
         <source>Open meshes, a scene or a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze, eine Szene oder eine Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>Save scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene speichern</translation>
     </message>
     <message>
         <source>Save the scene with its tissue</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene mit ihrem Gewebe speichern</translation>
     </message>
     <message>
         <source>Save scene as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene speichern unter…</translation>
     </message>
     <message>
         <source>Save the scene with its tissue to another file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene mit ihrem Gewebe in eine andere Datei speichern</translation>
     </message>
     <message>
         <source>Snapshot</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto</translation>
     </message>
     <message>
         <source>Save a picture of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild der Ansicht speichern</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>End Palpate</source>
-        <translation type="unfinished"></translation>
+        <translation>Palpate beenden</translation>
     </message>
     <message>
         <source>Undo the newest change</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neueste Änderung zurücknehmen</translation>
     </message>
     <message>
         <source>Do it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder ausführen</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fit everything into the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in die Ansicht einpassen</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde</translation>
     </message>
     <message>
         <source>Show the places marked as findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Die als Befund markierten Stellen zeigen</translation>
     </message>
     <message>
         <source>From the front (A)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorn (A)</translation>
     </message>
     <message>
         <source>From the back (P)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hinten (P)</translation>
     </message>
     <message>
         <source>From the left (L)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von links (L)</translation>
     </message>
     <message>
         <source>From the right (R)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von rechts (R)</translation>
     </message>
     <message>
         <source>From the head (S)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Kopf (S)</translation>
     </message>
     <message>
         <source>From the feet (I)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von den Füßen (I)</translation>
     </message>
     <message>
         <source>Oblique</source>
-        <translation type="unfinished"></translation>
+        <translation>Schräg</translation>
     </message>
     <message>
         <source>hold Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Leertaste halten</translation>
     </message>
     <message>
         <source>palpate while it is held</source>
-        <translation type="unfinished"></translation>
+        <translation>tasten, solange sie gehalten wird</translation>
     </message>
     <message>
         <source>drag</source>
-        <translation type="unfinished"></translation>
+        <translation>ziehen</translation>
     </message>
     <message>
         <source>camera: rotate · palpate: press and slide</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: drehen · Tasten: drücken und gleiten</translation>
     </message>
     <message>
         <source>right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>rechts ziehen</translation>
     </message>
     <message>
         <source>camera: zoom · palpate: rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: zoomen · Tasten: drehen</translation>
     </message>
     <message>
         <source>middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte ziehen</translation>
     </message>
     <message>
         <source>pan</source>
-        <translation type="unfinished"></translation>
+        <translation>verschieben</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad</translation>
     </message>
     <message>
         <source>camera: zoom · palpate: depth in mm (with Ctrl: zoom)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: zoomen · Tasten: Tiefe in mm (mit Strg: zoomen)</translation>
     </message>
     <message>
         <source>double-click</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick</translation>
     </message>
     <message>
         <source>centre the view on the point</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ansicht auf den Punkt zentrieren</translation>
     </message>
     <message>
         <source>Let go</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen</translation>
     </message>
     <message>
         <source>let go, then back to the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>loslassen, dann zurück zur Kamera</translation>
     </message>
     <message>
         <source>show or hide, feel or not</source>
-        <translation type="unfinished"></translation>
+        <translation>zeigen oder verbergen, fühlen oder nicht</translation>
     </message>
     <message>
         <source>Ctrl+↓  ↑</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+↓  ↑</translation>
     </message>
     <message>
         <source>felt a layer deeper, farther out</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht tiefer oder weiter außen gefühlt</translation>
     </message>
     <message>
         <source>Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Zeiger tasten: Ziehen drückt, das Rad stellt die Tiefe; aus: der Zeiger bewegt die Kamera</translation>
     </message>
     <message>
         <source>Clutch</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuppeln</translation>
     </message>
     <message>
         <source>Move the device without the hand in the scene; again to let go</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät ohne die Hand in der Szene bewegen; noch einmal: wieder einkuppeln</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnehmen</translation>
     </message>
     <message>
         <source>Record what the hand feels, every tick</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnen, was die Hand fühlt, Takt für Takt</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>Play or pause the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung abspielen oder anhalten</translation>
     </message>
     <message>
         <source>To the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Anfang</translation>
     </message>
     <message>
         <source>Back to the recording&apos;s start</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Anfang der Aufzeichnung</translation>
     </message>
     <message>
         <source>Mark a finding</source>
-        <translation type="unfinished"></translation>
+        <translation>Befund markieren</translation>
     </message>
     <message>
         <source>Mark the place that is touched, in the scene and in the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die berührte Stelle in Szene und Aufzeichnung markieren</translation>
     </message>
     <message>
         <source>Note…</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz…</translation>
     </message>
     <message>
         <source>Results…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse…</translation>
     </message>
     <message>
         <source>Forces, coverage and findings of the recording, and exports</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte, Abdeckung und Befunde der Aufzeichnung, und Exporte</translation>
     </message>
     <message>
         <source>Keep the surfaces inside recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen in Aufzeichnungen mitspeichern</translation>
     </message>
     <message>
         <source>One file then holds the whole session; it grows by what the meshes take</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei enthält dann die ganze Sitzung; sie wächst um die Größe der Netze</translation>
     </message>
     <message>
         <source>Fit all to the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles ins Gerät einpassen</translation>
     </message>
     <message>
         <source>All that is shown fills the device&apos;s workspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles Gezeigte füllt den Arbeitsraum des Geräts</translation>
     </message>
     <message>
         <source>Fit organ to the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Organ ins Gerät einpassen</translation>
     </message>
     <message>
         <source>The organ that is touched or pointed at fills the device&apos;s workspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Das berührte Organ oder das unter dem Zeiger füllt den Arbeitsraum des Geräts</translation>
     </message>
     <message>
         <source>Fit lump to the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten ins Gerät einpassen</translation>
     </message>
     <message>
         <source>10 mm about what is touched, pointed at or found fill the device&apos;s workspace</source>
-        <translation type="unfinished"></translation>
+        <translation>10 mm um das Berührte, das unter dem Zeiger oder den Befund füllen den Arbeitsraum des Geräts</translation>
     </message>
     <message>
         <source>All keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten</translation>
     </message>
     <message>
         <source>Show all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten zeigen</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>Open recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Session</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sitzung</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Servo rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Servotakt</translation>
     </message>
     <message>
         <source>Real-time scheduling</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit-Scheduling</translation>
     </message>
     <message>
         <source>%1 kHz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kHz</translation>
     </message>
     <message>
         <source>Ticks of the servo thread a second [kHz], over the last half second</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte des Servo-Threads je Sekunde [kHz], über die letzte halbe Sekunde</translation>
     </message>
     <message>
         <source>real-time</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit</translation>
     </message>
     <message>
         <source>not real-time</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Echtzeit</translation>
     </message>
     <message>
         <source>What the servo thread was granted:</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dem Servo-Thread gewährt wurde:</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>&amp;Device</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gerät</translation>
     </message>
     <message>
         <source>P palpate, drag to press, wheel for depth</source>
-        <translation type="unfinished"></translation>
+        <translation>P tastet, Ziehen drückt, das Rad stellt die Tiefe</translation>
     </message>
     <message>
         <source>Touch with the device; O or L fits the organ or lump to it, C clutches</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Gerät tasten; O oder L passt Organ oder Knoten darin ein, C kuppelt</translation>
     </message>
     <message>
         <source>Feel again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder fühlen</translation>
     </message>
     <message>
         <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Anatomie ist %1 mm groß: ihre Zahlen sind wohl Meter.</translation>
     </message>
     <message>
         <source>Read as metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Meter lesen</translation>
     </message>
     <message>
         <source>1 note on these files</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Hinweis zu diesen Dateien</translation>
     </message>
     <message>
         <source>%1 notes on these files</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Hinweise zu diesen Dateien</translation>
     </message>
     <message>
         <source>%1 can be played, but the meshes that it was made on are not where they were. Open them to see what was touched.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich abspielen, doch die Netze, auf denen sie entstand, sind nicht, wo sie waren. Öffnen Sie sie, um zu sehen, was berührt wurde.</translation>
     </message>
     <message>
         <source>Palpate scene (*.palpate.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Palpate-Szene (*.palpate.json)</translation>
     </message>
     <message>
         <source>Scene saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene nach %1 gespeichert</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to this scene?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an dieser Szene speichern?</translation>
     </message>
     <message>
         <source>Unsaved scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Szene</translation>
     </message>
     <message>
         <source>%1[*] – Palpate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Palpate</translation>
     </message>
     <message>
         <source>Palpate ended unexpectedly and left unsaved changes of a scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>Palpate wurde unerwartet beendet und hinterließ nicht gespeicherte Änderungen einer Szene.</translation>
     </message>
     <message>
         <source>Restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückholen</translation>
     </message>
     <message>
         <source>Open anatomy</source>
-        <translation type="unfinished"></translation>
+        <translation>Anatomie öffnen</translation>
     </message>
     <message>
         <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anatomie, Szenen und Aufzeichnungen (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1; %2 more of that kind: Felt in the panel has each.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; %2 weitere dieser Art: „Gefühlt“ im Panel nennt jede.</translation>
     </message>
     <message>
         <source>Feel what is inside below what is around it</source>
-        <translation type="unfinished"></translation>
+        <translation>Was innen liegt, unter dem fühlen, was es umgibt</translation>
     </message>
     <message>
         <source>All in one layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in einer Schicht</translation>
     </message>
     <message>
         <source>Feel all in one layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in einer Schicht fühlen</translation>
     </message>
     <message>
         <source>%1 lies in %2, but this scene has all in one layer: it is not felt through %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt in %2, doch in dieser Szene liegt alles in einer Schicht: durch %2 hindurch ist es nicht zu fühlen.</translation>
     </message>
     <message>
         <source>Feel it below</source>
-        <translation type="unfinished"></translation>
+        <translation>Darunter fühlen</translation>
     </message>
     <message>
         <source>Recorded to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 aufgezeichnet</translation>
     </message>
     <message>
         <source>Recording %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung %1</translation>
     </message>
     <message>
         <source>Picture saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild nach %1 gespeichert</translation>
     </message>
     <message>
         <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das Bild konnte nicht geschrieben werden. Ist der Ordner beschreibbar und der Datenträger nicht voll?</translation>
     </message>
     <message>
         <source>Palpate[*]</source>
-        <translation type="unfinished"></translation>
+        <translation>Palpate[*]</translation>
     </message>
     <message>
         <source>Findings and measures</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde und Maße</translation>
     </message>
     <message>
         <source>Open what was recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgezeichnetes öffnen</translation>
     </message>
     <message>
         <source>Add to the scene…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Szene hinzufügen…</translation>
     </message>
     <message>
         <source>Open more meshes or a scene beside what is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Netze oder eine Szene zu dem öffnen, was offen ist</translation>
     </message>
     <message>
         <source>Close the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene schließen</translation>
     </message>
     <message>
         <source>Close what is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen, was offen ist</translation>
     </message>
     <message>
         <source>Import findings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde importieren…</translation>
     </message>
     <message>
         <source>Take the points of a 3D Slicer markups file (.mrk.json) as findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte einer Markups-Datei von 3D Slicer (.mrk.json) als Befunde übernehmen</translation>
     </message>
     <message>
         <source>Export findings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde exportieren…</translation>
     </message>
     <message>
         <source>Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde und Notizen als Tabelle (CSV) oder als Markups von 3D Slicer (.mrk.json) schreiben</translation>
     </message>
     <message>
         <source>Find a structure…</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur suchen…</translation>
     </message>
     <message>
         <source>List only structures with these words in their names</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Strukturen mit diesen Wörtern im Namen auflisten</translation>
     </message>
     <message>
         <source>Rename the structure…</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur umbenennen…</translation>
     </message>
     <message>
         <source>Write another name for the selected structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gewählten Struktur einen anderen Namen geben</translation>
     </message>
     <message>
         <source>Remove from the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Szene entfernen</translation>
     </message>
     <message>
         <source>Take the selected structures out of the scene; their files stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Strukturen aus der Szene nehmen; ihre Dateien bleiben</translation>
     </message>
     <message>
         <source>click</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick</translation>
     </message>
     <message>
         <source>camera: select the structure (with Ctrl: one more)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: die Struktur wählen (mit Strg: eine weitere)</translation>
     </message>
     <message>
         <source>Ctrl+E  Ctrl+H</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+E  Strg+H</translation>
     </message>
     <message>
         <source>letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Buchstaben</translation>
     </message>
     <message>
         <source>go to the structure that begins so</source>
-        <translation type="unfinished"></translation>
+        <translation>zur Struktur gehen, die so beginnt</translation>
     </message>
     <message>
         <source>F2  Del</source>
-        <translation type="unfinished"></translation>
+        <translation>F2  Entf</translation>
     </message>
     <message>
         <source>rename, remove from the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>umbenennen, aus der Szene entfernen</translation>
     </message>
     <message>
         <source>Enter  F2  Del</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter  F2  Entf</translation>
     </message>
     <message>
         <source>in the findings: go there, edit, delete</source>
-        <translation type="unfinished"></translation>
+        <translation>in den Befunden: hingehen, bearbeiten, löschen</translation>
     </message>
     <message>
         <source>Shift+Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Enter</translation>
     </message>
     <message>
         <source>in the findings: play where it was marked</source>
-        <translation type="unfinished"></translation>
+        <translation>in den Befunden: abspielen, wo markiert wurde</translation>
     </message>
     <message>
         <source>Mark a finding and write…</source>
-        <translation type="unfinished"></translation>
+        <translation>Befund markieren und schreiben…</translation>
     </message>
     <message>
         <source>Mark the place that is touched and write about it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die berührte Stelle markieren und etwas dazu schreiben</translation>
     </message>
     <message>
         <source>Write a note without a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Notiz ohne Stelle schreiben</translation>
     </message>
     <message>
         <source>Next finding</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Befund</translation>
     </message>
     <message>
         <source>Go to the next finding, in the view from which it was marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum nächsten Befund, in der Ansicht, aus der er markiert wurde</translation>
     </message>
     <message>
         <source>Previous finding</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriger Befund</translation>
     </message>
     <message>
         <source>Go to the finding before</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Befund davor</translation>
     </message>
     <message>
         <source>What the pointer or the device does</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Zeiger oder Gerät tut</translation>
     </message>
     <message>
         <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm]; the wheel sets it (P switches)</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Zeiger tut: er dreht die Ansicht, oder er drückt so weit entlang der Blickrichtung [mm]; das Rad stellt es ein (P schaltet um)</translation>
     </message>
     <message>
         <source>Stop the recording first: it holds the surfaces as they lie now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden Sie erst die Aufzeichnung: sie hält die Oberflächen, wie sie jetzt liegen.</translation>
     </message>
     <message>
         <source>%1  ·  %2 (F4 lists them)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  ·  %2 (F4 zeigt sie)</translation>
     </message>
     <message>
         <source>Read again with coordinates %1: tissue and findings are kept, undo starts anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu gelesen mit Koordinaten %1: Gewebe und Befunde bleiben, Rückgängig beginnt neu.</translation>
     </message>
     <message>
         <source>The scene was changed elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene wurde anderswo geändert</translation>
     </message>
     <message>
         <source>%1 was saved by another window or program since it was opened here. To save it would replace what was saved there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Fenster oder Programm gespeichert, seit sie hier geöffnet wurde. Speichern würde das dort Gespeicherte ersetzen.</translation>
     </message>
     <message>
         <source>Save anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem speichern</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 weitere</translation>
     </message>
     <message>
         <source>These changes were already restored in another window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Änderungen wurden schon in einem anderen Fenster wiederhergestellt.</translation>
     </message>
     <message>
         <source>%1 files</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Dateien</translation>
     </message>
     <message>
         <source>Add %1 to the open scene?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 zur offenen Szene hinzufügen?</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Open instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Allein öffnen</translation>
     </message>
     <message>
         <source>3D Slicer markups (*.mrk.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markups von 3D Slicer (*.mrk.json)</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>Export findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde exportieren</translation>
     </message>
     <message>
         <source>Import findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde importieren</translation>
     </message>
     <message>
         <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Markups von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Add to the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Szene hinzufügen</translation>
     </message>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzufügen</translation>
     </message>
     <message>
         <source>Add %1 structures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen hinzufügen</translation>
     </message>
     <message>
         <source>%1 was added to the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde zur Szene hinzugefügt.</translation>
     </message>
     <message>
         <source>%1 structures were added to the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen wurden zur Szene hinzugefügt.</translation>
     </message>
     <message>
         <source>What was added lies in or around other structures, but the layers that were set are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Hinzugefügte liegt in oder um andere Strukturen, doch die eingestellten Schichten bleiben.</translation>
     </message>
     <message>
         <source>Tissue by names</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe nach Namen</translation>
     </message>
     <message>
         <source>%1 got its tissue by its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bekam sein Gewebe nach dem Namen.</translation>
     </message>
     <message>
         <source>%1 structures got tissue by their names.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen bekamen ihr Gewebe nach den Namen.</translation>
     </message>
     <message>
         <source>Tissue as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe wie zuvor</translation>
     </message>
     <message>
         <source>Next panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Panel</translation>
     </message>
     <message>
         <source>The keys go to the next panel, and on to the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tasten gehen zum nächsten Panel und weiter zur Ansicht</translation>
     </message>
     <message>
         <source>Previous panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Panel</translation>
     </message>
     <message>
         <source>The keys go to the panel before</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tasten gehen zum Panel davor</translation>
     </message>
     <message>
         <source>Hide or show all panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Panels verbergen oder zeigen</translation>
     </message>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen</translation>
     </message>
     <message>
         <source>Show or hide the list of all messages since the start, with all notes on files</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste aller Meldungen seit dem Start, mit allen Hinweisen zu Dateien, zeigen oder verbergen</translation>
     </message>
     <message>
         <source>Single-letter keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten mit Buchstaben</translation>
     </message>
     <message>
         <source>Commands by one letter; off: letters do nothing, for speech input and for hands that touch keys by chance</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle mit einem Buchstaben; aus: Buchstaben tun nichts, für Spracheingabe und für Hände, die Tasten versehentlich berühren</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Not real-time: %1: %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Echtzeit: %1: %2. %3</translation>
     </message>
     <message>
         <source>Touching with the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten mit: %1</translation>
     </message>
     <message>
         <source>Turning the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht drehen</translation>
     </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
     <message>
         <source>Measuring…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messe…</translation>
     </message>
     <message>
         <source>VTK poly data (*.vtp)</source>
-        <translation type="unfinished"></translation>
+        <translation>VTK-Polydaten (*.vtp)</translation>
     </message>
     <message>
         <source>Data table (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Datentabelle (CSV)</translation>
     </message>
     <message>
         <source>Data table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Datentabelle (*.csv)</translation>
     </message>
     <message>
         <source>Path and map for 3D Slicer</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg und Karte für 3D Slicer</translation>
     </message>
     <message>
         <source>Results (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse (JSON)</translation>
     </message>
     <message>
         <source>Results (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse (*.json)</translation>
     </message>
     <message>
         <source>Results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse von %1</translation>
     </message>
     <message>
         <source>Results of the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse der Sitzung</translation>
     </message>
     <message>
         <source>What became of the newest export</source>
-        <translation type="unfinished"></translation>
+        <translation>Was aus dem neuesten Export wurde</translation>
     </message>
     <message>
         <source>Progress of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Exports</translation>
     </message>
     <message>
         <source>Cancel the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Export abbrechen</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy all tables, to be pasted into a spreadsheet (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tabellen kopieren, zum Einfügen in eine Tabellenkalkulation (Strg+C)</translation>
     </message>
     <message>
         <source>Every tick with its time, places, forces, depth and events</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Takt mit Zeit, Orten, Kräften, Tiefe und Ereignissen</translation>
     </message>
     <message>
         <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Weg der Hand, daneben die berührte Oberfläche mit Verweildauer und Spitzenkraft</translation>
     </message>
     <message>
         <source>The tables above, and more, for a program</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabellen oben, und mehr, für ein Programm</translation>
     </message>
     <message>
         <source>Copied: paste it into a spreadsheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert: in eine Tabellenkalkulation einfügen.</translation>
     </message>
     <message>
         <source>Nothing was written: %1 is there already. Choose it by its whole name to replace it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben: %1 gibt es schon. Wählen Sie die Datei mit vollem Namen, um sie zu ersetzen.</translation>
     </message>
     <message>
         <source>Nothing was written: %1 ends in %2. A name for %3 ends in %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben: %1 endet auf %2. Ein Name für %3 endet auf %4.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 geschrieben.</translation>
     </message>
     <message>
         <source>Written to %1 and %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 und %2 geschrieben.</translation>
     </message>
     <message>
         <source>The path is written to %1; the map is not: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Weg ist nach %1 geschrieben; die Karte nicht: %2</translation>
     </message>
 </context>
 <context>
     <name>RecordingControl</name>
     <message>
         <source>Length of the recording [min:s]; ticks that were late, because the computer was busy: nothing was felt in them; ticks that were lost, because the disk was slow: they were felt and are not in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge der Aufzeichnung [min:s]; verspätete Takte, weil der Rechner beschäftigt war: in ihnen wurde nichts gefühlt; verlorene Takte, weil der Datenträger langsam war: sie wurden gefühlt und fehlen darin</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>A recording is running. End it and close?</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufzeichnung läuft. Beenden und schließen?</translation>
     </message>
     <message>
         <source>What was felt until now is kept in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bis jetzt gefühlt wurde, bleibt in %1.</translation>
     </message>
     <message>
         <source>End the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
         <source>Go on recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter aufzeichnen</translation>
     </message>
     <message>
         <source>● recording %1, the disk does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>● zeichnet %1 auf, der Datenträger antwortet nicht</translation>
     </message>
     <message>
         <source>● recording %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>● zeichnet %1 auf, %2</translation>
     </message>
     <message>
         <source>recording failed at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung gescheitert bei %1</translation>
     </message>
     <message>
         <source>%1 ended by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 endete von selbst</translation>
     </message>
 </context>
 <context>
     <name>ResultTables</name>
     <message>
         <source>Session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>In contact</source>
-        <translation type="unfinished"></translation>
+        <translation>In Kontakt</translation>
     </message>
     <message>
         <source>Contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte</translation>
     </message>
     <message>
         <source>Path of the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg der Hand</translation>
     </message>
     <message>
         <source>Path on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg auf der Oberfläche</translation>
     </message>
     <message>
         <source>Ticks late</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte verspätet</translation>
     </message>
     <message>
         <source>Ticks lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte verloren</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>not said</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Angabe</translation>
     </message>
     <message>
         <source>Touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührung</translation>
     </message>
     <message>
         <source>Force and depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft und Tiefe</translation>
     </message>
     <message>
         <source>Time spent [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>Verweildauer [s]</translation>
     </message>
     <message>
         <source>Mean [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel [N]</translation>
     </message>
     <message>
         <source>Median [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Median [N]</translation>
     </message>
     <message>
         <source>Nearly highest [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Fast höchste [N]</translation>
     </message>
     <message>
         <source>Peak [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze [N]</translation>
     </message>
     <message>
         <source>Deepest [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefste [mm]</translation>
     </message>
     <message>
         <source>Presses</source>
-        <translation type="unfinished"></translation>
+        <translation>Mal gedrückt</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamt</translation>
     </message>
     <message>
         <source>Search and press</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen und Drücken</translation>
     </message>
     <message>
         <source>Hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hand</translation>
     </message>
     <message>
         <source>Phases</source>
-        <translation type="unfinished"></translation>
+        <translation>Phasen</translation>
     </message>
     <message>
         <source>Searching</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Pressing</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken</translation>
     </message>
     <message>
         <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der untersuchten Oberfläche: innerhalb von %1, dem Radius der Fingerspitze</translation>
     </message>
     <message>
         <source>Share of the surface that was examined: within %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der untersuchten Oberfläche: innerhalb von %1</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Area [cm²]</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche [cm²]</translation>
     </message>
     <message>
         <source>Examined [%]</source>
-        <translation type="unfinished"></translation>
+        <translation>Untersucht [%]</translation>
     </message>
     <message>
         <source>Longest time at one place [s]</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Zeit an einer Stelle [s]</translation>
     </message>
     <message>
         <source>its mesh is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Netz ist nicht da</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde</translation>
     </message>
     <message>
         <source>Finding</source>
-        <translation type="unfinished"></translation>
+        <translation>Befund</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Markiert</translation>
     </message>
     <message>
         <source>First touched</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst berührt</translation>
     </message>
     <message>
         <source>Times returned</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederkehr</translation>
     </message>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>nie</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz</translation>
     </message>
     <message>
         <source>Written</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben</translation>
     </message>
     <message>
         <source>Findings, layer by layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde, Schicht für Schicht</translation>
     </message>
     <message>
         <source>Felt when marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Markieren gefühlt</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>Force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N]</translation>
     </message>
     <message>
         <source>Depth [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe [mm]</translation>
     </message>
     <message>
         <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fast höchste: die Kraft, unter der 95 % des Kontakts blieben. Maße für die Forschung, keine Diagnose.</translation>
     </message>
 </context>
 <context>
     <name>SceneDocument</name>
     <message>
         <source>Mark %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 markieren</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::Fingertip</name>
     <message>
         <source>Fingertip</source>
-        <translation type="unfinished"></translation>
+        <translation>Fingerspitze</translation>
     </message>
     <message>
         <source>Ball of %1 mm radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel mit %1 mm Radius</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Help</name>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Open the folder of documents: keys, recordings, measures, glossary, devices</source>
+        <translation>Den Ordner mit den Dokumenten öffnen: Tasten, Aufzeichnungen, Maße, Glossar, Geräte</translation>
+    </message>
+    <message>
+        <source>About Palpate</source>
+        <translation>Über Palpate</translation>
+    </message>
+    <message>
+        <source>Version, build and licences, to copy for a report</source>
+        <translation>Version, Build und Lizenzen, zum Kopieren für einen Bericht</translation>
+    </message>
+    <message>
+        <source>The documents were not found beside the program.</source>
+        <translation>Die Dokumente wurden neben dem Programm nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Nothing here opens folders; the documents are in %1</source>
+        <translation>Hier öffnet nichts Ordner; die Dokumente liegen in %1</translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.
+
+Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
+        <translation>Für Forschung, Ausbildung und Planungsübung. Kein Medizinprodukt.
+
+Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (gemeinfrei), hidapi (BSD) und CLI11 (BSD 3-Clause).</translation>
+    </message>
+    <message>
+        <source>Copy for a report</source>
+        <translation>Für einen Bericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copied: version, build and system.</source>
+        <translation>Kopiert: Version, Build und System.</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::Language</name>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Palpate speaks another language when it is started again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Palpate spricht nach einem Neustart eine andere Sprache.</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ActionList</name>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ChipRow</name>
     <message>
         <source>What else there is to say</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es sonst zu sagen gibt</translation>
     </message>
     <message>
         <source>What there is no room for in this row</source>
-        <translation type="unfinished"></translation>
+        <translation>Wofür in dieser Zeile kein Platz ist</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::DeviceChoice</name>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus</translation>
     </message>
     <message>
         <source>The pointer over the view; it feels nothing, the force is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zeiger über der Ansicht; er fühlt nichts, die Kraft wird angezeigt</translation>
     </message>
     <message>
         <source>Simulated hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierte Hand</translation>
     </message>
     <message>
         <source>Palpates what is in the middle of the view, and feels the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastet, was in der Mitte der Ansicht liegt, und fühlt die Kraft</translation>
     </message>
     <message>
         <source>Recording, felt anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung, neu gefühlt</translation>
     </message>
     <message>
         <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung der offenen Aufzeichnung, gefühlt mit dem Gewebe, wie es jetzt ist</translation>
     </message>
     <message>
         <source>%1 (skipped)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (übersprungen)</translation>
     </message>
     <message>
         <source>SpaceMouse moves the view</source>
-        <translation type="unfinished"></translation>
+        <translation>SpaceMouse bewegt die Ansicht</translation>
     </message>
     <message>
         <source>The puck turns and shifts the anatomy while another device is the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Puck dreht und verschiebt die Anatomie, während ein anderes Gerät die Hand ist</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren</translation>
     </message>
     <message>
         <source>Takes the pose that the device is in now as its calibration pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die jetzige Stellung des Geräts als seine Kalibrierstellung</translation>
     </message>
     <message>
         <source>What is plugged in…</source>
-        <translation type="unfinished"></translation>
+        <translation>Was eingesteckt ist…</translation>
     </message>
     <message>
         <source>%1 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verloren</translation>
     </message>
     <message>
         <source>%1: calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kalibrieren</translation>
     </message>
     <message>
         <source>%1 %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 ms</translation>
     </message>
     <message>
         <source>The hand&apos;s device: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät der Hand: %1</translation>
     </message>
     <message>
         <source>It feels nothing: the force is shown, up to %1 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fühlt nichts: die Kraft wird angezeigt, bis %1 N.</translation>
     </message>
     <message>
         <source>Up to %1 N and %2 N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis %1 N und %2 N/mm</translation>
     </message>
     <message>
         <source>From report received to force written: %1 ms, 99 % below %2 ms, at most %3 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Empfang des Berichts bis zur geschriebenen Kraft: %1 ms, 99 % unter %2 ms, höchstens %3 ms</translation>
     </message>
     <message>
         <source>%1 reports, %2 refused, lost %3 times</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Berichte, %2 abgewiesen, %3-mal verloren</translation>
     </message>
     <message>
         <source>%1: it would need %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: es bräuchte %2.</translation>
     </message>
     <message>
         <source>No haptic device and no 6-axis mouse is plugged in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein haptisches Gerät und keine 6-Achsen-Maus ist eingesteckt.</translation>
     </message>
     <message>
         <source>Devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::EnergyBar</name>
     <message>
         <source>Energy observer</source>
-        <translation type="unfinished"></translation>
+        <translation>Energiebeobachter</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::FindingsModel</name>
     <message>
         <source>%1: %2 N, %3 mm deep</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 N, %3 mm tief</translation>
     </message>
     <message>
         <source>felt %1 N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>gefühlt %1 N/mm</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 löschen</translation>
     </message>
     <message>
         <source>Delete %1 findings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Befunde löschen</translation>
     </message>
     <message>
         <source>note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz</translation>
     </message>
     <message>
         <source>Number, as in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer, wie in der Ansicht</translation>
     </message>
     <message>
         <source>№</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>The structure that was touched</source>
-        <translation type="unfinished"></translation>
+        <translation>Die berührte Struktur</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>Size across, as you judge it [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser nach Ihrem Urteil [mm]</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Force when it was marked [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft beim Markieren [N]</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Depth when it was marked [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe beim Markieren [mm]</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz</translation>
     </message>
     <message>
         <source>Type of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Art von %1</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 umbenennen</translation>
     </message>
     <message>
         <source>Size: found “%1”, expected millimetres as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe: „%1“ gefunden, erwartet sind Millimeter wie %2.</translation>
     </message>
     <message>
         <source>Size of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe von %1</translation>
     </message>
     <message>
         <source>Note on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz zu %1</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::FindingsPanel</name>
     <message>
         <source>Findings and notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde und Notizen</translation>
     </message>
     <message>
         <source>No finding yet. Press on a place and mark it with M; N writes a note without a place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Befund. Auf eine Stelle drücken und sie mit M markieren; N schreibt eine Notiz ohne Stelle.</translation>
     </message>
     <message>
         <source>Write a note (N), Enter keeps it</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz schreiben (N), Enter behält sie</translation>
     </message>
     <message>
         <source>New note without a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Notiz ohne Stelle</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ForceBar</name>
     <message>
         <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft des Modells [N]; der Balken endet an der Grenze des Geräts von %1 N</translation>
     </message>
     <message>
         <source>limit %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze %1 N</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ForceTimeline</name>
     <message>
         <source>Timeline of the recording&apos;s force</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
     </message>
     <message>
         <source>Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N] über die Aufzeichnung. Klicken oder ziehen, um dorthin zu gehen; ← und → gehen um 0,1 s, dazu Pos1 und Ende.</translation>
     </message>
     <message>
         <source>The force of a recording appears here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint die Kraft einer Aufzeichnung</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s: %2</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HandControl</name>
     <message>
         <source>%1; any is used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; jede CPU ist möglich</translation>
     </message>
     <message>
         <source>Touch the place, point at it or mark it as a finding (M) first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berühren Sie erst die Stelle, zeigen Sie darauf oder markieren Sie sie als Befund (M).</translation>
     </message>
     <message>
         <source>Nothing is shown that could fill the device&apos;s workspace.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wird gezeigt, was den Arbeitsraum des Geräts füllen könnte.</translation>
     </message>
     <message>
         <source>%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 füllt den Arbeitsraum. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
     </message>
     <message>
         <source>%1 fills the workspace.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 füllt den Arbeitsraum.</translation>
     </message>
     <message>
         <source>The whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Szene</translation>
     </message>
     <message>
         <source>10 mm where the hand touches</source>
-        <translation type="unfinished"></translation>
+        <translation>10 mm, wo die Hand berührt</translation>
     </message>
     <message>
         <source>10 mm under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>10 mm unter dem Zeiger</translation>
     </message>
     <message>
         <source>10 mm about finding %1</source>
-        <translation type="unfinished"></translation>
+        <translation>10 mm um Befund %1</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HandPanel</name>
     <message>
         <source>No motors: force is shown, not felt, and any stiffness is stable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Motoren: die Kraft wird angezeigt, nicht gefühlt, und jede Steifigkeit ist stabil.</translation>
     </message>
     <message>
         <source>Holds up to %1 N/mm at %2 kHz with %3 ms of delay; more is refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält bis %1 N/mm bei %2 kHz mit %3 ms Verzögerung; mehr wird abgewiesen.</translation>
     </message>
     <message>
         <source>At the edge of the workspace: bring the device back to its middle. The hand in the scene stays until then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Rand des Arbeitsraums: führen Sie das Gerät zurück in seine Mitte. Die Hand in der Szene bleibt bis dahin.</translation>
     </message>
     <message>
         <source>Clutched: the device moves, the hand in the scene stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgekuppelt: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
     </message>
     <message>
         <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Innerhalb von %1 (von außen gefühlt): führen Sie die Hand erst zu sich heraus.</translation>
     </message>
     <message>
         <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sie liegt: die Millimeter des Geräts sind die der Szene.</translation>
     </message>
     <message>
         <source>1 mm of the device is %1 mm of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 mm des Geräts ist %1 mm der Szene.</translation>
     </message>
     <message>
         <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 füllt den Arbeitsraum: 1 mm des Geräts ist %2 mm der Szene.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts</translation>
     </message>
     <message>
         <source>Latency %1 ms, 99 % below %2 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Latenz %1 ms, 99 % unter %2 ms</translation>
     </message>
     <message>
         <source>Jitter 99.9 % below %1 µs</source>
-        <translation type="unfinished"></translation>
+        <translation>Jitter 99,9 % unter %1 µs</translation>
     </message>
     <message>
         <source>%1 of %2 ticks late</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Takten verspätet</translation>
     </message>
     <message>
         <source>Force on the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Hand</translation>
     </message>
     <message>
         <source>Stiffness that is held</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehaltene Steifigkeit</translation>
     </message>
     <message>
         <source>Energy observer</source>
-        <translation type="unfinished"></translation>
+        <translation>Energiebeobachter</translation>
     </message>
     <message>
         <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
 Below zero the program would give more than it took; damping then takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ].
+Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</translation>
     </message>
     <message>
         <source>Latency and jitter</source>
-        <translation type="unfinished"></translation>
+        <translation>Latenz und Jitter</translation>
     </message>
     <message>
         <source>Fit all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles</translation>
     </message>
     <message>
         <source>All that is shown fills the device&apos;s workspace (W)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles Gezeigte füllt den Arbeitsraum des Geräts (W)</translation>
     </message>
     <message>
         <source>Fit organ</source>
-        <translation type="unfinished"></translation>
+        <translation>Organ</translation>
     </message>
     <message>
         <source>The organ that is touched fills the device&apos;s workspace; else the one under the pointer or selected (O)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das berührte Organ füllt den Arbeitsraum des Geräts; sonst das unter dem Zeiger oder das gewählte (O)</translation>
     </message>
     <message>
         <source>Fit lump</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>10 mm fill the device&apos;s workspace: where the hand touches, else under the pointer, else the newest finding (L)</source>
-        <translation type="unfinished"></translation>
+        <translation>10 mm füllen den Arbeitsraum des Geräts: wo die Hand berührt, sonst unter dem Zeiger, sonst der neueste Befund (L)</translation>
     </message>
     <message>
         <source>What fills the workspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Was den Arbeitsraum füllt</translation>
     </message>
     <message>
         <source> mm per mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm je mm</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Millimetres of the scene for a millimetre of the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter der Szene für einen Millimeter des Geräts</translation>
     </message>
     <message>
         <source>The picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild</translation>
     </message>
     <message>
         <source>The patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient</translation>
     </message>
     <message>
         <source>Nothing: as it lies</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts: wie es liegt</translation>
     </message>
     <message>
         <source>What the device turns with</source>
-        <translation type="unfinished"></translation>
+        <translation>Womit sich das Gerät dreht</translation>
     </message>
     <message>
         <source>The picture: right is right in the view, however it is turned.
 The patient: right is to the patient&apos;s left, up is to the head.
 Nothing: the device&apos;s coordinates are the scene&apos;s, without scale and clutch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
+Der Patient: rechts ist die linke Seite des Patienten, oben ist der Kopf.
+Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab und Kupplung.</translation>
     </message>
     <message>
         <source>Turns with</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht mit</translation>
     </message>
     <message>
         <source>%1 kHz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kHz</translation>
     </message>
     <message>
         <source>Rate of the servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Takt der Servoschleife</translation>
     </message>
     <message>
         <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte je Sekunde. Eine schnellere Schleife hält steiferes Gewebe, wo das Gerät mitkommt; siehe den Jitter unten.</translation>
     </message>
     <message>
         <source>Servo rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Servotakt</translation>
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Beliebig</translation>
     </message>
     <message>
         <source>CPU %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur CPU %1</translation>
     </message>
     <message>
         <source>CPU of the servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>CPU der Servoschleife</translation>
     </message>
     <message>
         <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
 the loop go where there is room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
+die Schleife laufen, wo Platz ist.</translation>
     </message>
     <message>
         <source>Servo CPU</source>
-        <translation type="unfinished"></translation>
+        <translation>Servo-CPU</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts</translation>
     </message>
     <message>
         <source>Clutch</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuppeln</translation>
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte</translation>
     </message>
     <message>
         <source>Use of button %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendung von Taste %1</translation>
     </message>
     <message>
         <source>Button %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste %1</translation>
     </message>
     <message>
         <source>Left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Linke Hand</translation>
     </message>
     <message>
         <source>The first two buttons change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ersten beiden Tasten tauschen ihren Platz</translation>
     </message>
     <message>
         <source>While held the device moves and the hand in the scene stays; the key C switches it</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange sie gehalten wird, bewegt sich das Gerät und die Hand in der Szene bleibt; die Taste C schaltet um</translation>
     </message>
     <message>
         <source>Puts the middle of the device&apos;s workspace in the middle of what fills it</source>
-        <translation type="unfinished"></translation>
+        <translation>Legt die Mitte des Arbeitsraums in die Mitte dessen, was ihn füllt</translation>
     </message>
     <message>
         <source>Force on the hand %1 N of %2 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Hand %1 N von %2 N</translation>
     </message>
     <message>
         <source>Energy %1 mJ · damping added %2 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie %1 mJ · Dämpfung zusätzlich %2 N</translation>
     </message>
     <message>
         <source>Not real-time: the list of messages (F4) says how to permit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Echtzeit: die Liste der Meldungen (F4) sagt, wie sie erlaubt wird.</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HintLine</name>
     <message>
         <source>The newest message; F4 shows all</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neueste Meldung; F4 zeigt alle</translation>
     </message>
     <message>
         <source>%1
 Press here or F4 for all messages</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+Hier drücken oder F4 für alle Meldungen</translation>
     </message>
     <message>
         <source>No new message</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine neue Meldung</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::KeysCard</name>
     <message>
         <source>All keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten</translation>
     </message>
     <message>
         <source>in the list: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Liste: %1</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::LawEditor</name>
     <message>
         <source>Load points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte laden…</translation>
     </message>
     <message>
         <source>Linear</source>
-        <translation type="unfinished"></translation>
+        <translation>Linear</translation>
     </message>
     <message>
         <source>Stiffer with depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifer mit der Tiefe</translation>
     </message>
     <message>
         <source>Ball on soft tissue</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel auf weichem Gewebe</translation>
     </message>
     <message>
         <source>Thin layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünne Schicht</translation>
     </message>
     <message>
         <source>Click</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick</translation>
     </message>
     <message>
         <source>Measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Punkte</translation>
     </message>
     <message>
         <source>Law</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetz</translation>
     </message>
     <message>
         <source>By what law the force rises with the depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach welchem Gesetz die Kraft mit der Tiefe steigt</translation>
     </message>
     <message>
         <source>Take the points of a measured curve from a CSV file with depth_mm and force_N</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte einer gemessenen Kurve aus einer CSV-Datei mit depth_mm und force_N nehmen</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
     <message>
         <source>%1 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 [%2]</translation>
     </message>
     <message>
         <source>Tables (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::LawPlot</name>
     <message>
         <source>Force in newton by depth in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft in Newton über der Tiefe in Millimetern</translation>
     </message>
     <message>
         <source>Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N] über der Tiefe [mm]. Einen Punkt ziehen; oder mit ← → wählen und mit ↑ ↓ bewegen</translation>
     </message>
     <message>
         <source>Force [N] by depth [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N] über der Tiefe [mm]</translation>
     </message>
     <message>
         <source>%1 mm deep</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm tief</translation>
     </message>
     <message>
         <source>Force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N]</translation>
     </message>
     <message>
         <source>– – device %1 N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>– – Gerät %1 N/mm</translation>
     </message>
     <message>
         <source>now %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt %1 mm</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::LiveTouch</name>
     <message>
         <source>With %1 at most %2 N/mm is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit %1 werden höchstens %2 N/mm dargestellt.</translation>
     </message>
     <message>
         <source>%1 holds at most %2 N/mm here.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hält hier höchstens %2 N/mm.</translation>
     </message>
     <message>
         <source> Its makers state no more.</source>
-        <translation type="unfinished"></translation>
+        <translation> Mehr geben seine Hersteller nicht an.</translation>
     </message>
     <message>
         <source> Its force acts %1 ms late at %2 Hz: anything stiffer could make it oscillate.</source>
-        <translation type="unfinished"></translation>
+        <translation> Seine Kraft wirkt %1 ms verspätet bei %2 Hz: Steiferes könnte es zum Schwingen bringen.</translation>
     </message>
     <message>
         <source> A millimetre of the device is %1 mm of the scene: a smaller scale (panel Device) holds more.</source>
-        <translation type="unfinished"></translation>
+        <translation> Ein Millimeter des Geräts ist %1 mm der Szene: ein kleinerer Maßstab (Panel Gerät) hält mehr.</translation>
     </message>
     <message>
         <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verlangt %2 N/mm; gefühlt werden %3 N/mm, das meiste, das %4 hier hält%5.</translation>
     </message>
     <message>
         <source> beside the layers around it</source>
-        <translation type="unfinished"></translation>
+        <translation> neben den Schichten ringsum</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
     <message>
         <source>Young&apos;s modulus, kPa</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
         <source>shear modulus, kPa</source>
-        <translation type="unfinished"></translation>
+        <translation>Schubmodul, kPa</translation>
     </message>
     <message>
         <source>damping felt, N·s/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung gefühlt, N·s/mm</translation>
     </message>
     <message>
         <source>friction, times the tissue&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Reibung, Vielfaches der des Gewebes</translation>
     </message>
     <message>
         <source>stiffness felt, N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit gefühlt, N/mm</translation>
     </message>
     <message>
         <source>stiffness felt, times the law</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit gefühlt, Vielfaches des Gesetzes</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>nothing said</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Angabe</translation>
     </message>
     <message>
         <source>%1: nothing said</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: keine Angabe</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::MapEditor</name>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte</translation>
     </message>
     <message>
         <source>How the tissue varies over the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das Gewebe über die Oberfläche variiert</translation>
     </message>
     <message>
         <source>By name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Namen</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand</translation>
     </message>
     <message>
         <source>The arrays of the mesh whose names say what they are, such as StiffnessScale</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder des Netzes, deren Namen sagen, was sie sind, wie StiffnessScale</translation>
     </message>
     <message>
         <source>Varies</source>
-        <translation type="unfinished"></translation>
+        <translation>Variiert</translation>
     </message>
     <message>
         <source>What of the tissue varies</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am Gewebe variiert</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung</translation>
     </message>
     <message>
         <source>Friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reibung</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach</translation>
     </message>
     <message>
         <source>Which array of the mesh, or which volume, says it</source>
-        <translation type="unfinished"></translation>
+        <translation>Welches Feld des Netzes oder welches Volumen es sagt</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Zahlen sind. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei: siehe das Handbuch des Scanners</translation>
     </message>
     <message>
         <source>say which…</source>
-        <translation type="unfinished"></translation>
+        <translation>bitte angeben…</translation>
     </message>
     <message>
         <source>Times the tissue&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Vielfaches des Gewebewerts</translation>
     </message>
     <message>
         <source>N/mm, as felt</source>
-        <translation type="unfinished"></translation>
+        <translation>N/mm, wie gefühlt</translation>
     </message>
     <message>
         <source>Shear modulus, kPa</source>
-        <translation type="unfinished"></translation>
+        <translation>Schubmodul, kPa</translation>
     </message>
     <message>
         <source>Young&apos;s modulus, kPa</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
         <source>Contact radius in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontaktradius in mm</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Fingers, der einen Modul fühlt: die Steifigkeit ist 8-mal Radius mal Schubmodul</translation>
     </message>
     <message>
         <source>Contact radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontaktradius</translation>
     </message>
     <message>
         <source>Keep numbers within</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen begrenzen</translation>
     </message>
     <message>
         <source>Numbers beyond are taken as the nearest one within</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen außerhalb gelten als die nächste innerhalb</translation>
     </message>
     <message>
         <source>At least</source>
-        <translation type="unfinished"></translation>
+        <translation>Mindestens</translation>
     </message>
     <message>
         <source>At most</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>What the map says</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karte sagt</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Colours the structure by numbers, with a legend</source>
-        <translation type="unfinished"></translation>
+        <translation>Färbt die Struktur nach Zahlen, mit Legende</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Volumes (*.vti *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen (*.vti *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts</translation>
     </message>
     <message>
         <source>Volume…</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen…</translation>
     </message>
     <message>
         <source>Own colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Farbe</translation>
     </message>
     <message>
         <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie an, was die Zahlen von %1 sind: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
     </message>
     <message>
         <source>%1 varies by %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 variiert nach %2.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 von %3 Stellen haben keine Angabe. Dort wird der Wert des Gewebes gefühlt.</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::MessageBar</name>
     <message>
         <source> … and %1 more lines (F4)</source>
-        <translation type="unfinished"></translation>
+        <translation> … und %1 weitere Zeilen (F4)</translation>
     </message>
     <message>
         <source>Show the list of messages (F4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste der Meldungen zeigen (F4)</translation>
     </message>
     <message>
         <source>1 older message waits (F4 shows all)</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ältere Meldung wartet (F4 zeigt alle)</translation>
     </message>
     <message>
         <source>%1 older messages wait (F4 shows all)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ältere Meldungen warten (F4 zeigt alle)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::MessageList</name>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen</translation>
     </message>
     <message>
         <source>Copy (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren (Strg+C)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::MessageRow</name>
     <message>
         <source>Close this message; the list of messages keeps it (F4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen; die Liste der Meldungen behält sie (F4)</translation>
     </message>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::Messages</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Told</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitteilung</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Offer</source>
-        <translation type="unfinished"></translation>
+        <translation>Angebot</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::PalpationController</name>
     <message>
         <source>%1 mm is the deepest press: the scene is no larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm ist der tiefste Druck: größer ist die Szene nicht.</translation>
     </message>
     <message>
         <source>Nothing that can be felt is in view.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Ansicht ist nichts, was sich fühlen lässt.</translation>
     </message>
     <message>
         <source>camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>presses %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>drückt %1 mm</translation>
     </message>
     <message>
         <source>pressing %1 mm, slid off the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>drückt %1 mm, vom Rand geglitten</translation>
     </message>
     <message>
         <source>pressing %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>drückt %1 mm</translation>
     </message>
     <message>
         <source>pressing %1 of %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>drückt %1 von %2 mm</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::Playback</name>
     <message>
         <source>structure %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur %1</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
         <source>%1 ended at %2 s because the disk was full; what was felt after is not in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 endete bei %2 s, weil der Datenträger voll war; was danach gefühlt wurde, fehlt darin.</translation>
     </message>
     <message>
         <source>%1 ended at %2 s because the disk could not be written; what was felt after is not in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 endete bei %2 s, weil der Datenträger nicht beschreibbar war; was danach gefühlt wurde, fehlt darin.</translation>
     </message>
     <message>
         <source>%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht abgeschlossen (Absturz oder voller Datenträger): sie endet bei %2 s, und was danach gefühlt wurde, fehlt darin.</translation>
     </message>
     <message>
         <source>%1: %2 ticks were lost while it was recorded, because the disk was too slow.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 Takte gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::SceneLoader</name>
     <message>
         <source>Nothing to open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zu öffnen.</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lese %1</translation>
     </message>
     <message>
         <source>Preparing for touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereite das Tasten vor</translation>
     </message>
     <message>
         <source>its view</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Ansicht</translation>
     </message>
     <message>
         <source>the fields of it that this version does not know</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Felder, die diese Version nicht kennt</translation>
     </message>
     <message>
         <source>%1: opened together with another scene; not taken: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: zusammen mit einer anderen Szene geöffnet; nicht übernommen: %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::SessionPanel</name>
     <message>
         <source>Position and length</source>
-        <translation type="unfinished"></translation>
+        <translation>Position und Länge</translation>
     </message>
     <message>
         <source>Position / length [min:s]</source>
-        <translation type="unfinished"></translation>
+        <translation>Position / Länge [min:s]</translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>Speed of playing; 1 × is as it was recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo des Abspielens; 1 × ist wie aufgezeichnet</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>No recording yet. Record one with R, or open a .palpate file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Aufzeichnung. Mit R eine aufnehmen oder eine .palpate-Datei öffnen.</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1 late, %2 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verspätet, %2 verloren</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructureList</name>
     <message>
         <source>Structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Strukturen</translation>
     </message>
     <message>
         <source>Filter by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Namen filtern</translation>
     </message>
     <message>
         <source>Filter the structures by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strukturen nach Namen filtern</translation>
     </message>
     <message>
         <source>List only what has these words in its name (Ctrl+F); Esc lists all</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur auflisten, was diese Wörter im Namen hat (Strg+F); Esc listet alle auf</translation>
     </message>
     <message>
         <source>Order and groups of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge und Gruppen der Liste</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>As opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>By name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Namen</translation>
     </message>
     <message>
         <source>By tissue, softest first</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Gewebe, weichstes zuerst</translation>
     </message>
     <message>
         <source>By layer, outermost first</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Schicht, äußerste zuerst</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>By file or folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Datei oder Ordner</translation>
     </message>
     <message>
         <source>By layer, as felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Schicht, wie gefühlt</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructureModel</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>outermost</source>
-        <translation type="unfinished"></translation>
+        <translation>außen</translation>
     </message>
     <message>
         <source>below %1</source>
-        <translation type="unfinished"></translation>
+        <translation>unter %1</translation>
     </message>
     <message>
         <source>%1 below</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 darunter</translation>
     </message>
     <message>
         <source>%1 is shown. Click to hide it; what is hidden is not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gezeigt. Zum Verbergen klicken; Verborgenes wird nicht gefühlt.</translation>
     </message>
     <message>
         <source>%1 is hidden. Click to show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist verborgen. Zum Zeigen klicken.</translation>
     </message>
     <message>
         <source>%1, felt %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, gefühlt %2</translation>
     </message>
     <message>
         <source>%1
 %2 triangles
 Felt: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+%2 Dreiecke
+Gefühlt: %3</translation>
     </message>
     <message>
         <source>About the mesh of %1:
 • %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Netz von %1:
+• %2</translation>
     </message>
     <message>
         <source>%1 can be felt. Click to let the hand pass through it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist zu fühlen. Klicken, um die Hand hindurchzulassen.</translation>
     </message>
     <message>
         <source>The hand passes through %1. Click to feel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hand geht durch %1 hindurch. Zum Fühlen klicken.</translation>
     </message>
     <message>
         <source>Structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>Shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt</translation>
     </message>
     <message>
         <source>Name and colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Name und Farbe</translation>
     </message>
     <message>
         <source>What was found in the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Was im Netz gefunden wurde</translation>
     </message>
     <message>
         <source>Can be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu fühlen</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>Remove %1 structures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen entfernen</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 umbenennen</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
     <message>
         <source>Colour of the structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe der Struktur</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Opacity in per cent</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft in Prozent</translation>
     </message>
     <message>
         <source>Opacity [%]: what lies behind shows through</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft [%]: was dahinter liegt, scheint durch</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>%1 as felt [%2]: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, wie gefühlt [%2]: %3</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
     <message>
         <source>Own values</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Werte</translation>
     </message>
     <message>
         <source>Tissue</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>How the structure feels, by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sich die Struktur anfühlt, nach Namen</translation>
     </message>
     <message>
         <source>Friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reibung</translation>
     </message>
     <message>
         <source>How much the surface holds the fingertip, by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie stark die Oberfläche die Fingerspitze hält, nach Namen</translation>
     </message>
     <message>
         <source>What is felt of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Was davon gefühlt wird</translation>
     </message>
     <message>
         <source>Why the value was refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum der Wert abgewiesen wurde</translation>
     </message>
     <message>
         <source>Felt, in order from outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefühlt, der Reihe nach von außen</translation>
     </message>
     <message>
         <source>What a hand meets first as it presses in, and what it meets through that (Ctrl+Down, Ctrl+Up in the list)</source>
-        <translation type="unfinished"></translation>
+        <translation>Worauf eine Hand beim Eindrücken zuerst trifft, und worauf durch dieses hindurch (Strg+↓, Strg+↑ in der Liste)</translation>
     </message>
     <message>
         <source>Felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefühlt</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>No structure selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Struktur gewählt</translation>
     </message>
     <message>
         <source>Source: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1</translation>
     </message>
     <message>
         <source>%1 takes %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nimmt %2</translation>
     </message>
     <message>
         <source>felt as at most %1 N/mm: the device holds %2 N/mm in all%3</source>
-        <translation type="unfinished"></translation>
+        <translation>gefühlt als höchstens %1 N/mm: das Gerät hält insgesamt %2 N/mm%3</translation>
     </message>
     <message>
         <source>felt as %1 N/mm: the device holds %2 N/mm in all%3</source>
-        <translation type="unfinished"></translation>
+        <translation>gefühlt als %1 N/mm: das Gerät hält insgesamt %2 N/mm%3</translation>
     </message>
     <message>
         <source>This law is refused: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gesetz wird abgewiesen: %1.</translation>
     </message>
     <message>
         <source>%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N·s/mm wird abgewiesen: das Gerät lässt sich mit höchstens %2 N·s/mm dämpfen. Geben Sie das oder weniger ein.</translation>
     </message>
     <message>
         <source>%1 Of that %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Davon: %2.</translation>
     </message>
     <message>
         <source>%1 N/mm is refused. %2 Enter %3 N/mm or less.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N/mm wird abgewiesen. %2 Geben Sie %3 N/mm oder weniger ein.</translation>
     </message>
     <message>
         <source>A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it rises by %3 N/mm or less.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesetz, das an der steilsten Stelle um %1 N/mm steigt, wird abgewiesen. %2 Geben Sie Zahlen ein, mit denen es um höchstens %3 N/mm steigt.</translation>
     </message>
     <message>
         <source>Colour of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe von %1</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zeigen</translation>
     </message>
     <message>
         <source>Feel all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle fühlen</translation>
     </message>
     <message>
         <source>numbers chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen gewählt</translation>
     </message>
     <message>
         <source>shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it</source>
-        <translation type="unfinished"></translation>
+        <translation>Schubmodul aus MR-Elastographie (PMC2894569), wie eine Fingerspitze von 5 mm Radius ihn fühlt</translation>
     </message>
     <message>
         <source>Very soft organ</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr weiches Organ</translation>
     </message>
     <message>
         <source>Soft organ</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiches Organ</translation>
     </message>
     <message>
         <source>Firm organ</source>
-        <translation type="unfinished"></translation>
+        <translation>Festes Organ</translation>
     </message>
     <message>
         <source>Firm lump</source>
-        <translation type="unfinished"></translation>
+        <translation>Fester Knoten</translation>
     </message>
     <message>
         <source>Hard lump</source>
-        <translation type="unfinished"></translation>
+        <translation>Harter Knoten</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen</translation>
     </message>
     <message>
         <source>Liver, healthy (2.3 kPa)</source>
-        <translation type="unfinished"></translation>
+        <translation>Leber, gesund (2,3 kPa)</translation>
     </message>
     <message>
         <source>Liver, fibrotic (5.9 kPa)</source>
-        <translation type="unfinished"></translation>
+        <translation>Leber, fibrotisch (5,9 kPa)</translation>
     </message>
     <message>
         <source>Liver, malignant (10.1 kPa)</source>
-        <translation type="unfinished"></translation>
+        <translation>Leber, maligne (10,1 kPa)</translation>
     </message>
     <message>
         <source>Liver, stiffer with depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Leber, steifer mit der Tiefe</translation>
     </message>
     <message>
         <source>shape after Carter et al. 2001 (exponential), numbers chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Form nach Carter et al. 2001 (exponentiell), Zahlen gewählt</translation>
     </message>
     <message>
         <source>Soft ground under a ball</source>
-        <translation type="unfinished"></translation>
+        <translation>Weicher Grund unter einer Kugel</translation>
     </message>
     <message>
         <source>shape after Hertz 1882, numbers chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Form nach Hertz 1882, Zahlen gewählt</translation>
     </message>
     <message>
         <source>Button that clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Knopf, der klickt</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Wet (0.05, chosen)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nass (0,05, gewählt)</translation>
     </message>
     <message>
         <source>Moist (0.15, chosen)</source>
-        <translation type="unfinished"></translation>
+        <translation>Feucht (0,15, gewählt)</translation>
     </message>
     <message>
         <source>Dry (0.40, chosen)</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocken (0,40, gewählt)</translation>
     </message>
     <message>
         <source>Change %1 structures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen ändern</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 structures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Strukturen</translation>
     </message>
     <message>
         <source>Show only what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Auswahl zeigen</translation>
     </message>
     <message>
         <source>Feel only what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Auswahl fühlen</translation>
     </message>
     <message>
         <source>Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen…</translation>
     </message>
     <message>
         <source>Remove from the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Szene entfernen</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
     <message>
         <source>Felt outermost</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuäußerst gefühlt</translation>
     </message>
     <message>
         <source>Felt %1 below</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 darunter gefühlt</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Hide all of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle aus %1 verbergen</translation>
     </message>
     <message>
         <source>Show all of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle aus %1 zeigen</translation>
     </message>
     <message>
         <source>Let the hand pass through all of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hand durch alle aus %1 lassen</translation>
     </message>
     <message>
         <source>Feel all of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle aus %1 fühlen</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::Terms</name>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>force for each mm pressed in</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft je eingedrücktem mm</translation>
     </message>
     <message>
         <source>newton per millimetre</source>
-        <translation type="unfinished"></translation>
+        <translation>Newton je Millimeter</translation>
     </message>
     <message>
         <source>Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung</translation>
     </message>
     <message>
         <source>force against each mm/s of movement</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft gegen jeden mm/s der Bewegung</translation>
     </message>
     <message>
         <source>newton seconds per millimetre</source>
-        <translation type="unfinished"></translation>
+        <translation>Newtonsekunden je Millimeter</translation>
     </message>
     <message>
         <source>Friction at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Haftreibung</translation>
     </message>
     <message>
         <source>share of the normal force that holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Normalkraft, der hält</translation>
     </message>
     <message>
         <source>Friction sliding</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleitreibung</translation>
     </message>
     <message>
         <source>share of the normal force that drags while it slides</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Normalkraft, der beim Gleiten bremst</translation>
     </message>
     <message>
         <source>Drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskose Reibung</translation>
     </message>
     <message>
         <source>force against each mm/s of sliding</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft gegen jeden mm/s des Gleitens</translation>
     </message>
     <message>
         <source>Stiffness at first touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit bei erster Berührung</translation>
     </message>
     <message>
         <source>Growth with depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunahme mit der Tiefe</translation>
     </message>
     <message>
         <source>Greatest stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Steifigkeit</translation>
     </message>
     <message>
         <source>Young&apos;s modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul</translation>
     </message>
     <message>
         <source>Radius of the ball</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius der Kugel</translation>
     </message>
     <message>
         <source>Thickness of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>Bonded to what is below</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem darunter verbunden</translation>
     </message>
     <message>
         <source>Stiffness before the click</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit vor dem Klick</translation>
     </message>
     <message>
         <source>Force at which it gives way</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft, bei der es nachgibt</translation>
     </message>
     <message>
         <source>Force that it falls to</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft, auf die es fällt</translation>
     </message>
     <message>
         <source>Depth over which it falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe, über die es fällt</translation>
     </message>
     <message>
         <source>Stiffness after the click</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit nach dem Klick</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::TouchChart</name>
     <message>
         <source>Chart of force and depth over the last ten seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm von Kraft und Tiefe über die letzten zehn Sekunden</translation>
     </message>
     <message>
         <source>Force [N] and depth [mm] over the last 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N] und Tiefe [mm] über die letzten 10 s</translation>
     </message>
     <message>
         <source>−10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>−10 s</translation>
     </message>
     <message>
         <source>−5 s</source>
-        <translation type="unfinished"></translation>
+        <translation>−5 s</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>Force [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft [N]</translation>
     </message>
     <message>
         <source>Depth [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe [mm]</translation>
     </message>
     <message>
         <source>along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>entlang der Oberfläche</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::TouchPanel</name>
     <message>
         <source>%1 mm deep · %2 N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm tief · %2 N/mm</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Force in newton</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft in Newton</translation>
     </message>
     <message>
         <source>Force on the hand [N]</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Hand [N]</translation>
     </message>
     <message>
         <source>Touched structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührte Struktur</translation>
     </message>
     <message>
         <source>Touched structures, the outermost first, with their forces and depths</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührte Strukturen, die äußerste zuerst, mit Kräften und Tiefen</translation>
     </message>
     <message>
         <source>Each layer that is touched, the outermost first: its share of the force [N],
 and how deep the hand is in it [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede berührte Schicht, die äußerste zuerst: ihr Anteil an der Kraft [N],
+und wie tief die Hand in ihr ist [mm]</translation>
     </message>
     <message>
         <source>Depth and stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe und Steifigkeit</translation>
     </message>
     <message>
         <source>Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers that are touched [N/mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe: von der äußersten Oberfläche zur Hand [mm]; Steifigkeit, wie gefühlt, aller berührten Schichten [N/mm]</translation>
     </message>
     <message>
         <source>Active constraints: planes of the surface that hold the hand back, at most 3.
 Solver: time of one tick, not exceeded by 99 of 100 [µs].
 Where more facets lie in one place than a tick has time for, it goes on from where it got to with the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktive Zwangsbedingungen: Ebenen der Oberfläche, die die Hand zurückhalten, höchstens 3.
+Löser: Zeit eines Takts, die 99 von 100 nicht überschreiten [µs].
+Wo an einer Stelle mehr Facetten liegen, als ein Takt Zeit hat, macht der nächste dort weiter, wo er aufhörte.</translation>
     </message>
     <message>
         <source>Free space</source>
-        <translation type="unfinished"></translation>
+        <translation>Freier Raum</translation>
     </message>
     <message>
         <source>nothing is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist berührt</translation>
     </message>
     <message>
         <source>too many facets in this place: the force follows late</source>
-        <translation type="unfinished"></translation>
+        <translation>zu viele Facetten an dieser Stelle: die Kraft folgt verspätet</translation>
     </message>
     <message>
         <source>constraints %1 · solver %2 µs p99</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwänge %1 · Löser %2 µs p99</translation>
     </message>
     <message>
         <source>constraints %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwänge %1</translation>
     </message>
     <message>
         <source>No hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Hand</translation>
     </message>
     <message>
         <source>press on a structure to feel it</source>
-        <translation type="unfinished"></translation>
+        <translation>auf eine Struktur drücken, um sie zu fühlen</translation>
     </message>
     <message>
         <source>constraints 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwänge 0</translation>
     </message>
     <message>
         <source>%1 mm deep · slid off the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm tief · vom Rand geglitten</translation>
     </message>
     <message>
         <source>slid off the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Rand geglitten</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ViewKeys</name>
     <message>
         <source>← → ↑ ↓</source>
-        <translation type="unfinished"></translation>
+        <translation>← → ↑ ↓</translation>
     </message>
     <message>
         <source>turn the camera by 15°; with Shift: move it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kamera um 15° drehen; mit Umschalt: verschieben</translation>
     </message>
     <message>
         <source>+  −</source>
-        <translation type="unfinished"></translation>
+        <translation>+  −</translation>
     </message>
     <message>
         <source>zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>zoomen</translation>
     </message>
     <message>
         <source>Ctrl+← → ↑ ↓</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+← → ↑ ↓</translation>
     </message>
     <message>
         <source>move the place to press by 2 mm along the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>die Druckstelle um 2 mm entlang des Bildschirms verschieben</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>press there, let go</source>
-        <translation type="unfinished"></translation>
+        <translation>dort drücken, loslassen</translation>
     </message>
     <message>
         <source>Page down  up</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild ab  auf</translation>
     </message>
     <message>
         <source>press deeper, less deep by 0.5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>um 0,5 mm tiefer, weniger tief drücken</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::VtkViewport</name>
     <message>
         <source>3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::WelcomePage</name>
     <message>
         <source>Try the phantom</source>
-        <translation type="unfinished"></translation>
+        <translation>Phantom ausprobieren</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt</translation>
     </message>
     <message>
         <source>Feel segmented anatomy</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmentierte Anatomie tasten</translation>
     </message>
     <message>
         <source>Drop surface meshes or a scene here: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächennetze oder eine Szene hier ablegen: %1</translation>
     </message>
     <message>
         <source>Open anatomy…</source>
-        <translation type="unfinished"></translation>
+        <translation>Anatomie öffnen…</translation>
     </message>
     <message>
         <source>Open mesh or scene files (Ctrl+O)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz- oder Szenendateien öffnen (Strg+O)</translation>
     </message>
     <message>
         <source>Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation</source>
-        <translation type="unfinished"></translation>
+        <translation>Das mit Palpate gelieferte Phantom öffnen: eine Leber mit zwei Knoten und eine aufgezeichnete Palpation</translation>
     </message>
     <message>
         <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dann P drücken, zum Drücken ziehen und die Tiefe mit dem Rad stellen. ? zeigt alle Tasten.</translation>
     </message>
 </context>
 </TS>

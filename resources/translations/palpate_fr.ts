@@ -1353,6 +1353,47 @@
     </message>
 </context>
 <context>
+    <name>palpate::app::Help</name>
+    <message>
+        <source>Documents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of documents: keys, recordings, measures, glossary, devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Palpate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version, build and licences, to copy for a report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The documents were not found beside the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing here opens folders; the documents are in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.
+
+Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy for a report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied: version, build and system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Language</name>
     <message>
         <source>Language</source>

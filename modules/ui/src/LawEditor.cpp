@@ -58,6 +58,8 @@ LawEditor::LawEditor(QWidget* parent)
     for (const QString& name : names) {
         m_kind->addItem(name);
     }
+    m_kind->setSizeAdjustPolicy(
+        QComboBox::AdjustToMinimumContentsLengthWithIcon); // long names must not widen the panel
     m_kind->setAccessibleName(tr("Law"));
     m_kind->setToolTip(tr("By what law the force rises with the depth"));
     m_load->setToolTip(tr("Take the points of a measured curve from a CSV file with depth_mm and force_N"));

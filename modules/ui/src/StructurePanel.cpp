@@ -249,6 +249,7 @@ void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
 void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
 {
     m_friction = new QComboBox(box);
+    m_friction->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const FrictionPreset& preset : frictionPresets()) {
         m_friction->addItem(tr(preset.name));
     }
