@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/buried/Stiffening.h"
+
+#include <palpate/core/Status.h>
+#include <palpate/geometry/MeshReport.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::buried {
+
+using core::Vec3;
+
+/// A lump in an organ.
+struct BuriedLump
+{
+    std::string name;
+    std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
+    double ratio = 4.4; ///< rho: its modulus by the organ's; liver malignancies by MR elastography: 4.4
+};
+
+struct FeltOptions
+{
+    double radius_mm = 5.0;                           ///< of the finger's contact
+    std::vector<double> press_mm{0.0, 2.0, 4.0, 8.0}; ///< how deep the finger is pressed in, ascending
+    /// Told the share done, 0 … 1, on the calling thread; false cancels. May be empty.
+    std::function<bool(double)> progress;
+};
+inline constexpr double kMostRadius_mm = 30.0, kMostPress_mm = 30.0, kMostRatio = 1e4;
+inline constexpr std::size_t kMostPresses = 8;
+
+/// Changes of stiffness that hands tell: untrained 28 %, trained 14 %, and half of it, in 100.
+/// @par Source resources/docs/felt.md
+inline constexpr std::array<double, 3> kTold_percent{7.0, 14.0, 28.0};
+
+/// Whether a hand finds a lump at its best place.
+enum class Verdict : std::uint8_t
+{
+    NotByHand,     ///< below what a trained hand tells
+    ByTrainedHand, ///< 14 % or more
+    Plainly,       ///< 28 % or more
+    NotJudged,     ///< wherever it could be felt the model does not hold
+};
+inline constexpr std::array<std::string_view, 4> kVerdictNames{"not by hand", "by a trained hand", "plainly",
+                                                               "not judged"};
+/// @param ratio  k/k0; of a soft place its inverse counts
+[[nodiscard]] Verdict verdictOf(double ratio) noexcept;
+
+/// Why a place is not judged, as bits.
+enum NotJudged : std::uint8_t
+{
+    kCurved = 1,      ///< the surface bends with less than Ground::kLeastRadii contact radii
+    kThin = 2,        ///< the organ is thinner than that
+    kOverlapping = 4, ///< lumps that reach into each other are felt here
+};
+
+/// What can be felt from each vertex of an organ's surface.
+struct FeltSurface
+{
+    /// k/k0 at each vertex for one press, all lumps together.
+    struct Press
+    {
+        double press_mm = 0.0;
+        std::vector<float> low, ratio, high;
+    };
+    /// A lump alone, at one press.
+    struct LumpPress
+    {
+        std::optional<std::size_t> best;  ///< vertex where it is felt most; of those that are judged
+        Stiffening felt;                  ///< there
+        std::array<double, 3> area_mm2{}; ///< that is judged, where it is felt by kTold_percent or more
+        Verdict verdict = Verdict::NotByHand;
+    };
+    struct Lump
+    {
+        std::string name;
+        double ratio = 1.0;
+        double leastCover_mm = 0.0; ///< from the organ's vertices to the lump; 0 where it sticks out
+        std::vector<LumpPress> press;
+    };
+
+    geometry::TriangleMesh surface; ///< the organ's, refined where its edges are longer than half a contact radius
+    std::size_t organVertices = 0;  ///< the first so many are the organ's own
+    double radius_mm = 0.0;
+    std::vector<Press> press;
+    std::vector<Lump> lumps;
+    std::vector<float> cover_mm;         ///< to the lump that is felt most; NaN where none is
+    std::vector<std::uint8_t> lump;      ///< number + 1 of the one that is felt most at the deepest press; 0: none
+    std::vector<std::uint8_t> notJudged; ///< bits of NotJudged
+    std::vector<std::string> notes;      ///< what was left out and why, one sentence each
+};
+
+/// Computes what can be felt of lumps through an organ's surface.
+/// Lumps are taken in their order; one that is open, inside out, or wholly outside the organ is left out, with a note.
+/// @param name  the organ's, for messages
+/// @return OutOfRange for a radius, press or ratio out of range; Unsupported where the organ has no sure inside; Empty
+/// without a lump; Cancelled.
+/// @par Cost about 20 ns for each vertex, triangle of a lump (at most LumpShape::kUsualTriangles) and press. All cores;
+/// the same bits on any number of them. Never from the servo thread.
+[[nodiscard]] core::Result<FeltSurface> feltSurface(const std::string& name, const geometry::RepairedMesh& organ,
+                                                    const std::vector<BuriedLump>& lumps,
+                                                    const FeltOptions& options = {});
+
+} // namespace palpate::buried

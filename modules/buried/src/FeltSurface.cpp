@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/buried/FeltSurface.h"
+
+#include "Decimated.h"
+#include "palpate/buried/Ground.h"
+#include "palpate/buried/LumpShape.h"
+
+#include <palpate/core/Numbers.h>
+#include <palpate/core/Parallel.h>
+#include <palpate/geometry/Inside.h>
+#include <palpate/geometry/SurfaceIndex.h>
+
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkStaticCellLocator.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace palpate::buried {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using geometry::RepairedMesh;
+using geometry::SurfaceIndex;
+
+std::string text(double value)
+{
+    std::string out;
+    core::appendNumber(out, value);
+    return out;
+}
+
+bool hasInside(const geometry::MeshReport& report)
+{
+    return report.isClosed() && report.insideOutComponents == 0 && report.volume_mm3 > 0.0;
+}
+
+/// A lump that is felt, with what is asked of it at each place.
+struct Prepared
+{
+    std::size_t number; ///< in the list that was given
+    LumpShape shape;
+    SurfaceIndex index;
+    vtkNew<vtkStaticCellLocator> locator; ///< over all of its triangles
+    bool overlaps = false;
+
+    Prepared(std::size_t n, const RepairedMesh& surface)
+        : number(n)
+        , shape(surface)
+        , index(SurfaceIndex::build(surface))
+    {
+        locator->SetDataSet(toVtk(surface.mesh));
+        locator->BuildLocator();
+    }
+
+    [[nodiscard]] double distance(const Vec3& p_W) const
+    {
+        thread_local const vtkSmartPointer<vtkGenericCell> cell = vtkSmartPointer<vtkGenericCell>::New();
+        Vec3 at = p_W;
+        vtkIdType id = 0;
+        int part = 0;
+        double distance2 = 0.0;
+        locator->FindClosestPoint(p_W.data(), at.data(), cell, id, part, distance2);
+        return std::sqrt(distance2);
+    }
+};
+
+bool isAnyInside(const SurfaceIndex& around, const RepairedMesh& lump)
+{
+    return std::any_of(lump.mesh.vertices.begin(), lump.mesh.vertices.end(),
+                       [&](const Vec3& p) { return geometry::isInside(around, p); });
+}
+
+Status checked(const FeltOptions& options)
+{
+    if (!(options.radius_mm > 0.0 && options.radius_mm <= kMostRadius_mm)) {
+        return {StatusCode::OutOfRange,
+                "contact radius: found " + text(options.radius_mm) + " mm, expected more than 0 and at most 30 mm"};
+    }
+    if (options.press_mm.empty() || options.press_mm.size() > kMostPresses) {
+        return {StatusCode::OutOfRange, "press depths: found " + std::to_string(options.press_mm.size()) +
+                                            ", expected 1 to " + std::to_string(kMostPresses)};
+    }
+    for (std::size_t i = 0; i < options.press_mm.size(); ++i) {
+        const double press = options.press_mm[i], before = i == 0 ? -1.0 : options.press_mm[i - 1];
+        if (!(press >= 0.0 && press <= kMostPress_mm && press > before)) {
+            return {StatusCode::OutOfRange,
+                    "press depths: found " + text(press) + " mm, expected 0 to 30 mm, ascending"};
+        }
+    }
+    return {};
+}
+
+/// The lumps that can be felt; notes say what was left out.
+Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organName, const SurfaceIndex& organ,
+                                                        const std::vector<BuriedLump>& lumps,
+                                                        std::vector<std::string>& notes)
+{
+    std::vector<std::unique_ptr<Prepared>> made;
+    for (std::size_t i = 0; i < lumps.size(); ++i) {
+        const BuriedLump& lump = lumps[i];
+        if (!(lump.ratio > 0.0 && lump.ratio <= kMostRatio)) {
+            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " + text(lump.ratio) +
+                                                      ", expected more than 0 and at most 10000");
+        }
+        const geometry::MeshReport& report = lump.surface->report;
+        if (!report.isClosed()) {
+            notes.push_back(lump.name + ": left out, its surface is open: it has no volume to be felt");
+        } else if (!hasInside(report)) {
+            notes.push_back(lump.name + ": left out, its surface is inside out");
+        } else if (!isAnyInside(organ, *lump.surface)) {
+            notes.push_back(lump.name + ": left out, it lies outside " + organName);
+        } else {
+            made.push_back(std::make_unique<Prepared>(i, *lump.surface));
+        }
+    }
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const RepairedMesh &a = *lumps[made[i]->number].surface, &b = *lumps[made[j]->number].surface;
+            if (a.report.bounds.intersects(b.report.bounds) &&
+                (isAnyInside(made[i]->index, b) || isAnyInside(made[j]->index, a))) {
+                made[i]->overlaps = made[j]->overlaps = true;
+                notes.push_back(lumps[made[i]->number].name + " and " + lumps[made[j]->number].name +
+                                " reach into each other: where both are felt is not judged");
+            }
+        }
+    }
+    return made;
+}
+
+/// Outward normals of the vertices, and the area that each stands for.
+struct Corners
+{
+    std::vector<Vec3> normals;
+    std::vector<double> area_mm2;
+
+    explicit Corners(const geometry::TriangleMesh& mesh)
+        : normals(mesh.vertices.size(), Vec3::Zero())
+        , area_mm2(mesh.vertices.size(), 0.0)
+    {
+        for (const geometry::Triangle& t : mesh.triangles) {
+            const Vec3& a = mesh.vertices[t[0]];
+            const Vec3 n = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+            for (const std::uint32_t corner : t) {
+                normals[corner] += n;
+                area_mm2[corner] += n.norm() / 6.0;
+            }
+        }
+        for (Vec3& n : normals) {
+            const double length = n.norm();
+            n = length > 0.0 ? Vec3(n / length) : Vec3::UnitZ();
+        }
+    }
+};
+
+/// One run over the vertices of an organ.
+class Run
+{
+  public:
+    Run(FeltSurface& felt, const Ground& ground, const std::vector<std::unique_ptr<Prepared>>& lumps,
+        const FeltOptions& options)
+        : m_felt(felt)
+        , m_ground(ground)
+        , m_lumps(lumps)
+        , m_options(options)
+        , m_corners(felt.surface)
+    {
+    }
+
+    /// @return false when it was cancelled
+    bool go()
+    {
+        const std::size_t vertices = m_felt.surface.vertices.size();
+        const std::size_t blocks = (vertices + kBlock - 1) / kBlock;
+        m_best.resize(blocks);
+        std::atomic<bool> isCancelled = false;
+        std::atomic<std::size_t> done = 0;
+        core::parallelFor(blocks, [&](std::size_t block, unsigned thread) {
+            if (isCancelled) {
+                return;
+            }
+            m_best[block].assign(m_lumps.size(), std::vector<FeltSurface::LumpPress>(m_options.press_mm.size()));
+            Room room;
+            for (std::size_t v = block * kBlock; v < std::min(vertices, (block + 1) * kBlock); ++v) {
+                judge(v, m_best[block], room);
+            }
+            const std::size_t now = ++done;
+            if (thread == 0 && m_options.progress && !m_options.progress(double(now) / double(blocks))) {
+                isCancelled = true;
+            }
+        });
+        if (isCancelled) {
+            return false;
+        }
+        gather();
+        return true;
+    }
+
+  private:
+    static constexpr std::size_t kBlock = 256;
+    using Best = std::vector<std::vector<FeltSurface::LumpPress>>; ///< by lump and press
+
+    struct Room
+    {
+        std::vector<double> shares;
+        std::vector<LumpShare> all;
+    };
+
+    void judge(std::size_t v, Best& best, Room& room) const
+    {
+        const std::size_t presses = m_options.press_mm.size();
+        const Vec3& p_W = m_felt.surface.vertices[v];
+        const Ground::At ground = m_ground.at(p_W, m_corners.normals[v]);
+        std::uint8_t reasons = static_cast<std::uint8_t>((ground.isCurved ? kCurved : 0) | (ground.isThin ? kThin : 0));
+
+        room.shares.assign(m_lumps.size() * presses, 0.0);
+        std::size_t most = 0;
+        double mostShare = 0.0;
+        int overlapping = 0;
+        const PressPlace place{p_W, ground.n_W, m_options.radius_mm};
+        for (std::size_t i = 0; i < m_lumps.size(); ++i) {
+            const std::span<double> shares = std::span(room.shares).subspan(i * presses, presses);
+            m_lumps[i]->shape.shares(place, m_options.press_mm, shares);
+            if (shares.back() > LumpShape::kLeastShare) {
+                overlapping += m_lumps[i]->overlaps ? 1 : 0;
+                const double changes = shares.back() * std::abs(std::log(m_felt.lumps[i].ratio));
+                if (changes > mostShare) {
+                    mostShare = changes;
+                    most = i + 1;
+                }
+            }
+        }
+        reasons = static_cast<std::uint8_t>(reasons | (overlapping > 1 ? kOverlapping : 0));
+        m_felt.notJudged[v] = reasons;
+        m_felt.lump[v] = static_cast<std::uint8_t>(std::min<std::size_t>(most, 255));
+        m_felt.cover_mm[v] =
+            most == 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(m_lumps[most - 1]->distance(p_W));
+        for (std::size_t press = 0; press < presses; ++press) {
+            room.all.clear();
+            for (std::size_t i = 0; i < m_lumps.size(); ++i) {
+                const LumpShare one{room.shares[i * presses + press], m_felt.lumps[i].ratio};
+                room.all.push_back(one);
+                if (reasons == 0) {
+                    enter(best[i][press], v, stiffening(one.share, one.ratio));
+                }
+            }
+            const Stiffening felt = stiffening(room.all);
+            FeltSurface::Press& to = m_felt.press[press];
+            to.low[v] = static_cast<float>(felt.low);
+            to.ratio[v] = static_cast<float>(felt.estimate);
+            to.high[v] = static_cast<float>(felt.high);
+        }
+    }
+
+    [[nodiscard]] static double changeOf(const Stiffening& felt) { return std::abs(std::log(felt.estimate)); }
+
+    void enter(FeltSurface::LumpPress& at, std::size_t v, const Stiffening& felt) const
+    {
+        const double change = changeOf(felt);
+        for (std::size_t i = 0; i < kTold_percent.size(); ++i) {
+            if (change >= std::log1p(kTold_percent[i] / 100.0)) {
+                at.area_mm2[i] += m_corners.area_mm2[v];
+            }
+        }
+        if (change > 0.0 && (!at.best.has_value() || change > changeOf(at.felt))) {
+            at.best = v;
+            at.felt = felt;
+        }
+    }
+
+    /// Adds the blocks up in their order, so that the sums don't depend on who made which.
+    void gather()
+    {
+        for (std::size_t i = 0; i < m_lumps.size(); ++i) {
+            FeltSurface::Lump& lump = m_felt.lumps[i];
+            lump.press.resize(m_options.press_mm.size());
+            for (std::size_t press = 0; press < lump.press.size(); ++press) {
+                FeltSurface::LumpPress& sum = lump.press[press];
+                for (const Best& block : m_best) {
+                    const FeltSurface::LumpPress& part = block[i][press];
+                    for (std::size_t k = 0; k < sum.area_mm2.size(); ++k) {
+                        sum.area_mm2[k] += part.area_mm2[k];
+                    }
+                    if (part.best.has_value() && (!sum.best.has_value() || changeOf(part.felt) > changeOf(sum.felt))) {
+                        sum.best = part.best;
+                        sum.felt = part.felt;
+                    }
+                }
+                sum.verdict = sum.best.has_value() ? verdictOf(sum.felt.estimate) : Verdict::NotJudged;
+            }
+        }
+    }
+
+    FeltSurface& m_felt;
+    const Ground& m_ground;
+    const std::vector<std::unique_ptr<Prepared>>& m_lumps;
+    const FeltOptions& m_options;
+    Corners m_corners;
+    std::vector<Best> m_best; ///< by block
+};
+
+double leastCover(const Prepared& lump, const RepairedMesh& surface, const SurfaceIndex& organ,
+                  const geometry::TriangleMesh& places)
+{
+    if (std::any_of(surface.mesh.vertices.begin(), surface.mesh.vertices.end(),
+                    [&](const Vec3& p) { return !geometry::isInside(organ, p); })) {
+        return 0.0;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& p_W : places.vertices) {
+        if (lump.shape.atLeastAway(p_W) < least) {
+            least = std::min(least, lump.distance(p_W));
+        }
+    }
+    return least;
+}
+
+/// The organ with edges short enough for what a finger tells apart.
+RepairedMesh fineEnough(const RepairedMesh& organ, double longest_mm)
+{
+    double longest2 = 0.0;
+    for (const geometry::Triangle& t : organ.mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 edge = organ.mesh.vertices[t[(k + 1) % 3]] - organ.mesh.vertices[t[k]];
+            longest2 = std::max(longest2, edge.squaredNorm());
+        }
+    }
+    RepairedMesh fine = organ;
+    fine.mesh.arrays.clear();
+    if (longest2 > longest_mm * longest_mm) {
+        fine.mesh = refined(organ.mesh, longest_mm);
+    }
+    return fine;
+}
+
+} // namespace
+
+Verdict verdictOf(double ratio) noexcept
+{
+    const double change = std::abs(std::log(ratio));
+    if (change >= std::log1p(kTold_percent[2] / 100.0)) {
+        return Verdict::Plainly;
+    }
+    return change >= std::log1p(kTold_percent[1] / 100.0) ? Verdict::ByTrainedHand : Verdict::NotByHand;
+}
+
+Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& organ,
+                                const std::vector<BuriedLump>& lumps, const FeltOptions& options)
+{
+    if (Status status = checked(options); !status.isOk()) {
+        return status;
+    }
+    if (!hasInside(organ.report)) {
+        return Status(StatusCode::Unsupported,
+                      name + ": its surface is open or inside out; expected a closed one, or it can't be told what "
+                             "lies in it");
+    }
+    FeltSurface felt;
+    const SurfaceIndex index = SurfaceIndex::build(organ);
+    auto ready = prepared(name, index, lumps, felt.notes);
+    if (!ready.isOk()) {
+        return ready.status();
+    }
+    if (ready.value().empty()) {
+        std::string why = name + ": found no lump in it that can be judged";
+        for (const std::string& note : felt.notes) {
+            why += "; " + note;
+        }
+        return Status(StatusCode::Empty, why);
+    }
+    const RepairedMesh fine = fineEnough(organ, 0.5 * options.radius_mm);
+    felt.surface = fine.mesh;
+    felt.organVertices = organ.mesh.vertices.size();
+    felt.radius_mm = options.radius_mm;
+    const std::size_t vertices = felt.surface.vertices.size();
+    for (const double press_mm : options.press_mm) {
+        const std::vector<float> ones(vertices, 1.0f);
+        felt.press.push_back({press_mm, ones, ones, ones});
+    }
+    felt.cover_mm.resize(vertices);
+    felt.lump.resize(vertices);
+    felt.notJudged.resize(vertices);
+    for (const auto& lump : ready.value()) {
+        const BuriedLump& given = lumps[lump->number];
+        felt.lumps.push_back({given.name, given.ratio, 0.0, {}});
+    }
+    const Ground ground(fine, index, options.radius_mm);
+    Run run(felt, ground, ready.value(), options);
+    if (!run.go()) {
+        return Status(StatusCode::Cancelled, name + ": what can be felt was cancelled");
+    }
+    for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
+        felt.lumps[i].leastCover_mm =
+            leastCover(*ready.value()[i], *lumps[ready.value()[i]->number].surface, index, felt.surface);
+    }
+    return felt;
+}
+
+} // namespace palpate::buried

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/buried/LumpShape.h"
+
+#include "Decimated.h"
+#include "palpate/buried/Stiffening.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace palpate::buried {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double signedVolume(const std::vector<Vec3>& vertices, const std::vector<geometry::Triangle>& triangles,
+                    const Vec3& from)
+{
+    double sum = 0.0;
+    for (const geometry::Triangle& t : triangles) {
+        sum += (vertices[t[0]] - from).dot((vertices[t[1]] - from).cross(vertices[t[2]] - from));
+    }
+    return sum / 6.0;
+}
+
+/// Sums the density over what triangles enclose, as an integral over the triangles.
+class PressSum
+{
+  public:
+    /// @param middle  of the pressure [mm]; @param inward  unit length; @param c  `bellOf` the radius
+    PressSum(const Vec3& middle, const Vec3& inward, double c)
+        : m_middle(middle)
+        , m_inward(inward)
+        , m_c(c)
+    {
+    }
+
+    /// What flows out through a small piece of surface at p: the density's integral from there outwards, by the solid
+    /// angle of the piece.
+    [[nodiscard]] double through(const Vec3& p, const Vec3& area) const
+    {
+        const Vec3 x = p - m_middle;
+        const double R2 = x.squaredNorm(), h = m_inward.dot(x);
+        if (h <= 0.0) {
+            return 0.0; // above the surface, and so is all that lies beyond
+        }
+        const double integral = h < m_c ? h * h * h / 3.0 : m_c * (h * h - m_c * h + m_c * m_c / 3.0);
+        return 6.0 / kPi * integral * x.dot(area) / (R2 * R2 * R2);
+    }
+
+    /// The same of a triangle: exact where the integrand is quadratic; in four parts where it is wide for its distance.
+    [[nodiscard]] double through(const Vec3& a, const Vec3& b, const Vec3& c, int splits = 0) const
+    {
+        const Vec3 centroid = (a + b + c) / 3.0;
+        const double width2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        if (width2 > kWidest * (centroid - m_middle).squaredNorm() && splits < kMostSplits) {
+            const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+            return through(a, ab, ca, splits + 1) + through(ab, b, bc, splits + 1) + through(ca, bc, c, splits + 1) +
+                   through(ab, bc, ca, splits + 1);
+        }
+        const Vec3 area = 0.5 * (b - a).cross(c - a);
+        return kCentroid * through(centroid, area) + kCorner * (through(a, area) + through(b, area) + through(c, area));
+    }
+
+    static constexpr double kCentroid = 0.75, kCorner = 1.0 / 12.0; ///< weights of a rule of degree two
+    /// Square of a triangle's width by its distance: leaves an error of about 1e-4 of the share.
+    static constexpr double kWidest = 0.06;
+
+  private:
+    static constexpr int kMostSplits = 10;
+
+    Vec3 m_middle, m_inward;
+    double m_c;
+};
+
+/// @return the solid angle of a triangle, positive where its front is turned away.
+double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const double A = a.norm(), B = b.norm(), C = c.norm();
+    return 2.0 * std::atan2(a.dot(b.cross(c)), A * B * C + a.dot(b) * C + b.dot(c) * A + c.dot(a) * B);
+}
+
+} // namespace
+
+LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
+    : m_vertices(surface.mesh.vertices)
+    , m_triangles(surface.mesh.triangles)
+{
+    m_middle = surface.mesh.bounds().center();
+    m_volume_mm3 = signedVolume(m_vertices, m_triangles, m_middle);
+    if (most > 0 && m_triangles.size() > most) {
+        geometry::TriangleMesh coarse = decimated(surface.mesh, most);
+        const double volume = signedVolume(coarse.vertices, coarse.triangles, m_middle);
+        if (volume > 0.5 * m_volume_mm3) { // else too thin to be made coarser
+            const double by = std::cbrt(m_volume_mm3 / volume);
+            for (Vec3& v : coarse.vertices) {
+                v = m_middle + by * (v - m_middle);
+            }
+            m_vertices = std::move(coarse.vertices);
+            m_triangles = std::move(coarse.triangles);
+        }
+    }
+    for (const Vec3& v : m_vertices) {
+        m_reach_mm = std::max(m_reach_mm, (v - m_middle).norm());
+    }
+    m_vertexAreas.assign(m_vertices.size(), Vec3::Zero());
+    for (const geometry::Triangle& t : m_triangles) {
+        const Vec3 &a = m_vertices[t[0]], &b = m_vertices[t[1]], &c = m_vertices[t[2]];
+        m_faces.push_back({(a + b + c) / 3.0, 0.5 * (b - a).cross(c - a)});
+        for (const std::uint32_t corner : t) {
+            m_vertexAreas[corner] += m_faces.back().area;
+        }
+        m_widest2_mm2 = std::max({m_widest2_mm2, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    }
+}
+
+bool LumpShape::isFar(const PressPlace& place, double deepest_mm) const
+{
+    const double c = bellOf(place.radius_mm);
+    // w <= (6 c / pi) / R^4, and a press brings the lump nearer by no more than itself.
+    const double nearest = (m_middle - place.p_W).norm() - m_reach_mm - c - deepest_mm;
+    return nearest > 0.0 && m_volume_mm3 * 6.0 * c / kPi < kLeastShare * nearest * nearest * nearest * nearest;
+}
+
+bool LumpShape::isAround(const Vec3& p_W) const
+{
+    if (atLeastAway(p_W) >= 0.0) {
+        return false;
+    }
+    double angle = 0.0;
+    for (const geometry::Triangle& t : m_triangles) {
+        angle += solidAngle(m_vertices[t[0]] - p_W, m_vertices[t[1]] - p_W, m_vertices[t[2]] - p_W);
+    }
+    return angle > 2.0 * kPi;
+}
+
+void LumpShape::shares(const PressPlace& place, std::span<const double> presses_mm, std::span<double> shares) const
+{
+    std::fill(shares.begin(), shares.end(), 0.0);
+    if (m_triangles.empty() || presses_mm.empty() ||
+        isFar(place, *std::max_element(presses_mm.begin(), presses_mm.end()))) {
+        return;
+    }
+    const double c = bellOf(place.radius_mm);
+    const Vec3 inward = -place.n_W, middle = place.p_W + c * place.n_W;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& v : m_vertices) {
+        least = std::min(least, inward.dot(v - place.p_W));
+    }
+    for (std::size_t press = 0; press < presses_mm.size(); ++press) {
+        const Vec3 from = middle + approach(least, presses_mm[press], place.radius_mm) * inward;
+        const PressSum sum(from, inward, c);
+        const double away = atLeastAway(from);
+        double out = 0.0;
+        if (away > 0.0 && m_widest2_mm2 <= PressSum::kWidest * away * away) {
+            for (std::size_t i = 0; i < m_vertices.size(); ++i) {
+                out += PressSum::kCorner * sum.through(m_vertices[i], m_vertexAreas[i]);
+            }
+            for (const Face& face : m_faces) {
+                out += PressSum::kCentroid * sum.through(face.centroid, face.area);
+            }
+        } else {
+            for (const geometry::Triangle& t : m_triangles) {
+                out += sum.through(m_vertices[t[0]], m_vertices[t[1]], m_vertices[t[2]]);
+            }
+        }
+        // The rays that begin inside the lump enter it at the surface, where all of the density is still ahead.
+        shares[press] = (isAround(from) ? 1.0 : 0.0) - out;
+    }
+}
+
+} // namespace palpate::buried
