@@ -14,6 +14,7 @@ using Chosen = std::function<int()>;
 /// options live as long as `app`.
 void addDevicesCommand(CLI::App& app, Chosen& chosen);
 void addEvaluateCommand(CLI::App& app, Chosen& chosen);
+void addFeltCommand(CLI::App& app, Chosen& chosen);
 void addFindingsCommand(CLI::App& app, Chosen& chosen);
 void addInfoCommand(CLI::App& app, Chosen& chosen);
 void addReplayCommand(CLI::App& app, Chosen& chosen);

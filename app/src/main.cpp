@@ -104,6 +104,7 @@ int run(int argc, char** argv)
     app::Chosen chosen;
     app::addDevicesCommand(cli, chosen);
     app::addEvaluateCommand(cli, chosen);
+    app::addFeltCommand(cli, chosen);
     app::addFindingsCommand(cli, chosen);
     app::addInfoCommand(cli, chosen);
     app::addReplayCommand(cli, chosen);

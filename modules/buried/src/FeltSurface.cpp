@@ -388,7 +388,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
     felt.notJudged.resize(vertices);
     for (const auto& lump : ready.value()) {
         const BuriedLump& given = lumps[lump->number];
-        felt.lumps.push_back({given.name, given.ratio, 0.0, {}});
+        felt.lumps.push_back({given.name, lump->number, given.ratio, 0.0, {}});
     }
     const Ground ground(fine, index, options.radius_mm);
     Run run(felt, ground, ready.value(), options);

@@ -36,11 +36,16 @@ std::optional<Vec3> point(JsonFields& fields, const char* name)
     return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
 }
 
-/// A number from 0; nothing when the field is absent.
-void readIfThere(JsonFields& fields, const char* name, std::optional<double>& value)
+/// Of moduli [kPa] and of their ratio.
+constexpr double kLeastModulus = 1e-4, kMostModulusRatio = 1e4, kMostYoung_kPa = 1e9;
+constexpr double kLeastRadius_mm = 0.1, kMostRadius_mm = 30.0; ///< of a finger
+
+/// A number; nothing when the field is absent.
+void readIfThere(JsonFields& fields, const char* name, std::optional<double>& value, double low = 0.0,
+                 double high = kMostMm)
 {
     if (fields.has(name)) {
-        fields.read(name, value.emplace(), 0.0, kMostMm);
+        fields.read(name, value.emplace(), low, high);
     }
 }
 
@@ -138,6 +143,22 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     return map;
 }
 
+/// What makes a structure a lump, or an organ with lumps.
+void readBuried(JsonFields& fields, SceneStructure& s)
+{
+    fields.read("inside", s.inside);
+    if (!s.inside.empty() && s.layer > 0) {
+        fields.fail("layer", std::to_string(s.layer) + " beside `inside`",
+                    "one of them: what is felt through its organ has no layer of its own");
+    }
+    if (s.inside == s.name && !s.inside.empty()) {
+        fields.fail("inside", "its own name", "the name of the organ around it");
+    }
+    readIfThere(fields, "young_ratio", s.young_ratio, kLeastModulus, kMostModulusRatio);
+    readIfThere(fields, "young_kPa", s.young_kPa, kLeastModulus, kMostYoung_kPa);
+    readIfThere(fields, "felt_contact_radius_mm", s.felt_contact_radius_mm, kLeastRadius_mm, kMostRadius_mm);
+}
+
 SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& folder)
 {
     SceneStructure s;
@@ -182,6 +203,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
         fields.fail("layer", "a fraction", "a whole number");
     }
     s.layer = static_cast<std::uint32_t>(layer);
+    readBuried(fields, s);
     readPose(fields, "pose", s.X_WM);
     s.extra = fields.unknown();
     return s;
@@ -294,6 +316,20 @@ void takeOldNotes(SceneFile& scene)
     }
 }
 
+/// What a lump lies in must be there.
+void checkOrgans(const SceneFile& scene, JsonFields& fields)
+{
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const std::string& organ = scene.structures[i].inside;
+        const bool isThere = std::any_of(scene.structures.begin(), scene.structures.end(),
+                                         [&](const SceneStructure& one) { return one.name == organ; });
+        if (!organ.empty() && !isThere) {
+            fields.fail(("structures[" + std::to_string(i) + "].inside").c_str(), core::inQuotes(organ),
+                        "the name of a structure of this scene");
+        }
+    }
+}
+
 } // namespace
 
 bool isSceneFile(const std::filesystem::path& path)
@@ -357,6 +393,8 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         scene.findings.push_back(readFinding(entry, folder));
     }
     takeOldNotes(scene);
+    readName(fields, "buried", kBuriedNames, scene.buried);
+    checkOrgans(scene, fields);
     scene.extra = fields.unknown();
     scene.sha256 = QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
                                             QCryptographicHash::Sha256)

@@ -64,6 +64,20 @@ QJsonObject mapping(const core::TissueMapping& map, const std::filesystem::path&
     return out;
 }
 
+void putIfThere(QJsonObject& out, const char* name, const std::optional<double>& value)
+{
+    if (value) {
+        out[name] = *value;
+    }
+}
+
+void putIfThere(QJsonObject& out, const char* name, const std::string& value)
+{
+    if (!value.empty()) {
+        out[name] = text(value);
+    }
+}
+
 QJsonObject structure(const SceneStructure& s, const std::filesystem::path& folder)
 {
     QJsonObject out = unknownFields(s.extra);
@@ -97,6 +111,10 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     }
     internal::writeLaw(s.tissue.law, out);
     out["layer"] = static_cast<double>(s.layer);
+    putIfThere(out, "inside", s.inside);
+    putIfThere(out, "young_ratio", s.young_ratio);
+    putIfThere(out, "young_kPa", s.young_kPa);
+    putIfThere(out, "felt_contact_radius_mm", s.felt_contact_radius_mm);
     if (s.maps) {
         QJsonArray maps;
         for (const core::TissueMapping& map : *s.maps) {
@@ -114,20 +132,6 @@ void putView(QJsonObject& out, const core::ViewPose& view)
     out["focus"] = triple(view.focus_W);
     out["up"] = triple(view.up_W);
     out["viewAngle_deg"] = view.viewAngle_deg;
-}
-
-void putIfThere(QJsonObject& out, const char* name, const std::optional<double>& value)
-{
-    if (value) {
-        out[name] = *value;
-    }
-}
-
-void putIfThere(QJsonObject& out, const char* name, const std::string& value)
-{
-    if (!value.empty()) {
-        out[name] = text(value);
-    }
 }
 
 /// What a finding lacks is not said.
@@ -190,6 +194,9 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         QJsonObject camera = unknownFields(scene.camera->extra);
         putView(camera, *scene.camera);
         out["camera"] = camera;
+    }
+    if (scene.buried != BuriedTouch::Layers) {
+        out["buried"] = text(std::string(kBuriedNames[static_cast<std::size_t>(scene.buried)]));
     }
     QJsonArray findings;
     for (const core::Finding& one : scene.findings) {

@@ -83,6 +83,7 @@ struct FeltSurface
     struct Lump
     {
         std::string name;
+        std::size_t given = 0; ///< its number among the lumps that were given
         double ratio = 1.0;
         double leastCover_mm = 0.0; ///< from the organ's vertices to the lump; 0 where it sticks out
         std::vector<LumpPress> press;

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palpate::meshio {
@@ -35,6 +36,10 @@ struct SceneStructure
     bool flipped = false; ///< turn the surface inside out on import
     core::Tissue tissue;
     std::uint32_t layer = 0; ///< 0 is the outermost
+    std::string inside;      ///< name of the organ that this is a lump in; empty: not said, and then `layer` is 0
+    std::optional<double> young_ratio;            ///< of a lump: its modulus by the organ's; > 0
+    std::optional<double> young_kPa;              ///< Young's modulus [kPa], of a lump and of its organ
+    std::optional<double> felt_contact_radius_mm; ///< of an organ: of the finger that feels lumps in it [mm]
     /// How arrays or volumes vary the tissue over the surface; nothing: by the arrays whose names say it
     /// (core::kKnownMaps).
     std::optional<std::vector<core::TissueMapping>> maps{};
@@ -48,6 +53,14 @@ struct SceneCamera : core::ViewPose
     std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 
+/// How what lies in an organ is felt.
+enum class BuriedTouch : std::uint8_t
+{
+    Layers, ///< by its own surface, once the hand has gone in so far
+    Felt,   ///< through the organ's surface, which it makes stiffer; its own is not touched
+};
+inline constexpr std::array<std::string_view, 2> kBuriedNames{"layers", "felt"};
+
 /// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are
 /// kept.
 struct SceneFile
@@ -56,6 +69,7 @@ struct SceneFile
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
     std::vector<core::Finding> findings;
+    BuriedTouch buried = BuriedTouch::Layers;
     std::string sha256; ///< of the file's bytes when it was read, 64 hex digits; empty: of no file. Not written
     std::string extra;  ///< top-level fields that this version does not know, as a JSON object
 };
