@@ -87,6 +87,21 @@ class FeltSurface : public QObject
         QVERIFY2(std::abs(coarse - exact) < 0.03 * exact, qPrintable(QString::number(coarse / exact)));
     }
 
+    void aLumpIsTheSameFromAfar()
+    {
+        const geometry::TriangleMesh lump = test::transformed(ball(24, 10.0, Vec3::Zero()), [](const Vec3& p) {
+            return Vec3(1.6 * p.x() + 0.02 * p.x() * p.x(), p.y(), 0.7 * p.z());
+        });
+        for (const double away : {38.0, 60.0, 90.0}) {
+            for (const Vec3& direction : {Vec3(0.0, 0.0, -1.0), Vec3(0.5, 0.3, -0.8)}) {
+                const auto there = test::moved(lump, away * direction.normalized());
+                const double all = shareOf(there, top(), 2.0), few = shareOf(there, top(), 2.0, 500);
+                QVERIFY2(std::abs(few - all) < 0.01 * std::max(all, LumpShape::kLeastShare),
+                         qPrintable(QString("%1 %2").arg(all).arg(few)));
+            }
+        }
+    }
+
     void aSlabHoldsWhatTheFormulaSays()
     {
         const double depth = 5.0;

@@ -16,14 +16,24 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-double signedVolume(const std::vector<Vec3>& vertices, const std::vector<geometry::Triangle>& triangles,
-                    const Vec3& from)
+struct Solid
 {
-    double sum = 0.0;
+    double volume_mm3 = 0.0;
+    Vec3 centroid = Vec3::Zero();
+};
+
+/// @param from  near it, for the digits
+Solid solidOf(const std::vector<Vec3>& vertices, const std::vector<geometry::Triangle>& triangles, const Vec3& from)
+{
+    double six = 0.0;
+    Vec3 moment = Vec3::Zero();
     for (const geometry::Triangle& t : triangles) {
-        sum += (vertices[t[0]] - from).dot((vertices[t[1]] - from).cross(vertices[t[2]] - from));
+        const Vec3 a = vertices[t[0]] - from, b = vertices[t[1]] - from, c = vertices[t[2]] - from;
+        const double part = a.dot(b.cross(c));
+        six += part;
+        moment += part * (a + b + c);
     }
-    return sum / 6.0;
+    return {six / 6.0, six != 0.0 ? Vec3(from + moment / (4.0 * six)) : from};
 }
 
 /// Sums the density over what triangles enclose, as an integral over the triangles.
@@ -88,16 +98,17 @@ double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
     : m_vertices(surface.mesh.vertices)
     , m_triangles(surface.mesh.triangles)
+    , m_middle(surface.mesh.bounds().center())
 {
-    m_middle = surface.mesh.bounds().center();
-    m_volume_mm3 = signedVolume(m_vertices, m_triangles, m_middle);
+    const Solid whole = solidOf(m_vertices, m_triangles, m_middle);
+    m_volume_mm3 = whole.volume_mm3;
     if (most > 0 && m_triangles.size() > most) {
         geometry::TriangleMesh coarse = decimated(surface.mesh, most);
-        const double volume = signedVolume(coarse.vertices, coarse.triangles, m_middle);
-        if (volume > 0.5 * m_volume_mm3) { // else too thin to be made coarser
-            const double by = std::cbrt(m_volume_mm3 / volume);
+        const Solid left = solidOf(coarse.vertices, coarse.triangles, m_middle);
+        if (left.volume_mm3 > 0.5 * whole.volume_mm3) { // else too thin to be made coarser
+            const double by = std::cbrt(whole.volume_mm3 / left.volume_mm3);
             for (Vec3& v : coarse.vertices) {
-                v = m_middle + by * (v - m_middle);
+                v = whole.centroid + by * (v - left.centroid);
             }
             m_vertices = std::move(coarse.vertices);
             m_triangles = std::move(coarse.triangles);
@@ -114,6 +125,9 @@ LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
             m_vertexAreas[corner] += m_faces.back().area;
         }
         m_widest2_mm2 = std::max({m_widest2_mm2, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    }
+    if (most > kFromAfar && m_triangles.size() > 2 * kFromAfar) {
+        m_fromAfar = std::make_shared<const LumpShape>(surface, kFromAfar);
     }
 }
 
@@ -140,8 +154,11 @@ bool LumpShape::isAround(const Vec3& p_W) const
 void LumpShape::shares(const PressPlace& place, std::span<const double> presses_mm, std::span<double> shares) const
 {
     std::fill(shares.begin(), shares.end(), 0.0);
-    if (m_triangles.empty() || presses_mm.empty() ||
-        isFar(place, *std::max_element(presses_mm.begin(), presses_mm.end()))) {
+    if (m_triangles.empty() || presses_mm.empty() || isFar(place, presses_mm.back())) {
+        return;
+    }
+    if (m_fromAfar != nullptr && atLeastAway(place.p_W) - presses_mm.back() > kAfar * m_reach_mm) {
+        m_fromAfar->shares(place, presses_mm, shares);
         return;
     }
     const double c = bellOf(place.radius_mm);

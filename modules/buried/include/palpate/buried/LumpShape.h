@@ -4,6 +4,7 @@
 #include <palpate/geometry/MeshReport.h>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,14 +37,14 @@ class LumpShape
     /// @param most  triangles that are used: a surface of more is decimated, and keeps its volume. 0: all.
     explicit LumpShape(const geometry::RepairedMesh& surface, std::size_t most = kUsualTriangles);
 
-    /// @param presses_mm  how deep the finger is pressed in; @param shares  S for each; 0 … 1 but for rounding
+    /// @param presses_mm  how deep the finger is pressed in, ascending; @param shares  S for each; 0 … 1 but for
+    /// rounding
     /// @par Cost some 5 ns a triangle and press; more for the few that are wide for their distance. Any thread; the
     /// same
     ///      bits on each.
     void shares(const PressPlace& place, std::span<const double> presses_mm, std::span<double> shares) const;
 
     [[nodiscard]] std::size_t triangleCount() const noexcept { return m_triangles.size(); }
-    [[nodiscard]] double volume_mm3() const noexcept { return m_volume_mm3; }
 
     /// @return a distance that the lump is not nearer than [mm]; negative near it.
     [[nodiscard]] double atLeastAway(const Vec3& p_W) const { return (p_W - m_middle).norm() - m_reach_mm; }
@@ -53,6 +54,10 @@ class LumpShape
     {
         Vec3 centroid, area; ///< [mm], outward [mm^2]
     };
+    /// Seen from more than kAfar times its size a lump of so few triangles has the same share within a hundredth.
+    static constexpr std::size_t kFromAfar = 64;
+    static constexpr double kAfar = 2.0;
+
     [[nodiscard]] bool isFar(const PressPlace& place, double deepest_mm) const;
     [[nodiscard]] bool isAround(const Vec3& p_W) const;
 
@@ -60,6 +65,7 @@ class LumpShape
     std::vector<Vec3> m_vertexAreas; ///< of all triangles around each
     std::vector<Face> m_faces;
     double m_widest2_mm2 = 0.0; ///< square of the longest edge
+    std::shared_ptr<const LumpShape> m_fromAfar;
     std::vector<geometry::Triangle> m_triangles;
     double m_volume_mm3 = 0.0;
     Vec3 m_middle = Vec3::Zero();
