@@ -4,6 +4,7 @@
 
 #include <palpate/ui/MessageList.h>
 #include <palpate/ui/TypeAhead.h>
+#include <palpate/ui/ViewVoice.h>
 
 #include <QDockWidget>
 #include <QLocale>
@@ -66,6 +67,7 @@ void MainWindow::finishShell()
         m_round.add(dock->widget());
     }
     m_round.add(m_messagesDock->widget());
+    new ViewVoice(*m_viewport, *m_touch, this);
     const QSize room = screen()->availableSize() - QSize(16, 40); // what a window's frame takes
     resize(QSize(1280, 800).boundedTo(room));
 }
