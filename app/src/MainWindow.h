@@ -104,6 +104,7 @@ class MainWindow : public QMainWindow
     [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
     void openRecording(const std::filesystem::path& path);
+    void takeFingertip();
     void followModel(int row, palpate::ui::StructureModel::Change change);
     void toggleRecording();
     void togglePlaying();
