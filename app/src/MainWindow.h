@@ -5,6 +5,7 @@
 #include "FindingsDesk.h"
 #include "RecordingControl.h"
 #include "SceneDocument.h"
+#include "ShowAround.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
@@ -163,6 +164,7 @@ class MainWindow : public QMainWindow
     palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
     CoordinatesChoice* m_coordinates = nullptr;
+    palpate::app::ShowAround* m_around = nullptr;
     bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;
