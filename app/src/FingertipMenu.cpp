@@ -4,10 +4,13 @@
 #include <palpate/ui/LiveTouch.h>
 
 #include <QAction>
-#include <QActionGroup>
 #include <QCoreApplication>
+#include <QLocale>
 #include <QMenu>
 #include <QSettings>
+
+#include <iterator>
+#include <set>
 
 namespace palpate::app {
 
@@ -16,30 +19,49 @@ namespace {
 // A point, probes, and the pad of a finger.
 constexpr double kRadii_mm[] = {0.0, 0.5, 1.0, 2.0, 5.0, 8.0};
 
+constexpr auto kKey = "fingertip_mm";
+
 struct FingertipTexts
 {
     Q_DECLARE_TR_FUNCTIONS(palpate::app::Fingertip)
 };
 
+QString fingertipText(double radius_mm)
+{
+    return radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(QLocale().toString(radius_mm))
+                           : FingertipTexts::tr("Point");
+}
+
+/// Makes the entries anew: what touches now is among them, also where a recording brought another radius.
+void fill(QMenu& menu, ui::LiveTouch& live)
+{
+    menu.clear();
+    std::set<double> radii_mm(std::begin(kRadii_mm), std::end(kRadii_mm));
+    radii_mm.insert(live.fingertip_mm());
+    for (const double radius_mm : radii_mm) {
+        QAction* action = menu.addAction(fingertipText(radius_mm));
+        action->setCheckable(true);
+        action->setChecked(radius_mm == live.fingertip_mm());
+        QObject::connect(action, &QAction::triggered, &live, [&live, radius_mm] {
+            live.setFingertip(radius_mm);
+            QSettings().setValue(QLatin1String(kKey), radius_mm);
+        });
+    }
+}
+
 } // namespace
+
+double chosenFingertip_mm()
+{
+    return QSettings().value(QLatin1String(kKey), 0.0).toDouble();
+}
 
 void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
 {
-    const QString key = QStringLiteral("fingertip_mm");
-    live.setFingertip(QSettings().value(key, 0.0).toDouble());
+    live.setFingertip(chosenFingertip_mm());
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
-    auto* group = new QActionGroup(radii);
-    for (const double radius_mm : kRadii_mm) {
-        QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(radius_mm)
-                                                           : FingertipTexts::tr("Point"));
-        action->setCheckable(true);
-        action->setChecked(radius_mm == live.fingertip_mm());
-        group->addAction(action);
-        QObject::connect(action, &QAction::triggered, &live, [&live, key, radius_mm] {
-            live.setFingertip(radius_mm);
-            QSettings().setValue(key, radius_mm);
-        });
-    }
+    QObject::connect(radii, &QMenu::aboutToShow, &live, [radii, &live] { fill(*radii, live); });
+    fill(*radii, live);
 }
 
 } // namespace palpate::app

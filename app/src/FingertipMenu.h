@@ -9,6 +9,9 @@ class LiveTouch;
 
 namespace palpate::app {
 
+/// The radius that a person chose last, 0 = a point. [mm]
+[[nodiscard]] double chosenFingertip_mm();
+
 /// Adds "Fingertip" to `menu`: what the hand touches with, a point or a ball. The choice is kept for the next start.
 void addFingertipMenu(QMenu& menu, ui::LiveTouch& live);
 

@@ -7,6 +7,7 @@
 #include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/PointedStructure.h>
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/Tour.h>
 #include <palpate/ui/ViewKeys.h>
 
 #include <QCoreApplication>
@@ -192,6 +193,9 @@ void MainWindow::connectLoading()
     connect(m_welcome, &WelcomePage::phantomWanted, this, [this] {
         if (const auto folder = app::phantomFolder()) {
             open({*folder / "phantom.palpate.json", *folder / "palpation.palpate"});
+        } else {
+            showError(tr("The phantom was not found beside the program."));
+            m_around->giveUp();
         }
     });
 
@@ -347,7 +351,7 @@ void MainWindow::letGo()
 {
     if (m_keys->isVisible()) {
         m_keys->hide();
-    } else if (!m_palpation->letGo()) {
+    } else if (!m_around->tour().end() && !m_palpation->letGo()) {
         m_palpateAction->setChecked(false);
     }
 }

@@ -5,6 +5,7 @@
 #include "FindingsDesk.h"
 #include "RecordingControl.h"
 #include "SceneDocument.h"
+#include "ShowAround.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow
     [[nodiscard]] palpate::meshio::SceneCamera cameraNow() const;
     void takeScene(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
     void openRecording(const std::filesystem::path& path);
+    void takeFingertip();
     void followModel(int row, palpate::ui::StructureModel::Change change);
     void toggleRecording();
     void togglePlaying();
@@ -162,6 +164,7 @@ class MainWindow : public QMainWindow
     palpate::ui::DeviceChoice* m_devices = nullptr;
     palpate::ui::KeysCard* m_keys = nullptr;
     CoordinatesChoice* m_coordinates = nullptr;
+    palpate::app::ShowAround* m_around = nullptr;
     bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_rateChip = nullptr;

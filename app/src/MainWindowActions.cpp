@@ -170,6 +170,7 @@ void MainWindow::makeDeviceAndHelpActions()
         "keys", ActionGroup::Help, tr("All keys"), tr("Show all keys"),
         {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)},
         Symbol::Keys);
+    m_around = new palpate::app::ShowAround(this, m_actions, m_viewport);
     auto* help = new palpate::app::Help(this, m_actions);
     connect(help, &palpate::app::Help::said, this, [this](const QString& line) { say(line); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opening and saving: scenes, recordings, what is dropped on the window.
+#include "FingertipMenu.h"
 #include "MainWindow.h"
 #include "Paths.h"
 
@@ -160,7 +161,25 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (m_waitingRecording) {
         openRecording(*std::exchange(m_waitingRecording, std::nullopt));
     }
+    if (!scene->isReopened) {
+        takeFingertip();
+    }
     Q_EMIT ready();
+}
+
+/// Touches as in the recording that was opened alone; any other scene with what a person chose.
+void MainWindow::takeFingertip()
+{
+    const RecordedTouch* recording = session::isRecordingFile(m_files.front()) ? m_playback->recording() : nullptr;
+    const auto first = recording != nullptr ? recording->at(0.0) : std::nullopt;
+    const double radius_mm = first ? recording->fingertip_mm(*first) : app::chosenFingertip_mm();
+    if (first && radius_mm != m_live.fingertip_mm()) {
+        say(radius_mm > 0.0 ? tr("As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).")
+                                  .arg(QLocale().toString(radius_mm))
+                            : tr("As recorded, the fingertip is a point (Session › Fingertip)."),
+            20000);
+    }
+    m_live.setFingertip(radius_mm);
 }
 
 void MainWindow::openRecording(const std::filesystem::path& path)

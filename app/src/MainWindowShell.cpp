@@ -3,12 +3,15 @@
 #include "MainWindow.h"
 
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/Tour.h>
 #include <palpate/ui/TypeAhead.h>
+#include <palpate/ui/ViewVoice.h>
 
 #include <QDockWidget>
 #include <QLocale>
 #include <QScreen>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QTimer>
 
 #include <algorithm>
@@ -66,6 +69,14 @@ void MainWindow::finishShell()
         m_round.add(dock->widget());
     }
     m_round.add(m_messagesDock->widget());
+    m_round.add(&m_around->tour());
+    new ViewVoice(*m_viewport, *m_touch, this);
+    connect(m_around, &app::ShowAround::wanted, this,
+            [this] { m_around->begin(m_stack->currentWidget() == m_viewport, m_loader.isBusy()); });
+    connect(m_around, &app::ShowAround::phantomWanted, m_welcome, &WelcomePage::phantomWanted);
+    connect(this, &MainWindow::ready, m_around, &app::ShowAround::goOn);
+    connect(this, &MainWindow::openFailed, m_around, &app::ShowAround::giveUp);
+    connect(&m_loader, &SceneLoader::cancelled, m_around, &app::ShowAround::giveUp);
     const QSize room = screen()->availableSize() - QSize(16, 40); // what a window's frame takes
     resize(QSize(1280, 800).boundedTo(room));
 }

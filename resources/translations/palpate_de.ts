@@ -996,6 +996,18 @@
         <source>Turning the view</source>
         <translation>Die Ansicht drehen</translation>
     </message>
+    <message>
+        <source>The phantom was not found beside the program.</source>
+        <translation>Das Phantom wurde neben dem Programm nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).</source>
+        <translation>Wie aufgezeichnet ist die Fingerspitze eine Kugel mit %1 mm Radius (Sitzung › Fingerspitze).</translation>
+    </message>
+    <message>
+        <source>As recorded, the fingertip is a point (Session › Fingertip).</source>
+        <translation>Wie aufgezeichnet ist die Fingerspitze ein Punkt (Sitzung › Fingerspitze).</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1411,6 +1423,57 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     </message>
 </context>
 <context>
+    <name>palpate::app::ShowAround</name>
+    <message>
+        <source>Show me around</source>
+        <translation>Kurzer Rundgang</translation>
+    </message>
+    <message>
+        <source>Four notes on the window, on the practice liver when nothing is open</source>
+        <translation>Vier Hinweise zum Fenster, an der Übungsleber, wenn nichts geöffnet ist</translation>
+    </message>
+    <message>
+        <source>This is a practice liver with lumps inside.</source>
+        <translation>Dies ist eine Übungsleber mit Knoten darin.</translation>
+    </message>
+    <message>
+        <source>Shown on what is open; nothing of it is changed.</source>
+        <translation>Gezeigt an dem, was geöffnet ist; nichts davon wird geändert.</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>The list has every structure. The eye shows or hides it, the hand lets you feel it or not; below stands the tissue that it is felt as.</source>
+        <translation>Die Liste enthält alle Strukturen. Das Auge zeigt oder verbirgt eine, die Hand macht sie tastbar oder nicht; darunter steht, als welches Gewebe sie sich anfühlt.</translation>
+    </message>
+    <message>
+        <source>Press to feel</source>
+        <translation>Drücken und tasten</translation>
+    </message>
+    <message>
+        <source>Press P, then drag on the anatomy: you press and slide, the wheel goes deeper. By keys: Ctrl and the arrows move the place, Enter presses, Page down goes deeper. Esc lets go.</source>
+        <translation>P drücken, dann auf der Anatomie ziehen: so wird gedrückt und geglitten, das Rad geht tiefer. Mit Tasten: Strg und die Pfeile verschieben die Stelle, Eingabe drückt, Bild ab geht tiefer. Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>The force in newtons, which structure is touched, how deep in millimetres, and the last ten seconds. What is stiffer than its surroundings pushes back more at the same depth.</source>
+        <translation>Die Kraft in Newton, welche Struktur berührt wird, wie tief in Millimetern, und die letzten zehn Sekunden. Was fester ist als seine Umgebung, drückt bei gleicher Tiefe stärker zurück.</translation>
+    </message>
+    <message>
+        <source>Record and findings</source>
+        <translation>Aufzeichnung und Befunde</translation>
+    </message>
+    <message>
+        <source>R records what you feel, and again ends it. M marks the place you touch as a finding: it stands here with force and depth; F2 names it. File › Export findings… writes them out.</source>
+        <translation>R zeichnet auf, was gefühlt wird, und beendet es wieder. M merkt die berührte Stelle als Befund an: er steht hier mit Kraft und Tiefe; F2 benennt ihn. Datei › Befunde exportieren… schreibt sie heraus.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::ActionList</name>
     <message>
         <source>%1 (%2)</source>
@@ -1528,6 +1591,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>Energy observer</source>
         <translation>Energiebeobachter</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +1721,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>limit %1 N</source>
         <translation>Grenze %1 N</translation>
     </message>
+    <message>
+        <source>Force in newton</source>
+        <translation>Kraft in Newton</translation>
+    </message>
+    <message>
+        <source>%1 N of %2 N</source>
+        <translation>%1 N von %2 N</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::ForceTimeline</name>
@@ -1680,6 +1755,18 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>no recording</source>
+        <translation>keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
+    </message>
+    <message>
+        <source>%1, %2 N</source>
+        <translation>%1, %2 N</translation>
     </message>
 </context>
 <context>
@@ -3033,6 +3120,14 @@ Gefühlt: %3</translation>
         <source>along the surface</source>
         <translation>entlang der Oberfläche</translation>
     </message>
+    <message>
+        <source>nothing was felt yet</source>
+        <translation>noch nichts gefühlt</translation>
+    </message>
+    <message>
+        <source>now %1 N, %2 mm deep; at most %3 N, %4 mm</source>
+        <translation>jetzt %1 N, %2 mm tief; höchstens %3 N, %4 mm</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::TouchPanel</name>
@@ -3122,6 +3217,33 @@ Wo an einer Stelle mehr Facetten liegen, als ein Takt Zeit hat, macht der nächs
         <source>slid off the edge</source>
         <translation>vom Rand geglitten</translation>
     </message>
+    <message>
+        <source>%1 N, %2 mm deep</source>
+        <translation>%1 N, %2 mm tief</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>End (Esc)</source>
+        <translation>Beenden (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::ViewKeys</name>
@@ -3167,10 +3289,14 @@ Wo an einer Stelle mehr Facetten liegen, als ein Takt Zeit hat, macht der nächs
     </message>
 </context>
 <context>
-    <name>palpate::ui::VtkViewport</name>
+    <name>palpate::ui::ViewVoice</name>
     <message>
         <source>3D view</source>
         <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>3D view: %1, %2</source>
+        <translation>3D-Ansicht: %1, %2</translation>
     </message>
 </context>
 <context>

@@ -69,7 +69,7 @@ struct Panel
     [[nodiscard]] QString refusal() const
     {
         for (const QLabel* one : panel.findChildren<QLabel*>()) {
-            if (one->accessibleName().contains(QStringLiteral("refused"))) {
+            if (one->accessibleDescription().contains(QStringLiteral("refused"))) {
                 return one->isVisible() ? one->text() : QString();
             }
         }

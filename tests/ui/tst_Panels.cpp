@@ -204,7 +204,7 @@ class Panels : public QObject
         panel.setGreatest({0.8, 0.004}, QStringLiteral("The arm holds 0.8 N/mm."));
         QLabel* refusal = nullptr;
         for (QLabel* label : panel.findChildren<QLabel*>()) {
-            refusal = label->accessibleName().contains(QStringLiteral("refused")) ? label : refusal;
+            refusal = label->accessibleDescription().contains(QStringLiteral("refused")) ? label : refusal;
         }
         QVERIFY(refusal != nullptr && refusal->isHidden());
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
@@ -248,7 +248,7 @@ class Panels : public QObject
         panel.setGreatest({1.2, 0.004}, QStringLiteral("The arm holds 1.2 N/mm."));
         const auto label = [&panel](const char* name) {
             for (QLabel* one : panel.findChildren<QLabel*>()) {
-                if (one->accessibleName().contains(QLatin1String(name))) {
+                if (one->accessibleDescription().contains(QLatin1String(name))) {
                     return one;
                 }
             }

@@ -11,8 +11,10 @@
 #include <QApplication>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTimer>
 #include <QTreeView>
 
@@ -106,6 +108,23 @@ class Records : public QObject
             m_desk->window().grab().save(QString::fromLocal8Bit(to) + QLatin1Char('/') +
                                          QLatin1String(name)); // to look at
         }
+    }
+
+    /// What the menu says is touched with.
+    QString fingertip()
+    {
+        for (QMenu* menu : m_desk->window().findChildren<QMenu*>()) {
+            if (menu->title() == QStringLiteral("Fingertip")) {
+                menu->popup({});
+                QStringList chosen;
+                for (const QAction* one : menu->actions()) {
+                    chosen << (one->isChecked() ? QStringList(one->text()) : QStringList());
+                }
+                menu->close();
+                return chosen.join(QLatin1Char('+'));
+            }
+        }
+        return {};
     }
 
   private Q_SLOTS:
@@ -205,6 +224,32 @@ class Records : public QObject
         }
         QVERIFY2(fields.contains(QStringLiteral("0.2")), qPrintable(fields.join(QLatin1Char(' '))));
         picture("alone.png");
+    }
+
+    /// The fingertip of a recording is touched with until another scene is open; what a person chose is kept.
+    void aRecordingAloneBringsItsFingertip()
+    {
+        const std::filesystem::path folder = m_desk->folder() / "tip";
+        std::filesystem::copy(phantom(), folder, std::filesystem::copy_options::recursive);
+        const auto from = session::RecordingReader::open(folder / "palpation.palpate");
+        const std::filesystem::path file = folder / "tip.palpate";
+        auto writer = session::RecordingWriter::create(file, from.value()->info());
+        session::SceneRecord scene = from.value()->scenes().front();
+        scene.fingertip_mm = 3.0;
+        QVERIFY(writer.value()->addScene(scene).isOk());
+        QVERIFY(
+            from.value()
+                ->forEach(0, 999, [&](const servo::TickRecord& tick) { return writer.value()->append(tick).isOk(); })
+                .isOk());
+        QVERIFY(writer.value()->finish().isOk());
+        QVERIFY(m_desk->open({file}));
+        QCOMPARE(fingertip(), QStringLiteral("Ball of 3 mm radius"));
+        QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
+        QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
+        QCOMPARE(fingertip(), QStringLiteral("Point"));
+        m_desk->window().open({file}); // played in the open scene, which is touched as before
+        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        QCOMPARE(fingertip(), QStringLiteral("Point"));
     }
 
     /// Findings of a recording are drawn over the open scene, and the scene stays as it is.

@@ -175,13 +175,27 @@ class Shell : public QObject
     void f6GoesRoundAndTabLeavesTheView()
     {
         window().viewport().setFocus();
+        const auto isSeen = [&](const char* dock) { return !the<QDockWidget>(dock).visibleRegion().isEmpty(); };
+        QVERIFY(isSeen("touch") && !isSeen("findings") && !isSeen("device"));
         std::set<const QWidget*> been;
-        for (int i = 0; i < 12; ++i) {
+        std::set<QString> panels; // seen, with the keys in them
+        for (int i = 0; i < 14; ++i) {
             m_desk->press(Qt::Key_F6);
+            QCoreApplication::processEvents();
+            for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+                if (dock->isAncestorOf(window().focusWidget()) && isSeen(qPrintable(dock->objectName()))) {
+                    panels.insert(dock->objectName());
+                }
+            }
             been.insert(window().focusWidget());
             const QWidget* at = window().focusWidget();
             QVERIFY(at != nullptr && at->isVisible());
         }
+        QCOMPARE(panels, std::set<QString>({"structures", "touch", "findings", "device", "session"}));
+        for (int i = 0; i < 14 && window().focusWidget() != &window().viewport(); ++i) {
+            m_desk->press(Qt::Key_F6);
+        }
+        QVERIFY(isSeen("touch") && !isSeen("findings") && !isSeen("device")); // as before
         QVERIFY(been.count(&window().viewport()) == 1);
         QCOMPARE(been.count(&list()), std::size_t{1});
         QVERIFY(std::any_of(been.begin(), been.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnergyBar.h"
 
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -10,8 +11,10 @@ namespace palpate::ui {
 
 EnergyBar::EnergyBar(QWidget* parent)
     : QWidget(parent)
+    , Spoken(this)
 {
     setFixedHeight(12);
+    setObjectName(QStringLiteral("energy"));
     setAccessibleName(tr("Energy observer"));
 }
 
@@ -20,6 +23,12 @@ void EnergyBar::setEnergy(double energy_mJ)
     m_energy_mJ = std::isfinite(energy_mJ) ? energy_mJ : 0.0;
     m_range_mJ = std::max(m_range_mJ, std::abs(m_energy_mJ));
     update();
+    tellValue();
+}
+
+QString EnergyBar::spokenText() const
+{
+    return tr("%1 mJ").arg(QLocale().toString(m_energy_mJ, 'f', 2));
 }
 
 void EnergyBar::paintEvent(QPaintEvent*)

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Spoken.h"
+
 #include <QWidget>
 
 namespace palpate::ui {
 
 /// Energy about zero: to the right what the hand gave, to the left, in another colour, what it got too much.
-class EnergyBar : public QWidget
+class EnergyBar : public QWidget, public Spoken
 {
     Q_OBJECT
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
     void setEnergy(double energy_mJ);
     [[nodiscard]] QSize sizeHint() const override { return {120, 12}; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
+    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] std::optional<Scale> spokenScale() const override
+    {
+        return Scale{m_energy_mJ, -m_range_mJ, m_range_mJ};
+    }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

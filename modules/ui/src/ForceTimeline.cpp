@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchHistory.h"
+#include "palpate/ui/TouchPanel.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -19,6 +20,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kLiveBin_s = 0.05;
+constexpr double kStep_s = 0.1; // of an arrow key
 
 /// Seconds between two ticks of the axis, so that their texts have room.
 double axisStep(double duration_s, double width_px)
@@ -36,6 +38,7 @@ double axisStep(double duration_s, double width_px)
 
 ForceTimeline::ForceTimeline(QWidget* parent)
     : QWidget(parent)
+    , Spoken(this)
 {
     setMinimumHeight(56);
     setFocusPolicy(Qt::StrongFocus);
@@ -60,8 +63,39 @@ void ForceTimeline::setMarks(std::vector<std::pair<double, QString>> marks)
 
 void ForceTimeline::setPosition(double position_s)
 {
-    m_position_s = position_s;
-    update();
+    if (position_s != m_position_s) {
+        m_position_s = position_s;
+        update();
+        tellValue();
+    }
+}
+
+QString ForceTimeline::spokenText() const
+{
+    if (m_duration_s <= 0.0) {
+        return tr("no recording");
+    }
+    const auto bins = static_cast<double>(m_peaks_N.size());
+    const QLocale locale;
+    const QString time =
+        tr("%1 of %2 s").arg(locale.toString(m_position_s, 'f', 1), locale.toString(m_duration_s, 'f', 1));
+    if (m_peaks_N.empty()) { // the recording is still read
+        return time;
+    }
+    const double bin = std::clamp(m_position_s / m_duration_s * bins, 0.0, bins - 1.0);
+    return tr("%1, %2 N").arg(time, forceText(m_peaks_N[static_cast<std::size_t>(bin)]));
+}
+
+std::optional<Spoken::Scale> ForceTimeline::spokenScale() const
+{
+    return Scale{m_position_s, 0.0, m_duration_s, kStep_s};
+}
+
+void ForceTimeline::setSpoken(double value)
+{
+    if (m_duration_s > 0.0 && !m_isLive) {
+        Q_EMIT seekWanted(std::clamp(value, 0.0, m_duration_s));
+    }
 }
 
 void ForceTimeline::addLive(double time_s, double force_N)
@@ -79,6 +113,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
     m_duration_s = static_cast<double>(m_peaks_N.size()) * kLiveBin_s;
     m_position_s = m_duration_s;
     update();
+    tellValue();
 }
 
 void ForceTimeline::clear()
@@ -198,7 +233,7 @@ void ForceTimeline::mouseMoveEvent(QMouseEvent* event)
 
 void ForceTimeline::keyPressEvent(QKeyEvent* event)
 {
-    const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1;
+    const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : kStep_s;
     switch (event->key()) {
     case Qt::Key_Left:
         Q_EMIT seekWanted(m_position_s - step);

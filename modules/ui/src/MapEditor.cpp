@@ -116,7 +116,7 @@ void MapEditor::makeFields()
     m_note = new QLabel(this);
     m_note->setWordWrap(true);
     m_note->setTextFormat(Qt::PlainText);
-    m_note->setAccessibleName(tr("What the map says"));
+    m_note->setAccessibleDescription(tr("What the map says"));
     m_form->addRow(m_note);
     m_colours = makeBox(tr("Show"), tr("Colours the structure by numbers, with a legend"));
 }

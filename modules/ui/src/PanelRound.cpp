@@ -2,8 +2,11 @@
 #include "palpate/ui/PanelRound.h"
 
 #include <QEvent>
+#include <QMainWindow>
 #include <QPainter>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace palpate::ui {
 
@@ -25,11 +28,27 @@ QWidget* firstIn(QWidget* part)
     return nullptr;
 }
 
-/// Whether a part lies in the window: behind another one's tab it doesn't.
-bool isInWindow(const QWidget& part)
+QDockWidget* dockOf(QWidget* part)
 {
-    const QWidget* window = part.window();
-    return window->rect().intersects(QRect(part.mapTo(window, QPoint()), part.size()));
+    for (QWidget* one = part; one != nullptr; one = one->parentWidget()) {
+        if (auto* dock = qobject_cast<QDockWidget*>(one)) {
+            return dock;
+        }
+    }
+    return nullptr;
+}
+
+QList<QDockWidget*> besideByTab(const QDockWidget& dock)
+{
+    const auto* window = qobject_cast<const QMainWindow*>(dock.parentWidget());
+    return window != nullptr ? window->tabifiedDockWidgets(const_cast<QDockWidget*>(&dock)) : QList<QDockWidget*>();
+}
+
+/// Whether a panel is seen: behind another one's tab Qt puts it outside the window.
+bool isInFront(const QDockWidget& dock)
+{
+    const QWidget* window = dock.window();
+    return window->rect().intersects(QRect(dock.mapTo(window, QPoint()), dock.size()));
 }
 
 } // namespace
@@ -52,19 +71,45 @@ void PanelRound::go(int step)
             m_parts[static_cast<std::size_t>(i)].last = focus;
         }
     }
+    const QDockWidget* left = focus != nullptr ? dockOf(focus) : nullptr;
+    if (m_covered != nullptr && (left == nullptr || !besideByTab(*m_covered).contains(left))) {
+        m_covered.clear(); // a pointer has been elsewhere since
+    }
     for (int tried = 1; tried <= count; ++tried) {
         const int i = ((now < 0 && step < 0 ? 0 : now) + step * tried + 2 * count) % count;
-        Part& part = m_parts[static_cast<std::size_t>(i)];
-        if (part.widget == nullptr || !part.widget->isVisible() || !isInWindow(*part.widget)) {
-            continue; // hidden, or behind another tab
-        }
-        QWidget* to = part.last != nullptr && part.last->isVisible() && part.last->isEnabled() ? part.last.data()
-                                                                                               : firstIn(part.widget);
-        if (to != nullptr) {
-            to->setFocus(Qt::TabFocusReason);
+        if (isGivenKeys(m_parts[static_cast<std::size_t>(i)])) {
             return;
         }
     }
+}
+
+/// @return false when the part is hidden or has nothing that takes keys
+bool PanelRound::isGivenKeys(Part& part)
+{
+    if (part.widget == nullptr || !part.widget->isVisible()) {
+        return false;
+    }
+    QWidget* to = part.last != nullptr && part.last->isVisible() && part.last->isEnabled() ? part.last.data()
+                                                                                           : firstIn(part.widget);
+    if (to == nullptr) {
+        return false;
+    }
+    QDockWidget* dock = dockOf(part.widget);
+    const QList<QDockWidget*> tabs = dock != nullptr ? besideByTab(*dock) : QList<QDockWidget*>();
+    if (m_covered != nullptr && m_covered != dock && !tabs.contains(m_covered)) {
+        m_covered->raise(); // the keys leave the panels that share a place
+        m_covered.clear();
+    }
+    if (dock != nullptr && !isInFront(*dock)) {
+        const auto front =
+            std::find_if(tabs.begin(), tabs.end(), [](const QDockWidget* one) { return isInFront(*one); });
+        if (m_covered == nullptr && front != tabs.end()) {
+            m_covered = *front;
+        }
+        dock->raise();
+    }
+    to->setFocus(Qt::TabFocusReason);
+    return true;
 }
 
 FocusFrame::FocusFrame(QWidget* held, QWidget* watched, QWidget* parent)

@@ -50,6 +50,7 @@ class FittingScroll final : public QScrollArea
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setFocusPolicy(Qt::NoFocus); // what it holds takes the keys, and is scrolled to
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     }
     [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
@@ -72,12 +73,13 @@ class FittingScroll final : public QScrollArea
     }
 };
 
-QLabel* makeWarning(const QString& accessibleName, QWidget* box)
+/// @param what  it warns of; a screen reader hears the text first
+QLabel* makeWarning(const QString& what, QWidget* box)
 {
     auto* label = new QLabel(box);
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
-    label->setAccessibleName(accessibleName);
+    label->setAccessibleDescription(what);
     QPalette warning = label->palette();
     warning.setColor(QPalette::WindowText, warningColour());
     label->setPalette(warning);

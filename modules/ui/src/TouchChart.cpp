@@ -2,6 +2,7 @@
 #include "palpate/ui/TouchChart.h"
 
 #include "palpate/ui/Theme.h"
+#include "palpate/ui/TouchPanel.h"
 
 #include <palpate/view/ColourMap.h>
 
@@ -25,12 +26,24 @@ QString axisText(double value)
 
 TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
     : QWidget(parent)
+    , Spoken(this)
     , m_history(history)
 {
     setMinimumSize(180, 130);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Chart of force and depth over the last ten seconds"));
     setToolTip(tr("Force [N] and depth [mm] over the last 10 s"));
+}
+
+QString TouchChart::spokenText() const
+{
+    if (m_history.samples().empty()) {
+        return tr("nothing was felt yet");
+    }
+    const TouchSample& newest = m_history.samples().back();
+    return tr("now %1 N, %2 mm deep; at most %3 N, %4 mm")
+        .arg(forceText(newest.force_N), depthText(newest.depth_mm), forceText(m_history.peakForce_N()),
+             depthText(m_history.peakDepth_mm()));
 }
 
 void TouchChart::paintEvent(QPaintEvent*)
@@ -172,9 +185,17 @@ void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N
 
 ForceBar::ForceBar(QWidget* parent)
     : QWidget(parent)
+    , Spoken(this)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setMinimumHeight(30);
+    setFocusPolicy(Qt::TabFocus); // a place for the keys in the panel, at which the force is heard
+    setAccessibleName(tr("Force in newton"));
+}
+
+QString ForceBar::spokenText() const
+{
+    return tr("%1 N of %2 N").arg(forceText(m_force_N), axisText(m_limit_N));
 }
 
 void ForceBar::setLimit(double force_N)
@@ -188,6 +209,7 @@ void ForceBar::setForce(double force_N)
 {
     m_force_N = force_N;
     update();
+    tellValue();
 }
 
 double ForceBar::share() const noexcept
@@ -217,6 +239,11 @@ void ForceBar::paintEvent(QPaintEvent*)
     const QRectF text(0.0, bar.bottom() + 2.0, width(), metrics.height());
     painter.drawText(text, Qt::AlignLeft, QStringLiteral("0"));
     painter.drawText(text, Qt::AlignRight, tr("limit %1 N").arg(axisText(m_limit_N)));
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+        painter.drawRoundedRect(bar.adjusted(1, 1, -1, -1), 3, 3);
+    }
 }
 
 } // namespace palpate::ui

@@ -18,16 +18,23 @@ QString forceText(double force_N)
     return QLocale().toString(force_N, 'f', decimals);
 }
 
+QString depthText(double depth_mm)
+{
+    return QLocale().toString(depth_mm, 'f', depth_mm < 0.95 ? 2 : 1);
+}
+
+QString touchText(const TouchReading& reading)
+{
+    return TouchPanel::tr("%1 N, %2 mm deep").arg(forceText(reading.force_N), depthText(reading.depth_mm));
+}
+
 QString detailText(const TouchReading& reading)
 {
-    const int decimals = reading.depth_mm < 0.95 ? 2 : 1;
     if (reading.isSlidOff) {
-        return TouchPanel::tr("%1 mm deep · slid off the edge")
-            .arg(QLocale().toString(reading.depth_mm, 'f', decimals));
+        return TouchPanel::tr("%1 mm deep · slid off the edge").arg(depthText(reading.depth_mm));
     }
     return TouchPanel::tr("%1 mm deep · %2 N/mm")
-        .arg(QLocale().toString(reading.depth_mm, 'f', decimals),
-             QLocale().toString(reading.stiffness_N_per_mm, 'f', 2));
+        .arg(depthText(reading.depth_mm), QLocale().toString(reading.stiffness_N_per_mm, 'f', 2));
 }
 
 TouchPanel::TouchPanel(QWidget* parent)
@@ -159,6 +166,7 @@ void TouchPanel::show(const TouchReading& reading)
     }
     m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers), along_N});
     m_chart->update();
+    Q_EMIT changed();
 }
 
 void TouchPanel::showNoHand()
@@ -170,6 +178,7 @@ void TouchPanel::showNoHand()
     setLine(tr("No hand"), tr("press on a structure to feel it"));
     setLayers({});
     m_solver->setText(tr("constraints 0"));
+    Q_EMIT changed();
 }
 
 void TouchPanel::clearHistory()

@@ -2,9 +2,11 @@
 #include "palpate/ui/TypeAhead.h"
 
 #include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLabel>
 
 namespace palpate::ui {
 
@@ -20,15 +22,18 @@ bool TypeAhead::eventFilter(QObject* watched, QEvent* event)
         return false;
     }
     const auto* widget = qobject_cast<QWidget*>(watched);
-    if (widget == nullptr || widget->window() != parent() ||
-        (qobject_cast<const QAbstractItemView*>(widget) == nullptr &&
-         qobject_cast<const QComboBox*>(widget) == nullptr)) {
+    if (widget == nullptr || widget->window() != parent()) {
         return false;
     }
+    const bool isList =
+        qobject_cast<const QAbstractItemView*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr;
+    const bool hasEnds = isList || qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
+                         qobject_cast<const QLabel*>(widget) != nullptr; // whose text can be selected
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool isPlain = (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
     const bool isTyped = !key->text().isEmpty() && key->text().front().isPrint();
-    if (isPlain && (isTyped || key->key() == Qt::Key_Home || key->key() == Qt::Key_End)) {
+    const bool isEnd = key->key() == Qt::Key_Home || key->key() == Qt::Key_End;
+    if (isPlain && ((isList && isTyped) || (hasEnds && isEnd))) {
         event->accept(); // it comes as a key, not as a command
         return true;
     }

@@ -53,7 +53,6 @@ VtkViewport::VtkViewport(QWidget* parent)
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setAccessibleName(tr("3D view"));
     setMinimumSize(240, 180);
 
     m_window->SetOwnContext(0);

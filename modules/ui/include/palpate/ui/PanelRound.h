@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QDockWidget>
 #include <QPointer>
 #include <QWidget>
 
@@ -8,7 +9,8 @@
 
 namespace palpate::ui {
 
-/// F6 and Shift+F6: the keys go from one part of the window to the next, and come back to where they were in it.
+/// F6 and Shift+F6: the keys go from one part of the window to the next, and come back to where they were in it. A
+/// panel behind another one's tab comes to the front while the keys are in it.
 class PanelRound
 {
   public:
@@ -23,7 +25,9 @@ class PanelRound
         QPointer<QWidget> widget;
         QPointer<QWidget> last; ///< had the keys when the part was left
     };
+    bool isGivenKeys(Part& part);
     std::vector<Part> m_parts;
+    QPointer<QDockWidget> m_covered; ///< was in front before one behind it got the keys
 };
 
 /// A narrow frame round what it holds, which shows when the keys go there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Spoken.h"
 #include "palpate/ui/Transport.h"
 
 #include <QWidget>
@@ -16,8 +17,9 @@ class QToolButton;
 
 namespace palpate::ui {
 
-/// Force as a waveform over the whole recording, with a head that is dragged to seek.
-class ForceTimeline : public QWidget
+/// Force as a waveform over the whole recording, with a head that is dragged to seek. A screen reader hears where the
+/// head stands and the greatest force there.
+class ForceTimeline : public QWidget, public Spoken
 {
     Q_OBJECT
   public:
@@ -31,6 +33,10 @@ class ForceTimeline : public QWidget
     void clear();
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
     [[nodiscard]] QSize sizeHint() const override { return {500, 64}; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] std::optional<Scale> spokenScale() const override;
+    void setSpoken(double value) override;
 
   Q_SIGNALS:
     void seekWanted(double position_s);

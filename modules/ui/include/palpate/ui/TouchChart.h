@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Spoken.h"
 #include "palpate/ui/TouchHistory.h"
 
 #include <QPainterPath>
@@ -10,13 +11,15 @@ namespace palpate::ui {
 
 /// Force and depth over the last ten seconds, one above the other on the same time. Where several layers are felt, the
 /// area below the force is theirs, the outermost at the bottom, in the structures' colours; inner ones are hatched.
-/// What of the force is along the surface, by friction, is a dotted line.
-class TouchChart : public QWidget
+/// What of the force is along the surface, by friction, is a dotted line. A screen reader hears the newest numbers.
+class TouchChart : public QWidget, public Spoken
 {
     Q_OBJECT
   public:
     explicit TouchChart(const TouchHistory& history, QWidget* parent = nullptr);
     [[nodiscard]] QSize sizeHint() const override { return {260, 230}; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QString spokenText() const override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -30,7 +33,7 @@ class TouchChart : public QWidget
 };
 
 /// A bar from 0 to the device's limit, coloured as the ball in the view.
-class ForceBar : public QWidget
+class ForceBar : public QWidget, public Spoken
 {
     Q_OBJECT
   public:
@@ -41,6 +44,9 @@ class ForceBar : public QWidget
     /// Share of the bar that is filled, 0 … 1.
     [[nodiscard]] double share() const noexcept;
     [[nodiscard]] QSize sizeHint() const override { return {220, 30}; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
+    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] std::optional<Scale> spokenScale() const override { return Scale{m_force_N, 0.0, m_limit_N}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

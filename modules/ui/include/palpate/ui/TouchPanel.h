@@ -45,6 +45,10 @@ class TouchPanel : public QWidget
     void showNoHand();
     void clearHistory();
 
+  Q_SIGNALS:
+    /// `reading` is another one.
+    void changed();
+
   private:
     void setLine(const QString& structure, const QString& detail);
     void setLayers(std::vector<FeltLayer> layers);
@@ -63,6 +67,10 @@ class TouchPanel : public QWidget
 
 /// "2.31", or with fewer digits where they would not be read: 12.3, 123.
 [[nodiscard]] QString forceText(double force_N);
+/// "4.6", with a digit more where it is little. [mm]
+[[nodiscard]] QString depthText(double depth_mm);
+/// "2.31 N, 4.6 mm deep": what a screen reader says of a touch.
+[[nodiscard]] QString touchText(const TouchReading& reading);
 /// "4.6 mm deep · liver · 0.50 N/mm" without the structure's name.
 [[nodiscard]] QString detailText(const TouchReading& reading);
 

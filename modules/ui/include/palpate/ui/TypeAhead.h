@@ -6,7 +6,8 @@
 namespace palpate::ui {
 
 /// Lets a person type in lists: there a letter looks for what begins with it, and is no command. Home and End go to the
-/// list's ends. Wherever else the keys are, letters stay the window's commands.
+/// ends of lists, sliders and texts, as fields to write in do by themselves. Wherever else the keys are, letters, Home
+/// and End stay the window's commands.
 class TypeAhead : public QObject
 {
     Q_OBJECT
