@@ -44,6 +44,18 @@ struct Mapped
         structure.tissue = tissue;
         build(radius_mm);
     }
+    /// Lumps below: k/k0 at a place for each press.
+    void feel(const std::function<double(const Vec3&, double press_mm)>& ratio, double radius_mm = 0.0)
+    {
+        for (std::size_t j = 0; j < haptics::kFeltPress_mm.size(); ++j) {
+            std::vector<float> values;
+            for (const Vec3& p : mesh.mesh.vertices) {
+                values.push_back(static_cast<float>(ratio(p, haptics::kFeltPress_mm[j])));
+            }
+            structure.maps.felt[j] = TissueMap::atVertices(*structure.surface, mesh, values);
+        }
+        build(radius_mm);
+    }
     void build(double radius_mm = 0.0)
     {
         scene = std::make_unique<HapticScene>(std::vector{structure}, radius_mm);
@@ -87,14 +99,20 @@ std::vector<double> pieces(const Vec3& from, const Vec3& to)
     };
     cut(from.x(), to.x());
     cut(from.y(), to.y());
+    for (const double press : haptics::kFeltPress_mm) { // below z = 0
+        const double share = (-press - from.z()) / (to.z() - from.z());
+        if (share > 0.0 && share < 1.0) {
+            shares.push_back(share);
+        }
+    }
     cut(from.x() - from.y(), to.x() - to.y());
     cut(from.x() + from.y(), to.x() + to.y());
     std::sort(shares.begin(), shares.end());
     return shares;
 }
 
-/// Work on the hand along a straight way. On a facet the force is a polynomial of the third degree in the way, which
-/// three points of Gauss integrate exactly.
+/// Work on the hand along a straight way. On a facet the force is a polynomial of at most the fifth degree in the way,
+/// which three points of Gauss integrate exactly.
 double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
 {
     const std::vector<double> shares = pieces(from, to);
@@ -111,10 +129,10 @@ double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
 }
 
 /// The largest work of random closed paths below the top of `slab(2)`, and the greatest on a part of one.
-std::pair<double, double> workOfClosedPaths(Mapped& on, int paths)
+std::pair<double, double> workOfClosedPaths(Mapped& on, int paths, double deepest_mm = 3.0)
 {
     std::mt19937_64 random(4);
-    std::uniform_real_distribution<double> across(-16.0, 16.0), deep(0.5, 3.0);
+    std::uniform_real_distribution<double> across(-16.0, 16.0), deep(0.5, deepest_mm);
     (void)on.at(Vec3(0.3, 0.1, 1.0));
     double worst = 0.0, part = 0.0;
     for (int i = 0; i < paths; ++i) {
@@ -288,6 +306,62 @@ class TissueMaps : public QObject
         const Vec3 felt = t.f_W + 0.25 * Vec3(2.0 / kTick_s, 0, 0); // without the damper's part
         QVERIFY((felt - 0.5 * (t.p_WG - hip)).norm() < 1e-9);
         QVERIFY(std::abs(felt.x() + 0.4 * felt.z()) < 1e-9);
+    }
+
+    void lumpsBelowAreFeltBetweenThePressesThatAreKnown_data()
+    {
+        QTest::addColumn<bool>("isLinear");
+        QTest::addColumn<bool>("isMapped");
+        QTest::newRow("linear") << true << false;
+        QTest::newRow("exponential") << false << false;
+        QTest::newRow("linear, with a map of stiffness") << true << true;
+    }
+    void lumpsBelowAreFeltBetweenThePressesThatAreKnown()
+    {
+        QFETCH(bool, isLinear);
+        QFETCH(bool, isMapped);
+        const Tissue tissue = isLinear ? spring(0.5) : fung();
+        const auto law = haptics::ForceTable::build(tissue);
+        const auto F = [&](double d) { return law == nullptr ? 0.5 * d : law->force(d); };
+        const auto ratio = [](const Vec3& p, double press) { return 1.0 + 0.0625 * press * (1.0 + p.x() / 32.0); };
+        const auto map = [&](double x) { return isMapped ? 1.0 + x / 64.0 : 1.0; };
+        Mapped on(box(Vec3(-16, -16, -30), Vec3(16, 16, 0), 4), tissue, [&](const Vec3& p) { return map(p.x()); });
+        if (!isMapped) {
+            on.structure.maps.stiffness = {};
+        }
+        on.feel(ratio);
+        for (const double asked : {0.7, 2.0, 2.9, 4.0, 6.5, 8.0, 11.0}) {
+            const double x = 0.3 * asked;
+            (void)on.at(Vec3(x, 0.7, 1.0));
+            const TickResult t = on.at(Vec3(x, 0.7, -asked));
+            const double depth = asked + t.p_WG.z(), press = std::min(depth, 8.0);
+            // The ratio is linear in the press here, so between the presses it is what the formula says.
+            const double scale = 1.0 + 0.0625 * press * (1.0 + x / 32.0);
+            QVERIFY(std::abs(t.f_W.z() / (map(x) * scale * F(depth)) - 1.0) < 1e-12);
+            // U = map (W + 1/16 (1 + x / 32) V), V the integral of min(d, 8) F.
+            double V = 0.0, W = 0.0;
+            constexpr int kSteps = 20000;
+            for (int i = 0; i < kSteps; ++i) {
+                const double d = (i + 0.5) * depth / kSteps;
+                V += std::min(d, 8.0) * F(d) * depth / kSteps;
+                W += F(d) * depth / kSteps;
+            }
+            const double along =
+                map(x) * 0.0625 / 32.0 * V + (isMapped ? 1.0 / 64.0 : 0.0) * (W + 0.0625 * (1.0 + x / 32.0) * V);
+            QVERIFY2(std::abs(t.f_W.x() + along) < 1e-6, qPrintable(QString("%1 %2").arg(t.f_W.x()).arg(along)));
+        }
+    }
+
+    void noClosedPathOverALumpMakesEnergy()
+    {
+        std::mt19937_64 random(9);
+        std::uniform_real_distribution<double> value(0.7, 2.0);
+        Mapped on(slab(2), spring(0.5), [](const Vec3&) { return 1.0; });
+        on.structure.maps.stiffness = {};
+        on.feel([&](const Vec3&, double) { return value(random); });
+        const auto [worst, part] = workOfClosedPaths(on, 10000, 10.0);
+        QVERIFY2(worst < 1e-12 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
+        QVERIFY(part > 1.0);
     }
 
     void aMapOfOnesChangesNothingButRounding()

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace palpate::session::internal {
@@ -23,12 +24,13 @@ namespace {
 struct NamedMap
 {
     const char* quantity;
-    haptics::TissueMap haptics::TissueMaps::*member;
     bool isAboveZero; ///< 0 is no number of it
 };
-constexpr NamedMap kMaps[] = {{"stiffness", &haptics::TissueMaps::stiffness, true},
-                              {"damping", &haptics::TissueMaps::damping, false},
-                              {"friction", &haptics::TissueMaps::friction, false}};
+/// In the order of `TissueMaps::all`.
+constexpr std::array kMaps{NamedMap{"stiffness", true}, NamedMap{"damping", false},  NamedMap{"friction", false},
+                           NamedMap{"felt_0_mm", true}, NamedMap{"felt_2_mm", true}, NamedMap{"felt_4_mm", true},
+                           NamedMap{"felt_8_mm", true}};
+static_assert(kMaps.size() == std::tuple_size_v<decltype(haptics::TissueMaps().all())>);
 
 using Corners = std::vector<std::array<float, 3>>;
 
@@ -60,10 +62,10 @@ const char* faultIn(const Corners& corners, double factor, bool isAboveZero)
 std::string mapsText(const haptics::TissueMaps& maps)
 {
     QJsonArray out;
-    for (const NamedMap& named : kMaps) {
-        const haptics::TissueMap& map = maps.*named.member;
+    for (std::size_t i = 0; i < kMaps.size(); ++i) {
+        const haptics::TissueMap& map = *maps.all()[i];
         if (!map.isEmpty()) {
-            out.append(QJsonObject{{"quantity", named.quantity},
+            out.append(QJsonObject{{"quantity", kMaps[i].quantity},
                                    {"factor", map.factor},
                                    {"sha256", QString::fromStdString(hashOf(bytesOf(map)))}});
         }
@@ -74,9 +76,9 @@ std::string mapsText(const haptics::TissueMaps& maps)
 void forEachMap(const haptics::TissueMaps& maps,
                 const std::function<void(const std::string& sha256, std::string_view bytes)>& take)
 {
-    for (const NamedMap& named : kMaps) {
-        if (const haptics::TissueMap& map = maps.*named.member; !map.isEmpty()) {
-            take(hashOf(bytesOf(map)), bytesOf(map));
+    for (const haptics::TissueMap* map : maps.all()) {
+        if (!map->isEmpty()) {
+            take(hashOf(bytesOf(*map)), bytesOf(*map));
         }
     }
 }
@@ -86,14 +88,15 @@ haptics::TissueMaps mapsOf(const std::string& text,
                            std::string& wrong)
 {
     haptics::TissueMaps maps;
+    const std::array all = maps.all();
     for (const QJsonValue& entry : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
         const QString quantity = entry["quantity"].toString();
-        const auto named = std::find_if(std::begin(kMaps), std::end(kMaps),
-                                        [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
+        const auto* const named = std::find_if(
+            kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
         const std::string hash = entry["sha256"].toString().toStdString();
         const std::optional<std::string> bytes = find(hash);
         const std::string name = "map of " + quantity.toStdString() + " " + hash.substr(0, 12) + "...: ";
-        if (named == std::end(kMaps) || !bytes) {
+        if (named == kMaps.end() || !bytes) {
             wrong = name + "is not in the recording";
             continue;
         }
@@ -108,7 +111,7 @@ haptics::TissueMaps mapsOf(const std::string& text,
             wrong = name + "found " + fault;
             continue;
         }
-        maps.*named->member = {std::move(corners), factor};
+        *all[static_cast<std::size_t>(named - kMaps.begin())] = {std::move(corners), factor};
     }
     return maps;
 }

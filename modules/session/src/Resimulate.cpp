@@ -256,7 +256,7 @@ std::string faultOfMaps(const StructureRecord& structure, const geometry::Surfac
     if (internal::mapsText(maps) != structure.maps) {
         return "a map of its tissue is not in the recording, or damaged";
     }
-    for (const haptics::TissueMap* map : {&maps.stiffness, &maps.damping, &maps.friction}) {
+    for (const haptics::TissueMap* map : maps.all()) {
         if (!map->isEmpty() && map->corners->size() != surface.triangleCount()) {
             return "a map of its tissue has " + std::to_string(map->corners->size()) + " triangles, expected " +
                    std::to_string(surface.triangleCount());

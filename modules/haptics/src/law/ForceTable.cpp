@@ -137,16 +137,19 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     : m_knots(std::move(knots))
 {
     m_cells.reserve(m_knots.size());
-    double energy_mJ = 0.0;
+    double energy_mJ = 0.0, above = 0.0; // and the moment of what lies above a cell
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Cell& cell = m_cells.emplace_back(cellBetween(m_knots[i], m_knots[i + 1], energy_mJ));
         m_greatestSlope = std::max(m_greatestSlope, greatestSlope(cell));
         const double t = cell.end_mm - cell.start_mm;
+        m_moments.push_back(above);
+        above += moment(cell, t);
         energy_mJ += t * (cell.force_N + t * (0.5 * cell.rise + t * (cell.third + t * (0.25 * cell.cube))));
     }
     const Knot& last = m_knots.back();
     m_cells.push_back({last.depth_mm, std::numeric_limits<double>::infinity(), last.force_N, last.slopeAfter, 0.0, 0.0,
                        energy_mJ, 0.0});
+    m_moments.push_back(above);
     m_greatestSlope = std::max(m_greatestSlope, last.slopeAfter);
 
     constexpr double kPlaces = kIndexSize;
@@ -175,7 +178,8 @@ double stiffnessAt(const Tissue& tissue, double depth_mm)
 
 std::size_t ForceTable::byteSize() const noexcept
 {
-    return sizeof(ForceTable) + m_cells.capacity() * sizeof(Cell) + m_knots.capacity() * sizeof(Knot);
+    return sizeof(ForceTable) + m_cells.capacity() * sizeof(Cell) + m_moments.capacity() * sizeof(double) +
+           m_knots.capacity() * sizeof(Knot);
 }
 
 } // namespace palpate::haptics

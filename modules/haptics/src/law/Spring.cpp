@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "law/Spring.h"
 
+#include "law/FeltBelow.h"
 #include "law/Foot.h"
 #include "palpate/haptics/ForceTable.h"
 
@@ -9,7 +10,8 @@ namespace palpate::haptics::law {
 Vec3 Spring::force(const Touch& touch) noexcept
 {
     const HapticStructure& on = touch.structure;
-    if (on.law == nullptr && on.maps.stiffness.isEmpty()) {
+    const bool isMapped = !on.maps.stiffness.isEmpty(), hasFelt = on.maps.hasFelt();
+    if (on.law == nullptr && !isMapped && !hasFelt) {
         return LinearSpring::force(touch);
     }
     const Vec3 push = touch.p_WG - touch.p_WH;
@@ -18,11 +20,17 @@ Vec3 Spring::force(const Touch& touch) noexcept
         return Vec3::Zero();
     }
     const ForceTable::Value law = on.lawAt(depth);
-    if (on.maps.stiffness.isEmpty()) {
+    if (!isMapped && !hasFelt) {
         return law.force_N / depth * push;
     }
     const Foot foot(touch);
-    const MapValue s = foot.valueOf(on.maps.stiffness);
+    const MapValue s = isMapped ? foot.valueOf(on.maps.stiffness) : MapValue{};
+    if (hasFelt) {
+        const FeltBelow felt = FeltBelow::at(foot, on, depth, law);
+        const Vec3 f_W = s.value * felt.scale * law.force_N / depth * push;
+        const Vec3 tilt_N = s.value * felt.gradient + felt.energy_mJ * s.gradient;
+        return on.tissue.hasFriction() ? f_W : Vec3(f_W - foot.freePart(tilt_N));
+    }
     const Vec3 f_W = s.value * law.force_N / depth * push;
     return on.tissue.hasFriction() ? f_W : Vec3(f_W - law.energy_mJ * foot.freePart(s.gradient));
 }

@@ -21,6 +21,8 @@ struct LinearSpring
 /// god-object and P the projector on what the contact leaves the foot free to do. The linear spring where there is
 /// neither law nor map.
 ///
+/// Where lumps below are felt through the surface, `s(x) W(d)` becomes `s(x) sum_j s_j(x) W_j(d)`: see FeltBelow.h.
+///
 /// With friction the foot does not follow the HIP, so the last term is left out; law/Friction.h makes up for it.
 /// @par Source resources/docs/laws.md, "One energy".
 struct Spring

@@ -82,6 +82,15 @@ class ForceTable
         return {force(cell, t), cell.energy_mJ + t * (cell.force_N + t * (0.5 * cell.rise +
                                                                           t * (cell.third + t * (0.25 * cell.cube))))};
     }
+    /// The first moment of the force, the integral of depth times force from the surface down [N·mm^2]; 0 above it.
+    [[nodiscard]] double moment(double depth_mm) const noexcept PALPATE_NONBLOCKING
+    {
+        if (!(depth_mm > 0.0)) {
+            return 0.0;
+        }
+        const Cell& cell = cellAt(depth_mm);
+        return m_moments[static_cast<std::size_t>(&cell - m_cells.data())] + moment(cell, depth_mm - cell.start_mm);
+    }
     [[nodiscard]] double force(double depth_mm) const noexcept PALPATE_NONBLOCKING
     {
         if (!(depth_mm > 0.0)) {
@@ -130,6 +139,13 @@ class ForceTable
     {
         return cell.force_N + t * (cell.rise + t * (cell.square + t * cell.cube));
     }
+    /// From the cell's start to t below it.
+    [[nodiscard]] static double moment(const Cell& cell, double t) noexcept
+    {
+        const double energy = t * (cell.force_N + t * (0.5 * cell.rise + t * (cell.third + t * (0.25 * cell.cube))));
+        return cell.start_mm * energy +
+               t * t * (0.5 * cell.force_N + t * (cell.rise / 3.0 + t * (0.25 * cell.square + t * (0.2 * cell.cube))));
+    }
     /// By the root of the depth: laws are curved at their start, and there the knots stand close.
     [[nodiscard]] const Cell& cellAt(double depth_mm) const noexcept
     {
@@ -145,6 +161,7 @@ class ForceTable
     double m_greatestSlope = 0.0;
     std::array<std::uint16_t, kIndexSize> m_index{}; ///< the first cell that a place may mean
     std::vector<Cell> m_cells;
+    std::vector<double> m_moments; ///< of what lies above each cell
     std::vector<Knot> m_knots;
 };
 

@@ -37,6 +37,12 @@ struct HapticStructure
         const double force_N = tissue.stiffness_N_per_mm * depth_mm;
         return law == nullptr ? ForceTable::Value{force_N, 0.5 * force_N * depth_mm} : law->at(depth_mm);
     }
+    /// The integral of depth times the law's force [N·mm^2], without the maps.
+    [[nodiscard]] double momentAt(double depth_mm) const noexcept
+    {
+        return law == nullptr ? tissue.stiffness_N_per_mm * depth_mm * depth_mm * depth_mm / 3.0
+                              : law->moment(depth_mm);
+    }
 };
 
 /// The structures that share one god-object: all that a god-object knows of a scene.

@@ -34,16 +34,32 @@ struct TissueMap
     [[nodiscard]] static TissueMap atTriangles(const geometry::SurfaceIndex& surface, std::span<const float> values);
 };
 
+/// How deep a finger is pressed in where a felt map knows how much stiffer lumps below make the surface [mm]; between
+/// them linear, beyond the last as there.
+inline constexpr std::array<double, 4> kFeltPress_mm{0.0, 2.0, 4.0, 8.0};
+
 /// What varies over a structure.
 struct TissueMaps
 {
     TissueMap stiffness; ///< s [1]: scales the law's force and energy; > 0
     TissueMap damping;   ///< b [N·s/mm]: stands for the tissue's own; >= 0
     TissueMap friction;  ///< scales both coefficients [1]; >= 0
+    /// What lumps below make of the law's force, k/k0 at each of kFeltPress_mm [1]; > 0. All four or none.
+    std::array<TissueMap, kFeltPress_mm.size()> felt{};
 
+    [[nodiscard]] bool hasFelt() const noexcept { return !felt[0].isEmpty(); }
     [[nodiscard]] bool isEmpty() const noexcept
     {
-        return stiffness.isEmpty() && damping.isEmpty() && friction.isEmpty();
+        return stiffness.isEmpty() && damping.isEmpty() && friction.isEmpty() && !hasFelt();
+    }
+    /// All of them, in the order in which they are declared.
+    [[nodiscard]] std::array<TissueMap*, 7> all() noexcept
+    {
+        return {&stiffness, &damping, &friction, &felt[0], &felt[1], &felt[2], &felt[3]};
+    }
+    [[nodiscard]] std::array<const TissueMap*, 7> all() const noexcept
+    {
+        return {&stiffness, &damping, &friction, &felt[0], &felt[1], &felt[2], &felt[3]};
     }
 };
 

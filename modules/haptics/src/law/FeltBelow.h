@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "law/Foot.h"
+
+#include <array>
+#include <cstddef>
+
+namespace palpate::haptics::law {
+
+/// What lumps below a surface make of its law: `U = sum_j s_j(x) W_j(d)` with s_j the felt maps at the foot x and
+/// `W_j = integral of B_j F`, B_j the piecewise linear functions that are 1 at kFeltPress_mm[j] and 0 at the others.
+/// So the force is `F(d)` times what the maps say between two presses, and there is one energy.
+/// @par Source resources/docs/felt.md
+struct FeltBelow
+{
+    double scale = 0.0;           ///< sum of s_j B_j(d) [1]
+    double energy_mJ = 0.0;       ///< sum of s_j W_j(d)
+    Vec3 gradient = Vec3::Zero(); ///< sum of W_j(d) grad s_j [N]
+
+    /// @param depth_mm  d > 0; @param law  the structure's there
+    /// @par Real-time Wait-free.
+    [[nodiscard]] static FeltBelow at(const Foot& foot, const HapticStructure& on, double depth_mm,
+                                      const ForceTable::Value& law) noexcept
+    {
+        constexpr std::size_t kCount = kFeltPress_mm.size();
+        std::array<double, kCount> weights{}, energies{}; // B_j(d), W_j(d)
+        double energy = 0.0, moment = 0.0;                // of the law at `from`
+        for (std::size_t j = 0; j + 1 < kCount && depth_mm > kFeltPress_mm[j]; ++j) {
+            const double from = kFeltPress_mm[j], width = kFeltPress_mm[j + 1] - from;
+            const bool endsHere = depth_mm <= kFeltPress_mm[j + 1];
+            const double to = endsHere ? depth_mm : kFeltPress_mm[j + 1];
+            const double energyTo = endsHere ? law.energy_mJ : on.lawAt(to).energy_mJ, momentTo = on.momentAt(to);
+            // The integral of F times what rises from 0 to 1 between the two.
+            const double rising = (momentTo - moment - from * (energyTo - energy)) / width;
+            energies[j] += energyTo - energy - rising;
+            energies[j + 1] += rising;
+            if (endsHere) {
+                weights[j + 1] = (depth_mm - from) / width;
+                weights[j] = 1.0 - weights[j + 1];
+            }
+            energy = energyTo;
+            moment = momentTo;
+        }
+        if (depth_mm > kFeltPress_mm.back()) {
+            weights.back() = 1.0;
+            energies.back() += law.energy_mJ - energy;
+        }
+        FeltBelow felt;
+        for (std::size_t j = 0; j < kCount && (j == 0 || depth_mm > kFeltPress_mm[j - 1]); ++j) {
+            const MapValue s = foot.valueOf(on.maps.felt[j]);
+            felt.scale += weights[j] * s.value;
+            felt.energy_mJ += energies[j] * s.value;
+            felt.gradient += energies[j] * s.gradient;
+        }
+        return felt;
+    }
+};
+
+} // namespace palpate::haptics::law
