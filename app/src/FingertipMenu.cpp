@@ -28,6 +28,9 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
     const QString key = QStringLiteral("fingertip_mm");
     live.setFingertip(QSettings().value(key, 0.0).toDouble());
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
+    radii->setToolTipsVisible(true);
+    radii->menuAction()->setToolTip(
+        FingertipTexts::tr("What touches: a point feels every facet, a ball slides over small pits as a finger does"));
     auto* group = new QActionGroup(radii);
     for (const double radius_mm : kRadii_mm) {
         QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(radius_mm)

@@ -26,6 +26,7 @@ class Chip : public QLabel
     enum class Tone
     {
         Quiet,
+        Good, ///< quiet, with a green dot
         Warning,
         Recording
     };
@@ -40,10 +41,12 @@ class Chip : public QLabel
 
   Q_SIGNALS:
     void changed();
+    void clicked();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
     void takeInk();
