@@ -68,6 +68,7 @@ void MainWindow::makeEngineeringDock()
     addDockWidget(Qt::RightDockWidgetArea, m_engineeringDock);
     tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("device")), m_engineeringDock);
     m_engineeringDock->hide();
+    findChild<QDockWidget*>(QStringLiteral("touch"))->raise(); // still the first one to be seen
     connect(m_engineeringDock->toggleViewAction(), &QAction::toggled, m_engineeringAction, &QAction::setChecked);
     connect(m_engineeringAction, &QAction::triggered, this, &MainWindow::showEngineering);
     connect(m_runningChip, &Chip::clicked, this, [this] { showEngineering(true); });

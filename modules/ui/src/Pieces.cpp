@@ -32,7 +32,7 @@ bool isQuiet(Chip::Tone tone)
 Chip::Chip(const QString& what, QWidget* parent)
     : QLabel(parent)
 {
-    setAccessibleDescription(what); // its name is its text
+    setAccessibleDescription(what); // its name is what it says
     setTextFormat(Qt::PlainText);
     setContentsMargins(kSide_px, 3, kSide_px, 3);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -48,9 +48,15 @@ void Chip::say(const QString& text, Tone tone)
     m_said = text;
     setContentsMargins(kSide_px + (tone == Tone::Good ? kDot_px + 5 : 0), 3, kSide_px, 3);
     takeInk();
+    setAccessibleName(m_said);
     setText(m_isShort ? shortText() : m_said);
     setVisible(!text.isEmpty());
     Q_EMIT changed();
+}
+
+QString Chip::shortText() const
+{
+    return m_tone == Tone::Good ? QString() : m_said.section(QStringLiteral(", "), 0, 0);
 }
 
 void Chip::setShort(bool isShort)

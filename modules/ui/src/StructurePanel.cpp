@@ -34,6 +34,8 @@ namespace palpate::ui {
 
 namespace {
 
+constexpr int kNameLetters = 16; // of a field's name, before it goes on in a second line
+
 /// Half of the last digit that a field shows: what is shown as a limit may be asked for.
 double halfDigit(const core::TissueTerm& term)
 {
@@ -287,7 +289,10 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
             addFriction(form, box);
         }
         m_terms[i] = makeField(core::kTissueTerms[i], box);
-        form.addRow(termText(core::kTissueTerms[i].name), m_terms[i]);
+        auto* name = new QLabel(termText(core::kTissueTerms[i].name), box);
+        name->setWordWrap(true); // a long one must not widen the panel
+        name->setMaximumWidth(kNameLetters * fontMetrics().averageCharWidth());
+        form.addRow(name, m_terms[i]);
         if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
             form.addRow(m_bound);
         }
