@@ -65,10 +65,9 @@ void MainWindow::makeEngineeringDock()
     m_engineeringDock = new QDockWidget(tr("Engineering"), this);
     m_engineeringDock->setObjectName(QStringLiteral("engineering"));
     m_engineeringDock->setWidget(new PanelScroll(m_engineering, this));
-    addDockWidget(Qt::RightDockWidgetArea, m_engineeringDock);
-    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("device")), m_engineeringDock);
+    addDockWidget(Qt::LeftDockWidgetArea, m_engineeringDock);
+    tabifyDockWidget(m_docks.front(), m_engineeringDock); // where tabs have room
     m_engineeringDock->hide();
-    findChild<QDockWidget*>(QStringLiteral("touch"))->raise(); // still the first one to be seen
     connect(m_engineeringDock->toggleViewAction(), &QAction::toggled, m_engineeringAction, &QAction::setChecked);
     connect(m_engineeringAction, &QAction::triggered, this, &MainWindow::showEngineering);
     connect(m_runningChip, &Chip::clicked, this, [this] { showEngineering(true); });

@@ -291,7 +291,8 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
         m_terms[i] = makeField(core::kTissueTerms[i], box);
         auto* name = new QLabel(termText(core::kTissueTerms[i].name), box);
         name->setWordWrap(true); // a long one must not widen the panel
-        name->setMaximumWidth(kNameLetters * fontMetrics().averageCharWidth());
+        name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
+                                     kNameLetters * fontMetrics().averageCharWidth()));
         form.addRow(name, m_terms[i]);
         if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
             form.addRow(m_bound);
