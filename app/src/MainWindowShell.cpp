@@ -66,7 +66,6 @@ void MainWindow::makeEngineeringDock()
     m_engineeringDock->setObjectName(QStringLiteral("engineering"));
     m_engineeringDock->setWidget(new PanelScroll(m_engineering, this));
     addDockWidget(Qt::LeftDockWidgetArea, m_engineeringDock);
-    tabifyDockWidget(m_docks.front(), m_engineeringDock); // where tabs have room
     m_engineeringDock->hide();
     connect(m_engineeringDock->toggleViewAction(), &QAction::toggled, m_engineeringAction, &QAction::setChecked);
     connect(m_engineeringAction, &QAction::triggered, this, &MainWindow::showEngineering);
@@ -77,6 +76,9 @@ void MainWindow::showEngineering(bool isShown)
 {
     m_engineeringDock->setVisible(isShown);
     if (isShown) {
+        if (dockWidgetArea(m_engineeringDock) == Qt::LeftDockWidgetArea && !m_engineeringDock->isFloating()) {
+            tabifyDockWidget(m_docks.front(), m_engineeringDock); // only now: a tab alone would leave its bar behind
+        }
         m_engineeringDock->raise();
         showStatus();
     }
