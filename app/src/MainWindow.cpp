@@ -55,6 +55,7 @@ MainWindow::MainWindow()
     makeStatusBar();
     m_recording = new RecordingControl(m_live, *m_recordingChip, *m_session, this);
     makeMessagesDock();
+    makeEngineeringDock();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
@@ -81,8 +82,8 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
+    delete m_devices;    // it lets go of what the members below the children hold, and panels hear of that
     delete m_structures; // before the model that a name that is being written goes to
-    delete m_devices;    // it lets go of what the members below the children hold
 }
 
 void MainWindow::makeDocks()
@@ -302,6 +303,8 @@ void MainWindow::connectTouch()
     connect(m_fitLumpAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Lump); });
     connect(m_handControl, &HandControl::said, this, [this](const QString& line) { say(line); });
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
+    connect(m_engineering, &EngineeringPanel::loopChosen, m_handControl, &HandControl::chooseLoop);
+    connect(m_engineering, &EngineeringPanel::loopChosen, this, &MainWindow::showStatus);
 }
 
 void MainWindow::styleView()

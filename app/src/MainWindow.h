@@ -10,6 +10,7 @@
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
+#include <palpate/ui/EngineeringPanel.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
 #include <palpate/ui/HintLine.h>
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow
     void makeDeviceAndHelpActions();
     void makeShellActions();
     void makeMessagesDock();
+    void makeEngineeringDock();
+    void showEngineering(bool isShown);
     void finishShell();
     void makeMenus();
     void makeToolBar();
@@ -131,6 +134,8 @@ class MainWindow : public QMainWindow
     void styleView();
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
+    void offerLayers(const palpate::study::Layering& layering, const std::vector<std::string>& names,
+                     const std::vector<bool>& isFelt, const std::vector<std::uint32_t>& layers);
     void connectList();
     void chooseAdded();
     void add(const std::vector<std::filesystem::path>& files);
@@ -157,6 +162,7 @@ class MainWindow : public QMainWindow
     palpate::ui::SessionPanel* m_session = nullptr;
     palpate::ui::FindingsPanel* m_findings = nullptr;
     palpate::ui::HandPanel* m_hand = nullptr;
+    palpate::ui::EngineeringPanel* m_engineering = nullptr;
     palpate::ui::MapDisplay* m_maps = nullptr;
     palpate::ui::HandControl* m_handControl = nullptr;
     palpate::ui::PalpationController* m_palpation = nullptr;
@@ -167,9 +173,8 @@ class MainWindow : public QMainWindow
     palpate::app::ShowAround* m_around = nullptr;
     bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
-    palpate::ui::Chip* m_rateChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;
-    palpate::ui::Chip* m_realtimeChip = nullptr;
+    palpate::ui::Chip* m_runningChip = nullptr;
     palpate::ui::Chip* m_depthChip = nullptr;
     palpate::ui::HintLine* m_hint = nullptr;
     QStringList m_realtimeTold; ///< what was said of the servo thread last
@@ -177,7 +182,8 @@ class MainWindow : public QMainWindow
     QToolButton* m_cancel = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QDockWidget*> m_docks;
-    QDockWidget* m_messagesDock = nullptr; ///< the list of messages; it comes only when asked for
+    QDockWidget* m_messagesDock = nullptr;    ///< the list of messages; it comes only when asked for
+    QDockWidget* m_engineeringDock = nullptr; ///< hidden until asked for; then as it was left
 
     QAction* m_openAction = nullptr;
     QAction* m_addAction = nullptr;
@@ -207,6 +213,7 @@ class MainWindow : public QMainWindow
     QAction* m_redoAction = nullptr;
     QAction* m_keysAction = nullptr;
     QAction* m_clutchAction = nullptr;
+    QAction* m_engineeringAction = nullptr;
     QAction* m_fitSceneAction = nullptr;
     QAction* m_fitOrganAction = nullptr;
     QAction* m_fitLumpAction = nullptr;

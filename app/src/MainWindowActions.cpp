@@ -118,12 +118,13 @@ void MainWindow::makeSessionActions()
         tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"),
         {QKeySequence(Qt::Key_P)}, Symbol::Hand);
     m_palpateAction->setCheckable(true);
-    m_clutchAction = m_actions.add("clutch", ActionGroup::Session, tr("Clutch"),
-                                   tr("Move the device without the hand in the scene; again to let go"),
-                                   {QKeySequence(Qt::Key_C)}, Symbol::Hand);
+    m_clutchAction =
+        m_actions.add("clutch", ActionGroup::Session, tr("Lift the hand"),
+                      tr("Move the device without the hand in the scene, as a mouse is lifted; again to go on"),
+                      {QKeySequence(Qt::Key_C)}, Symbol::Hand);
     m_clutchAction->setCheckable(true);
     m_recordAction =
-        m_actions.add("record", ActionGroup::Session, tr("Record"), tr("Record what the hand feels, every tick"),
+        m_actions.add("record", ActionGroup::Session, tr("Record"), tr("Record what the hand feels, at every moment"),
                       {QKeySequence(Qt::Key_R)}, Symbol::Record);
     m_recordAction->setCheckable(true);
     m_playAction = m_actions.add("play", ActionGroup::Session, tr("Play"), tr("Play or pause the recording"),
@@ -156,14 +157,14 @@ void MainWindow::makeSessionActions()
 
 void MainWindow::makeDeviceAndHelpActions()
 {
-    m_fitSceneAction =
-        m_actions.add("fit-device-all", ActionGroup::Device, tr("Fit all to the device"),
-                      tr("All that is shown fills the device's workspace"), {QKeySequence(Qt::Key_W)}, Symbol::Fit);
-    m_fitOrganAction = m_actions.add("fit-device-organ", ActionGroup::Device, tr("Fit organ to the device"),
-                                     tr("The organ that is touched or pointed at fills the device's workspace"),
+    m_fitSceneAction = m_actions.add("fit-device-all", ActionGroup::Device, tr("Zoom the hand's space to everything"),
+                                     tr("The device's whole way goes through all that is shown"),
+                                     {QKeySequence(Qt::Key_W)}, Symbol::Fit);
+    m_fitOrganAction = m_actions.add("fit-device-organ", ActionGroup::Device, tr("Zoom the hand's space to the organ"),
+                                     tr("The device's whole way goes through the organ that is touched or pointed at"),
                                      {QKeySequence(Qt::Key_O)}, Symbol::Fit);
-    m_fitLumpAction = m_actions.add("fit-device-lump", ActionGroup::Device, tr("Fit lump to the device"),
-                                    tr("10 mm about what is touched, pointed at or found fill the device's workspace"),
+    m_fitLumpAction = m_actions.add("fit-device-lump", ActionGroup::Device, tr("Zoom the hand's space to the lump"),
+                                    tr("The device's whole way is 10 mm, about what is touched, pointed at or found"),
                                     {QKeySequence(Qt::Key_L)}, Symbol::Fit);
     // Both layouts of "?" and the way back: whatever the keyboard, one of them is there.
     m_keysAction = m_actions.add(

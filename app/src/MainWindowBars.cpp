@@ -50,8 +50,8 @@ void MainWindow::makeToolBar()
     m_depthChip = chips->add("mode", tr("What the pointer or the device does"), 3);
     m_recordingChip = chips->add("recording", tr("Recording"), 9, true);
     m_deviceChip = chips->add("device", tr("Device"), 2);
-    m_rateChip = chips->add("rate", tr("Servo rate"), 0);
-    m_realtimeChip = chips->add("realtime", tr("Real-time scheduling"), 1);
+    m_runningChip = chips->add("running", tr("How touch runs"), 1);
+    m_runningChip->setCursor(Qt::PointingHandCursor);
     bar->addWidget(chips);
 }
 
@@ -71,29 +71,16 @@ void MainWindow::showStatus()
         m_deviceChip->setToolTip(m_devices->details());
     }
     m_recording->refresh();
-    if (!m_live.isRunning()) {
-        m_rateChip->say({});
-        m_realtimeChip->say({});
-        return;
+    const EngineeringReading reading = engineeringReading(m_live, m_touch->reading());
+    const RunningState state = runningState(reading);
+    m_runningChip->say(state.text, state.isWell ? Chip::Tone::Good : Chip::Tone::Warning);
+    m_runningChip->setToolTip(state.tip);
+    if (reading.isRunning) {
+        tellRealtime(reading.realtime);
     }
-    const double rate_kHz = m_live.measuredRate_Hz() * 1e-3;
-    m_rateChip->say(tr("%1 kHz").arg(QLocale().toString(rate_kHz, 'f', 2)),
-                    rate_kHz > 0.0 && rate_kHz < 0.95e-3 * m_live.rate_Hz() ? Chip::Tone::Warning : Chip::Tone::Quiet);
-    m_rateChip->setToolTip(tr("Ticks of the servo thread a second [kHz], over the last half second"));
-    const servo::RealtimeReport realtime = m_live.realtime();
-    tellRealtime(realtime);
-    m_realtimeChip->say(realtime.isRealtime ? tr("real-time") : tr("not real-time"),
-                        realtime.isRealtime ? Chip::Tone::Quiet : Chip::Tone::Warning);
-    QStringList lines{tr("What the servo thread was granted:")};
-    for (const servo::RealtimeItem& item : realtime.items) {
-        lines << QStringLiteral("%1 %2: %3")
-                     .arg(item.isGranted ? QStringLiteral("✓") : QStringLiteral("✗"), QString::fromStdString(item.name),
-                          QString::fromStdString(item.message));
-        if (!item.remedy.empty()) {
-            lines << QStringLiteral("    ") + QString::fromStdString(item.remedy);
-        }
+    if (m_engineering != nullptr && m_engineering->isVisible()) {
+        m_engineering->show(reading);
     }
-    m_realtimeChip->setToolTip(lines.join(QLatin1Char('\n')));
 }
 
 void MainWindow::showWhatPlays()

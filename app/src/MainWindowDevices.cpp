@@ -29,8 +29,9 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
 
 QString MainWindow::howToTouch() const
 {
-    return m_live.usesPointer() ? tr("P palpate, drag to press, wheel for depth")
-                                : tr("Touch with the device; O or L fits the organ or lump to it, C clutches");
+    return m_live.usesPointer()
+               ? tr("P palpate, drag to press, wheel for depth")
+               : tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
 }
 
 void MainWindow::useCpu(int cpu)

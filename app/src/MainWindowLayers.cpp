@@ -2,8 +2,6 @@
 // What lies in something is felt below it: set for mesh files, offered for a scene that says nothing of layers.
 #include "MainWindow.h"
 
-#include <algorithm>
-
 using namespace palpate;
 using namespace palpate::ui;
 
@@ -25,37 +23,51 @@ QString oneLine(const std::vector<std::string>& sentences)
 void MainWindow::layOut(const OpenedScene& scene)
 {
     std::vector<std::string> names;
+    std::vector<bool> isFelt;
     bool isFlat = true;
     for (int row = 0; row < m_model.rowCount(); ++row) {
         names.push_back(readableName(m_model.structure(row).name).toStdString());
+        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)));
         isFlat = isFlat && m_model.structure(row).layer == 0;
     }
-    const std::vector<std::string> sentences = scene.layering.sentences(names);
-    if (!isFlat || sentences.empty()) {
+    if (!isFlat) {
         return;
     }
+    const std::vector<std::string> sentences = scene.layering.sentences(names, isFelt);
     std::vector<std::uint32_t> layers;
     for (const study::Layering::Structure& one : scene.layering.structures) {
         layers.push_back(one.layer);
     }
     const bool areMeshes = scene.areMeshes();
     const bool isLayered = scene.layering.isLayered();
-    if (!isLayered && areMeshes) {
+    if (!isLayered && areMeshes && !sentences.empty()) {
         m_message->showError(oneLine(sentences)); // the same surface twice, or one with holes
     } else if (isLayered && areMeshes && !m_waitingRecording) {
         m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
         m_model.undoStack().setClean(); // nothing that a person did and would miss
-        m_message->offer(oneLine(sentences), tr("All in one layer"), [this, count = layers.size()] {
-            m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
-        });
+        if (!sentences.empty()) {
+            m_message->offer(oneLine(sentences), tr("All in one layer"), [this, count = layers.size()] {
+                m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
+            });
+        }
     } else if (isLayered) {
-        const auto inner = std::find_if(scene.layering.structures.begin(), scene.layering.structures.end(),
-                                        [](const study::Layering::Structure& one) { return one.in.has_value(); });
-        const auto row = static_cast<std::size_t>(inner - scene.layering.structures.begin());
-        m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
-                             .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*inner->in])),
-                         tr("Feel it below"), [this, layers] {
-                             m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
-                         });
+        offerLayers(scene.layering, names, isFelt, layers);
+    }
+}
+
+/// Offers layers to a scene that has all in one, by the first structure that would then be felt through another.
+void MainWindow::offerLayers(const study::Layering& layering, const std::vector<std::string>& names,
+                             const std::vector<bool>& isFelt, const std::vector<std::uint32_t>& layers)
+{
+    for (std::size_t row = 0; row < names.size(); ++row) {
+        const auto in = isFelt[row] ? layering.feltAround(row, isFelt) : std::nullopt;
+        if (in) {
+            m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
+                                 .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*in])),
+                             tr("Feel it below"), [this, layers] {
+                                 m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
+                             });
+            return;
+        }
     }
 }

@@ -124,6 +124,7 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
 {
     std::vector<std::uint32_t> layers;
     std::vector<std::string> names;
+    std::vector<bool> isFelt;
     bool isAsFound = m_document->file().empty() && scene.areMeshes();
     bool isOther = false;
     for (int row = 0; row < m_model.rowCount(); ++row) {
@@ -132,18 +133,24 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
         const study::Layering::Structure& found = scene.layering.structures[i];
         layers.push_back(m_model.rows()[i].isRemoved ? now : found.layer);
         names.push_back(readableName(m_model.structure(row).name).toStdString());
+        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)) && !m_model.rows()[i].isRemoved);
         const bool isFound = i >= scene.addedTo || m_model.rows()[i].isRemoved || now == layerBefore(scene, i);
         isAsFound = isAsFound && isFound;
         isOther = isOther || layers.back() != now;
     }
-    const std::vector<std::string> sentences = scene.layering.sentences(names);
-    if (!isOther || sentences.empty()) {
+    if (!isOther) {
         return;
     }
-    const QString line = QString::fromStdString(sentences.back()) + QLatin1Char('.');
+    const std::vector<std::string> sentences = scene.layering.sentences(names, isFelt);
     const QString text = tr("Feel what is inside below what is around it");
     if (isAsFound) {
         m_model.setLayers(layers, text);
+    }
+    if (sentences.empty()) {
+        return;
+    }
+    if (isAsFound) {
+        const QString line = QString::fromStdString(sentences.back()) + QLatin1Char('.');
         m_message->offer(line, tr("All in one layer"), [this, count = layers.size()] {
             m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
         });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes round the parts: messages, keys from panel to panel, a window that fits the screen.
+// What goes round the parts: messages, engineering, keys from panel to panel, a window that fits the screen.
 #include "MainWindow.h"
 
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/Tour.h>
 #include <palpate/ui/TypeAhead.h>
 #include <palpate/ui/ViewVoice.h>
@@ -34,6 +35,9 @@ void MainWindow::makeShellActions()
     add("messages", ActionGroup::View, tr("Messages"),
         tr("Show or hide the list of all messages since the start, with all notes on files"), Qt::Key_F4,
         &MainWindow::showMessages);
+    m_engineeringAction = m_actions.add("engineering", ActionGroup::View, tr("Engineering"),
+                                        tr("Show or hide solver, servo loop and device in numbers"));
+    m_engineeringAction->setCheckable(true);
     m_actions.addSeparator(ActionGroup::View);
     m_actions.addSeparator(ActionGroup::Edit);
     QAction* letters = m_actions.add("letter-keys", ActionGroup::Edit, tr("Single-letter keys"),
@@ -58,6 +62,31 @@ void MainWindow::makeMessagesDock()
     connect(m_hint, &HintLine::pressed, this, &MainWindow::showMessages);
 }
 
+void MainWindow::makeEngineeringDock()
+{
+    m_engineering = new EngineeringPanel(this);
+    m_engineeringDock = new QDockWidget(tr("Engineering"), this);
+    m_engineeringDock->setObjectName(QStringLiteral("engineering"));
+    m_engineeringDock->setWidget(new PanelScroll(m_engineering, this));
+    addDockWidget(Qt::LeftDockWidgetArea, m_engineeringDock);
+    m_engineeringDock->hide();
+    connect(m_engineeringDock->toggleViewAction(), &QAction::toggled, m_engineeringAction, &QAction::setChecked);
+    connect(m_engineeringAction, &QAction::triggered, this, &MainWindow::showEngineering);
+    connect(m_runningChip, &Chip::clicked, this, [this] { showEngineering(true); });
+}
+
+void MainWindow::showEngineering(bool isShown)
+{
+    m_engineeringDock->setVisible(isShown);
+    if (isShown) {
+        if (dockWidgetArea(m_engineeringDock) == Qt::LeftDockWidgetArea && !m_engineeringDock->isFloating()) {
+            tabifyDockWidget(m_docks.front(), m_engineeringDock); // only now: a tab alone would leave its bar behind
+        }
+        m_engineeringDock->raise();
+        showStatus();
+    }
+}
+
 void MainWindow::finishShell()
 {
     m_actions.find(QStringLiteral("letter-keys"))
@@ -68,6 +97,7 @@ void MainWindow::finishShell()
     for (QDockWidget* dock : m_docks) {
         m_round.add(dock->widget());
     }
+    m_round.add(m_engineeringDock->widget());
     m_round.add(m_messagesDock->widget());
     m_round.add(&m_around->tour());
     new ViewVoice(*m_viewport, *m_touch, this);
@@ -116,10 +146,12 @@ int MainWindow::tellNotes(const OpenedScene& scene)
         m_messages.add(Messages::Kind::Warning, note);
     }
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        const QStringList defects = m_model.findings(row);
-        if (!defects.isEmpty()) {
-            m_messages.add(Messages::Kind::Warning, tr("%1: %2").arg(readableName(m_model.structure(row).name),
-                                                                     defects.join(QStringLiteral("; "))));
+        const QStringList details = m_model.findings(row);
+        if (!details.isEmpty()) {
+            m_messages.add(Messages::Kind::Warning, tr("%1: %2 (%3)")
+                                                        .arg(readableName(m_model.structure(row).name),
+                                                             m_model.defects(row).join(QStringLiteral("; ")),
+                                                             details.join(QStringLiteral("; "))));
         }
     }
     return static_cast<int>(scene.warnings.size());
@@ -135,7 +167,7 @@ void MainWindow::tellRealtime(const servo::RealtimeReport& report)
     QStringList lines;
     for (const servo::RealtimeItem& item : report.items) {
         if (!item.isGranted && !item.remedy.empty()) {
-            lines << tr("Not real-time: %1: %2. %3")
+            lines << tr("Forces may stutter: %1: %2. %3")
                          .arg(QString::fromStdString(item.name), QString::fromStdString(item.message),
                               QString::fromStdString(item.remedy));
         }

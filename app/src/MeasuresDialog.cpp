@@ -132,7 +132,7 @@ void MeasuresDialog::makeButtons()
         connect(button, &QPushButton::clicked, this, [this, what] { choose(what); });
         return button;
     };
-    m_csv = add(Export::Csv, tr("Every tick with its time, places, forces, depth and events"));
+    m_csv = add(Export::Csv, tr("Every moment with its time, places, forces, depth and events"));
     m_ofMeasures.push_back(
         add(Export::Vtp, tr("The path of the hand, and beside it the touched surface with time spent and peak force")));
     m_ofMeasures.push_back(add(Export::Json, tr("The tables above, and more, for a program")));

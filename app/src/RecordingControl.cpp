@@ -17,9 +17,9 @@ RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& pa
     , m_chip(chip)
     , m_panel(panel)
 {
-    m_chip.setToolTip(
-        tr("Length of the recording [min:s]; ticks that were late, because the computer was busy: nothing was felt in "
-           "them; ticks that were lost, because the disk was slow: they were felt and are not in it"));
+    m_chip.setToolTip(tr(
+        "Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was "
+        "felt in them; moments that were lost, because the disk was slow: they were felt and are not in it"));
 }
 
 core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)

@@ -6,7 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <memory>
+#include <string>
 
 namespace palpate::app {
 
@@ -25,8 +27,10 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
         if (term.option.empty()) {
             continue;
         }
+        std::string what(term.option.substr(2));
+        what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
         command->add_option(std::string(term.option), options->tissue[i],
-                            std::string(term.name) + " of every tissue [" + std::string(term.unit) + "]");
+                            what + " of every tissue [" + std::string(term.unit) + "]");
     }
     command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
     command->add_option("--layers", options->layers, kLayersHelp);

@@ -34,7 +34,7 @@ ResultTable sessionTable(const session::SessionMeasures& m)
     return {ResultTexts::tr("Session"),
             {{ResultTexts::tr("Duration"), ResultTexts::tr("In contact"), ResultTexts::tr("Contacts"),
               ResultTexts::tr("Path of the hand"), ResultTexts::tr("Path on the surface"),
-              ResultTexts::tr("Ticks late"), ResultTexts::tr("Ticks lost")},
+              ResultTexts::tr("Moments late"), ResultTexts::tr("Moments lost")},
              {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
               ResultTexts::tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)),
               ResultTexts::tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),

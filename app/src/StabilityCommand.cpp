@@ -24,7 +24,7 @@ using core::StatusCode;
 struct StabilityOptions
 {
     fs::path scene, out = "out/stability";
-    std::string device, unit = "mm", rate = "1000";
+    std::string device, unit = "mm", frame, rate = "1000";
 };
 
 core::Result<std::vector<device::DevicePreset>> presetsOf(const std::string& id)
@@ -76,6 +76,10 @@ int runStability(const StabilityOptions& options)
     if (!unit.isOk()) {
         return report(unit.status());
     }
+    const auto frame = frameOption(options.frame);
+    if (!frame.isOk()) {
+        return report(frame.status());
+    }
     const auto rate = numberOption("--rate", options.rate, 1.0, false);
     if (!rate.isOk()) {
         return report(rate.status());
@@ -101,6 +105,7 @@ int runStability(const StabilityOptions& options)
     } else {
         meshio::ReadOptions read;
         read.unit_mm = unit.value();
+        read.frame = frame.value();
         const auto loaded = study::openScene(options.scene, read);
         if (!loaded.isOk()) {
             return report(loaded.status());
@@ -149,6 +154,7 @@ void addStabilityCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--device", options->device, "Kind of device, as touch or omega; without it, all of them");
     command->add_option("--rate", options->rate, "Servo rate [Hz]")->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
+    command->add_option("--frame", options->frame, kFrameHelp);
     command->add_option("--out", options->out, "Folder for stability.html and stability.csv")->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return runStability(*options); }; });
 }

@@ -114,6 +114,7 @@ class FrameOption : public QObject
         QTest::newRow("info") << QStringList{"info", "plain.obj"};
         QTest::newRow("replay") << QStringList{"replay", "plain.obj", "--motion", "m.csv"};
         QTest::newRow("evaluate") << QStringList{"evaluate", "plain.obj", "--out", "x"};
+        QTest::newRow("stability") << QStringList{"stability", "plain.obj", "--out", "x"};
         QTest::newRow("window") << QStringList{"plain.obj"};
     }
     void anotherWordIsRefused()

@@ -188,6 +188,28 @@ class Layers : public QObject
         QCOMPARE(felt, before);
     }
 
+    /// Vessels that the hand passes through lie in the liver too, but are not felt below it.
+    void whatIsPassedThroughIsNotNamed()
+    {
+        meshio::LoadedScene scene =
+            sceneOf({ball("liver", 40.0), ball("vein", 20.0), ball("tumour", 5.0), ball("node", 5.0, {30, 0, 0})});
+        scene.structures[1].description.palpable = false;
+        auto felt = study::hapticScene(scene);
+        QCOMPARE(study::setLayers(scene, felt),
+                 (Lines{"tumour lies in liver and is felt below it", "node lies in liver and is felt below it"}));
+        // As the window finds them, before names decide what is felt: the tumour lies in the vein.
+        Layering found;
+        found.structures.resize(4);
+        found.structures[1].in = 0;
+        found.structures[2].in = 1;
+        found.structures[3].unsureIn = 1;
+        const std::vector<std::string> names{"liver", "vein", "tumour", "node"};
+        QCOMPARE(found.sentences(names, {true, false, true, true}), Lines{"tumour lies in liver and is felt below it"});
+        QCOMPARE(found.sentences(names, {true, true, false, false}), Lines{"vein lies in liver and is felt below it"});
+        QCOMPARE(found.sentences(names, {false, false, true, true}), Lines());
+        QCOMPARE(found.sentences(names, {true, true, true, true}).size(), std::size_t{3});
+    }
+
     void theNumberOfCoresDecidesNothing()
     {
         std::vector<Part> parts{ball("skin", 100.0)};

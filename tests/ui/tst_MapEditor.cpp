@@ -187,7 +187,7 @@ class MapEditor : public QObject
         p.choose("By", "mre");
         QCOMPARE(p.maps()->size(), std::size_t{2});
         QVERIFY(p.maps()->at(1).quantity == MappedQuantity::Friction && p.maps()->at(1).unit == MapUnit::Scale);
-        p.choose("Varies", "Damping");
+        p.choose("Varies", "Resists fast movement");
         QCOMPARE(p.box("By")->currentText(), QStringLiteral("Nothing"));
         p.choose("By", "mre");
         QVERIFY(p.maps()->at(2).unit == MapUnit::NsPerMm);
@@ -198,7 +198,7 @@ class MapEditor : public QObject
         haptics::Tissue greatest = core::unbounded();
         greatest.stiffness_N_per_mm = 0.8;
         p.panel.setGreatest(greatest, QStringLiteral("The test's device holds at most 0.8 N/mm."));
-        QVERIFY(p.isSaid("felt as at most 0.8 N/mm: the device holds 0.8 N/mm in all"));
+        QVERIFY(p.isSaid("felt as at most 0.8 N/mm: the device can show 0.8 N/mm in all"));
         QVERIFY(std::abs(p.felt(0.8).second - 0.8) < 1e-6);
         const auto felt = p.model.feltStructures(greatest);
         const auto shown =
@@ -210,7 +210,7 @@ class MapEditor : public QObject
         soft.maps->at(0).clamp = {0.1, 0.2};
         p.model.edit(0, soft);
         QVERIFY(isFeltAs(p.felt(0.8).second, 0.1));
-        QVERIFY(!p.isSaid("the device holds"));
+        QVERIFY(!p.isSaid("the device can show"));
     }
     void whatCanBeShownHasItsUnit()
     {

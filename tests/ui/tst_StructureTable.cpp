@@ -107,9 +107,28 @@ class StructureTable : public QObject
         };
         QVERIFY(!badge(0).isValid());
         QVERIFY(!model.findings(0).isEmpty());
+        QCOMPARE(model.defects(0), QStringList{QStringLiteral("The mesh is open: feels like a sheet")});
         QVERIFY(badge(1).isValid());
         const QString tip = model.data(model.index(1, StructureModel::Health), Qt::ToolTipRole).toString();
-        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QLatin1Char('1')), qPrintable(tip));
+        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QStringLiteral("mended")), qPrintable(tip));
+    }
+    void aMeshIsSpokenOfAsItFeels()
+    {
+        geometry::TriangleMesh turned = test::ball(10.0, 2);
+        geometry::flip(turned);
+        geometry::TriangleMesh both = test::ball(10.0, 2);
+        const auto count = static_cast<std::uint32_t>(both.vertices.size());
+        both.vertices.insert(both.vertices.end(), {{50, 0, 0}, {51, 0, 0}, {50, 1, 0}});
+        both.triangles.push_back({count, count + 1, count + 2});
+        std::vector<ui::StructureRow> rows;
+        rows.push_back(test::row("whole", test::ball(10.0, 2)));
+        rows.push_back(test::row("turned", turned));
+        rows.push_back(test::row("both", both));
+        StructureModel model;
+        model.setRows(std::move(rows));
+        QCOMPARE(model.defects(0), QStringList());
+        QCOMPARE(model.defects(1), QStringList{QStringLiteral("The mesh is inside out: felt from within only")});
+        QCOMPARE(model.defects(2), QStringList{QStringLiteral("Part of the mesh is open: feels like a sheet there")});
     }
     void everyCellSaysItselfAloud()
     {

@@ -56,7 +56,7 @@ class Measures : public QObject
         auto* text = dialog.findChild<QTextBrowser*>();
         QVERIFY(text->toPlainText().contains(QStringLiteral("Measuring")));
         QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("examined")), 60'000);
-        for (const char* part : {"Duration", "Ticks late", "Ticks lost", "Touch", "liver", "Time spent [s]",
+        for (const char* part : {"Duration", "Moments late", "Moments lost", "Touch", "liver", "Time spent [s]",
                                  "Nearly highest [N]", "Peak [N]", "Deepest [mm]", "Searching", "within 5 mm", "698.2",
                                  "Longest time at one place [s]", "not a diagnosis"}) {
             QVERIFY2(text->toPlainText().contains(QLatin1String(part)), part);

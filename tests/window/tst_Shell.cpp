@@ -11,7 +11,9 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QToolButton>
 #include <QTreeView>
@@ -74,6 +76,11 @@ class Shell : public QObject
             qFatal("no such part of the window");
         }
         return *found;
+    }
+    [[nodiscard]] static bool mentions(const QWidget& panel, const QString& text)
+    {
+        const auto labels = panel.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) { return one->text().contains(text); });
     }
     [[nodiscard]] QTreeView& list() const { return *the<ui::StructurePanel>().findChild<QTreeView*>(); }
     [[nodiscard]] static ui::Chip* chipThatSays(const QWidget& window, const QString& start)
@@ -164,12 +171,53 @@ class Shell : public QObject
         window().chooseDevice("simulated");
         QVERIFY(!window().usesPointer());
         QTRY_VERIFY(chipThatSays(window(), QStringLiteral("Touching with the simulated hand")) != nullptr);
+        m_desk->command("engineering").trigger();
         QComboBox* rate = nullptr;
-        for (QComboBox* box : the<ui::HandPanel>().findChildren<QComboBox*>()) {
+        for (QComboBox* box : the<ui::EngineeringPanel>().findChildren<QComboBox*>()) {
             rate = box->findData(4) >= 0 && box->count() == 3 ? box : rate;
         }
-        QVERIFY(rate != nullptr && rate->isVisibleTo(&the<ui::HandPanel>()));
+        QVERIFY(rate != nullptr && rate->isVisible());
+        QCOMPARE(rate->currentData().toInt(), 1);
+        rate->setFocus();
+        m_desk->press(Qt::Key_Down);
+        QCOMPARE(rate->currentData().toInt(), 2);
+        QTRY_VERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("0.5 ms"))); // one tick of delay
+        QCOMPARE(rate->currentData().toInt(), 2);
+        m_desk->press(Qt::Key_Up);
+        m_desk->command("engineering").trigger();
         window().chooseDevice("mouse");
+    }
+
+    /// Numbers for engineers stand in their panel alone; the others say one thing: whether it runs well.
+    void engineeringWaitsUntilItIsAskedFor()
+    {
+        auto& dock = the<QDockWidget>("engineering");
+        QVERIFY(!dock.isVisible());
+        QTRY_VERIFY(!the<ui::Chip>("running").said().isEmpty());
+        const QRegularExpression numbers(QStringLiteral("constraint|solver|jitter|kHz|µs|mJ|damping|latency"),
+                                         QRegularExpression::CaseInsensitiveOption);
+        for (const QLabel* label : window().findChildren<QLabel*>()) {
+            QVERIFY2(dock.isAncestorOf(label) || !label->text().contains(numbers), qPrintable(label->text()));
+        }
+        QTest::mouseClick(&the<ui::Chip>("running"), Qt::LeftButton);
+        QVERIFY(the<ui::EngineeringPanel>().isVisible());
+        QVERIFY(m_desk->command("engineering").isChecked());
+        QVERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("kHz")));
+        m_desk->command("engineering").trigger();
+        QVERIFY(!dock.isVisible());
+    }
+
+    void aWindowComesBackWithItsEngineering()
+    {
+        QVERIFY(m_desk->show({1024, 700})); // nothing in it that closing would ask about
+        for (const bool isShown : {true, false}) {
+            m_desk->command("engineering").trigger();
+            QVERIFY(window().close());
+            QVERIFY(m_desk->show({1024, 700}));
+            QCOMPARE(the<QDockWidget>("engineering").toggleViewAction()->isChecked(), isShown);
+            QCOMPARE(m_desk->command("engineering").isChecked(), isShown);
+        }
+        QVERIFY(m_desk->openPhantom());
     }
 
     void f6GoesRoundAndTabLeavesTheView()

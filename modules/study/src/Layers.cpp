@@ -180,20 +180,31 @@ Layering Layering::inOrder(const std::vector<std::size_t>& order) const
     return out;
 }
 
-std::vector<std::string> Layering::sentences(const std::vector<std::string>& names) const
+std::optional<std::size_t> Layering::feltAround(std::size_t structure, const std::vector<bool>& isFelt) const
+{
+    std::optional<std::size_t> in = structures[structure].in;
+    while (in && !isFelt[*in]) {
+        in = structures[*in].in;
+    }
+    return in;
+}
+
+std::vector<std::string> Layering::sentences(const std::vector<std::string>& names,
+                                             const std::vector<bool>& isFelt) const
 {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < structures.size(); ++i) {
         const Structure& one = structures[i];
+        const std::optional<std::size_t> in = isFelt[i] ? feltAround(i, isFelt) : std::nullopt;
         if (one.twin) {
             lines.push_back(names[i] + " and " + names[*one.twin] + " are the same surface twice");
-        } else if (one.depth > one.layer) {
-            lines.push_back(names[i] + " lies in " + names[*one.in] + ", which is felt in the last of " +
+        } else if (in && one.depth > one.layer) {
+            lines.push_back(names[i] + " lies in " + names[*in] + ", which is felt in the last of " +
                             std::to_string(haptics::kMaxLayers) + " layers: both are felt in that one");
-        } else if (one.in) {
-            lines.push_back(names[i] + " lies in " + names[*one.in] + " and is felt below it");
+        } else if (in) {
+            lines.push_back(names[i] + " lies in " + names[*in] + " and is felt below it");
         }
-        if (one.unsureIn) {
+        if (isFelt[i] && one.unsureIn && isFelt[*one.unsureIn]) {
             lines.push_back(names[i] + " seems to lie in " + names[*one.unsureIn] +
                             ", whose surface is open or inside out: it is not felt below it");
         }
@@ -210,9 +221,11 @@ std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<c
 {
     std::vector<LayeredSurface> surfaces;
     std::vector<std::string> names;
+    std::vector<bool> isFelt;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         surfaces.push_back({scene.structures[i].surface.get(), felt->structures()[i].surface.get()});
         names.push_back(scene.structures[i].description.name);
+        isFelt.push_back(felt->structures()[i].surface != nullptr);
     }
     const Layering found = layering(surfaces);
     if (found.isLayered()) {
@@ -223,7 +236,7 @@ std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<c
         }
         felt = std::make_shared<const haptics::HapticScene>(std::move(structures), felt->fingertip_mm());
     }
-    return found.sentences(names);
+    return found.sentences(names, isFelt);
 }
 
 } // namespace palpate::study

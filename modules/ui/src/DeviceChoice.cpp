@@ -83,7 +83,8 @@ void DeviceChoice::fill(QMenu& menu)
     };
     add("mouse", tr("Mouse"), tr("The pointer over the view; it feels nothing, the force is shown"));
     add("simulated", tr("Simulated hand"), tr("Palpates what is in the middle of the view, and feels the force"));
-    add("playback", tr("Recording, felt anew"), tr("The open recording's motion, felt with the tissue as it is now"));
+    add("playback", tr("Replay with today's tissue"),
+        tr("The open recording's motion, felt with the tissue as it is now"));
     if (m_plugins != nullptr) {
         menu.addSeparator();
         bool hasPuck = false;
@@ -216,10 +217,7 @@ QString DeviceChoice::summary() const
     case device::DeviceCondition::Working:
         break;
     }
-    return report.latency.count == 0
-               ? name
-               : tr("%1 %2 ms")
-                     .arg(name, QLocale().toString(static_cast<double>(report.latency.p50_ns) * 1e-6, 'f', 1));
+    return name;
 }
 
 QString DeviceChoice::details() const
@@ -235,17 +233,6 @@ QString DeviceChoice::details() const
                   ? tr("It feels nothing: the force is shown, up to %1 N.").arg(locale.toString(info.maxForce_N))
                   : tr("Up to %1 N and %2 N/mm")
                         .arg(locale.toString(info.maxForce_N), locale.toString(info.maxStiffness_N_per_mm)));
-    if (report.latency.count > 0) {
-        const auto ms = [&locale](std::int64_t ns) { return locale.toString(static_cast<double>(ns) * 1e-6, 'f', 2); };
-        lines << tr("From report received to force written: %1 ms, 99 % below %2 ms, at most %3 ms")
-                     .arg(ms(report.latency.p50_ns), ms(report.latency.p99_ns), ms(report.latency.max_ns));
-    }
-    if (report.states > 0) {
-        lines << tr("%1 reports, %2 refused, lost %3 times")
-                     .arg(locale.toString(static_cast<qulonglong>(report.states)),
-                          locale.toString(static_cast<qulonglong>(report.refused)),
-                          locale.toString(static_cast<qulonglong>(report.losses)));
-    }
     return lines.join(QLatin1Char('\n'));
 }
 

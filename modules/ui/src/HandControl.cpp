@@ -56,6 +56,15 @@ void HandControl::useCpu(int cpu)
     takeDevice();
 }
 
+void HandControl::chooseLoop(int rate_kHz, int cpu)
+{
+    HandSettings settings = m_panel.settings();
+    settings.rate_kHz = rate_kHz;
+    settings.cpu = cpu;
+    m_panel.setSettings(settings);
+    keep();
+}
+
 void HandControl::takeLoop()
 {
     HandSettings settings = m_panel.settings();
@@ -107,7 +116,7 @@ void HandControl::fit(MapFill fill)
     const auto found = fill == MapFill::Scene ? scene() : fill == MapFill::Organ ? organ() : lump();
     if (!found) {
         Q_EMIT said(fill == MapFill::Lump ? tr("Touch the place, point at it or mark it as a finding (M) first.")
-                                          : tr("Nothing is shown that could fill the device's workspace."));
+                                          : tr("Nothing is shown that the hand's space could be zoomed to."));
         return;
     }
     m_filled = *found;
@@ -121,9 +130,9 @@ void HandControl::fit(MapFill fill)
         centre();
     }
     Q_EMIT said(isStaying
-                    ? tr("%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.")
+                    ? tr("%1 fills the hand's space. The hand stays where it touches; Centre brings it to the middle.")
                           .arg(m_filled.name)
-                    : tr("%1 fills the workspace.").arg(m_filled.name));
+                    : tr("%1 fills the hand's space.").arg(m_filled.name));
 }
 
 bool HandControl::isTouching() const
@@ -241,19 +250,12 @@ void HandControl::showStatus()
     const servo::TickRecord& tick = m_live.newest();
     HandStatus status;
     status.held_N_per_mm = m_live.heldStiffness_N_per_mm();
-    status.rate_Hz = m_live.rate_Hz();
-    status.delayTicks = m_live.delayTicks();
     status.isMapped = !m_live.map().isDirect;
     status.scale = status.isMapped ? m_live.map().scale : 1.0;
     status.filled = m_filled.name;
     status.force_N = tick.fSent_W.norm();
-    status.energy_mJ = tick.energy_mJ;
-    status.damping_N = tick.fDamping_W.norm();
     status.clutch = clutch();
     status.inside = inside();
-    status.latency = m_live.deviceReport().latency;
-    status.timing = m_live.timing();
-    status.realtime = m_live.realtime();
     m_panel.show(status);
 }
 

@@ -68,18 +68,19 @@ QString LiveTouch::limitText() const
     const QString name = QString::fromStdString(m_info.name);
     const double held = heldStiffness_N_per_mm();
     if (!std::isfinite(held)) {
-        return tr("With %1 at most %2 N/mm is shown.").arg(name, locale.toString(greatestTissue().stiffness_N_per_mm));
+        return tr("%1 can show tissue up to %2 N/mm.").arg(name, locale.toString(greatestTissue().stiffness_N_per_mm));
     }
     const double scale = m_map.isDirect ? 1.0 : m_map.scale;
-    QString text = tr("%1 holds at most %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
+    QString text = tr("%1 can show tissue up to %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
     if (held * scale >= m_info.maxStiffness_N_per_mm && m_info.maxStiffness_N_per_mm > 0.0) {
         text += tr(" Its makers state no more.");
     } else {
-        text += tr(" Its force acts %1 ms late at %2 Hz: anything stiffer could make it oscillate.")
-                    .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3), locale.toString(rate_Hz(), 'f', 0));
+        text += tr(" Its force comes %1 ms late: anything stiffer could make it tremble.")
+                    .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3));
     }
     if (scale > 1.0) {
-        text += tr(" A millimetre of the device is %1 mm of the scene: a smaller scale (panel Device) holds more.")
+        text += tr(" A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show "
+                   "more.")
                     .arg(locale.toString(scale, 'g', 3));
     }
     return text;
@@ -223,7 +224,7 @@ void LiveTouch::tellRefused()
         const double is = study::greatestStiffness(felt[at]);
         if (one.palpable && asked > is * (1.0 + kRounding)) {
             // Short enough for a line below the picture; the field of the stiffness says why.
-            line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.")
+            line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.")
                        .arg(QString::fromStdString(one.name), number(asked), number(is),
                             QString::fromStdString(m_info.name),
                             is < greatest.stiffness_N_per_mm ? tr(" beside the layers around it") : QString());
@@ -246,7 +247,6 @@ void LiveTouch::measure()
     }
     m_ticks = timing.ticks;
     m_measured_ns = now_ns;
-    m_solveP99_us = timing.solve.count > 0 ? static_cast<double>(timing.solve.p99_ns) * 1e-3 : -1.0;
     if (!usesPointer()) {
         setDelay(servo::delayTicksOf(m_device->report().latency, rate_Hz()));
     }

@@ -49,7 +49,7 @@ QString feltTitle(const meshio::SurfaceMap& map, const core::Tissue& tissue)
 {
     switch (map.mapping.quantity) {
     case core::MappedQuantity::Damping:
-        return MapDisplay::tr("damping felt, N·s/mm");
+        return MapDisplay::tr("resists fast movement, N·s/mm");
     case core::MappedQuantity::Friction:
         return MapDisplay::tr("friction, times the tissue's own");
     case core::MappedQuantity::Stiffness:

@@ -86,7 +86,7 @@ void MapEditor::makeFields()
     m_how->setItemData(ByName, tr("The arrays of the mesh whose names say what they are, such as StiffnessScale"),
                        Qt::ToolTipRole);
     m_quantity = makeBox(tr("Varies"), tr("What of the tissue varies"));
-    m_quantity->addItems({tr("Stiffness"), tr("Damping"), tr("Friction")});
+    m_quantity->addItems({tr("Stiffness"), tr("Resists fast movement"), tr("Friction")});
     m_source = makeBox(tr("By"), tr("Which array of the mesh, or which volume, says it"));
     m_unit = makeBox(tr("In"), tr("What the numbers are. Shear and Young's modulus differ by a factor of three: see "
                                   "what the scanner's manual says"));

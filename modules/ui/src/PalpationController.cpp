@@ -338,7 +338,6 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         m_viewport.update();
     }
     reading.time_s = seconds(now_ns);
-    reading.solveP99_us = m_live.solveP99_us();
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
         reading.structure = readableName(m_model.structure(tick.felt.structure).name);

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -16,12 +17,24 @@
 
 namespace palpate::ui {
 
+namespace {
+
+constexpr int kSide_px = 9; // beside a chip's text
+constexpr int kDot_px = 8;
+
+bool isQuiet(Chip::Tone tone)
+{
+    return tone == Chip::Tone::Quiet || tone == Chip::Tone::Good;
+}
+
+} // namespace
+
 Chip::Chip(const QString& what, QWidget* parent)
     : QLabel(parent)
 {
-    setAccessibleDescription(what); // its name is its text
+    setAccessibleDescription(what); // its name is what it says
     setTextFormat(Qt::PlainText);
-    setContentsMargins(9, 3, 9, 3);
+    setContentsMargins(kSide_px, 3, kSide_px, 3);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     hide(); // until it has something to say
 }
@@ -33,10 +46,17 @@ void Chip::say(const QString& text, Tone tone)
     }
     m_tone = tone;
     m_said = text;
+    setContentsMargins(kSide_px + (tone == Tone::Good ? kDot_px + 5 : 0), 3, kSide_px, 3);
     takeInk();
+    setAccessibleName(m_said);
     setText(m_isShort ? shortText() : m_said);
     setVisible(!text.isEmpty());
     Q_EMIT changed();
+}
+
+QString Chip::shortText() const
+{
+    return m_tone == Tone::Good ? QString() : m_said.section(QStringLiteral(", "), 0, 0);
 }
 
 void Chip::setShort(bool isShort)
@@ -57,7 +77,7 @@ void Chip::takeInk()
 {
     const QPalette base = QApplication::palette();
     QPalette colours = base;
-    colours.setColor(QPalette::WindowText, m_tone == Tone::Quiet     ? base.color(QPalette::Text)
+    colours.setColor(QPalette::WindowText, isQuiet(m_tone)           ? base.color(QPalette::Text)
                                            : m_tone == Tone::Warning ? warningColour()
                                                                      : recordColour());
     if (colours != palette()) {
@@ -78,12 +98,23 @@ void Chip::paintEvent(QPaintEvent* event)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(
-        QPen(m_tone == Tone::Quiet ? palette().color(QPalette::Mid) : palette().color(QPalette::WindowText), 1.0));
+    painter.setPen(QPen(isQuiet(m_tone) ? palette().color(QPalette::Mid) : palette().color(QPalette::WindowText), 1.0));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(frame, 0.5 * frame.height(), 0.5 * frame.height());
+    if (m_tone == Tone::Good) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(goodColour());
+        painter.drawEllipse(QRectF(kSide_px, 0.5 * (height() - kDot_px), kDot_px, kDot_px));
+    }
     painter.end();
     QLabel::paintEvent(event);
+}
+
+void Chip::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && rect().contains(event->pos())) {
+        Q_EMIT clicked();
+    }
 }
 
 KeysCard::KeysCard(const ActionList& actions, QWidget* parent)

@@ -130,7 +130,7 @@ QString RecordedTouch::losses() const
             .arg(name, at);
     }
     if (extent.dropped > 0) {
-        return tr("%1: %2 ticks were lost while it was recorded, because the disk was too slow.")
+        return tr("%1: %2 moments were lost while it was recorded, because the disk was too slow.")
             .arg(name, QLocale().toString(static_cast<qlonglong>(extent.dropped)));
     }
     return {};

@@ -326,6 +326,30 @@ QStringList StructureModel::findings(int row) const
     return lines;
 }
 
+QStringList StructureModel::defects(int row) const
+{
+    QStringList lines;
+    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
+    if (surface == nullptr) {
+        return lines;
+    }
+    const geometry::MeshReport& report = surface->report;
+    if (report.openComponents > 0) {
+        lines << (report.closedComponents == 0 ? tr("The mesh is open: feels like a sheet")
+                                               : tr("Part of the mesh is open: feels like a sheet there"));
+    }
+    if (report.insideOutComponents > 0) {
+        lines << tr("The mesh is inside out: felt from within only");
+    }
+    if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {
+        lines << tr("The mesh had faults, which were mended");
+    }
+    if (report.nonManifoldEdges > 0) {
+        lines << tr("The mesh branches along some edges");
+    }
+    return lines;
+}
+
 bool StructureModel::isDefective(int row) const
 {
     const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
@@ -408,7 +432,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
     const meshio::SceneStructure& one = structure(index.row());
     const QString name = readableName(one.name);
     const QStringList found =
-        index.column() == Health && isDefective(index.row()) ? findings(index.row()) : QStringList();
+        index.column() == Health && isDefective(index.row()) ? defects(index.row()) : QStringList();
     switch (index.column()) {
     case Shown:
         if (role == Qt::DecorationRole) {
@@ -450,7 +474,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return icon(Symbol::Warning);
         }
         if ((role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) && !found.isEmpty()) {
-            return tr("About the mesh of %1:\n• %2").arg(name, found.join(QStringLiteral("\n• ")));
+            return tr("About the mesh of %1:\n• %2\nThe list of messages (F4) has the details.")
+                .arg(name, found.join(QStringLiteral("\n• ")));
         }
         break;
     case Felt:

@@ -34,6 +34,8 @@ namespace palpate::ui {
 
 namespace {
 
+constexpr int kNameLetters = 16; // of a field's name, before it goes on in a second line
+
 /// Half of the last digit that a field shows: what is shown as a limit may be asked for.
 double halfDigit(const core::TissueTerm& term)
 {
@@ -195,7 +197,7 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
 void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
 {
     m_preset = new QComboBox(box);
-    m_preset->addItem(tr("Own values"));
+    m_preset->addItem(tr("Custom"));
     for (const TissuePreset& preset : tissuePresets()) {
         m_preset->addItem(tr(preset.name));
         m_preset->setItemData(m_preset->count() - 1, tr(preset.source), Qt::ToolTipRole);
@@ -255,7 +257,7 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     for (const FrictionPreset& preset : frictionPresets()) {
         m_friction->addItem(tr(preset.name));
     }
-    m_friction->addItem(tr("Own values"));
+    m_friction->addItem(tr("Custom"));
     m_friction->setAccessibleName(tr("Friction"));
     m_friction->setToolTip(tr("How much the surface holds the fingertip, by name"));
     form.addRow(tr("Friction"), m_friction);
@@ -289,7 +291,11 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
             addFriction(form, box);
         }
         m_terms[i] = makeField(core::kTissueTerms[i], box);
-        form.addRow(tr(core::kTissueTerms[i].name.data()), m_terms[i]);
+        auto* name = new QLabel(termText(core::kTissueTerms[i].name), box);
+        name->setWordWrap(true); // a long one must not widen the panel
+        name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
+                                     kNameLetters * fontMetrics().averageCharWidth()));
+        form.addRow(name, m_terms[i]);
         if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
             form.addRow(m_bound);
         }
@@ -492,9 +498,10 @@ void StructurePanel::showHead(const std::vector<int>& rows)
         rows.size() > 1 ? tr("%1 structures").arg(rows.size()) : readableName(m_model.structure(rows.front()).name);
     m_title->setText(fontMetrics().elidedText(name, Qt::ElideRight, std::max(120, width() - 70)));
     m_title->setToolTip(name);
-    const QStringList found = rows.size() > 1 ? QStringList() : m_model.findings(rows.front());
+    const QStringList found = rows.size() > 1 ? QStringList() : m_model.defects(rows.front());
     m_findings->setVisible(!found.isEmpty());
     m_findings->setText(found.join(QLatin1Char('\n')));
+    m_findings->setToolTip(tr("The list of messages (F4) has the details"));
 }
 
 void StructurePanel::showSelection()
@@ -585,8 +592,8 @@ void StructurePanel::showBound(int row)
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
     const QLocale locale;
     const QString takers = whoTakes(felt, row);
-    m_bound->setText((isMapped ? tr("felt as at most %1 N/mm: the device holds %2 N/mm in all%3")
-                               : tr("felt as %1 N/mm: the device holds %2 N/mm in all%3"))
+    m_bound->setText((isMapped ? tr("felt as at most %1 N/mm: the device can show %2 N/mm in all%3")
+                               : tr("felt as %1 N/mm: the device can show %2 N/mm in all%3"))
                          .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
@@ -613,7 +620,8 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         }
         const QLocale locale;
         if (!isStiffness) {
-            return tr("%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.")
+            return tr("%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or "
+                      "less.")
                 .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
         }
         const QString takers = whoTakes(felt, row);

@@ -18,7 +18,7 @@ std::span<const char* const> termTexts() noexcept
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "Stiffness"),
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "force for each mm pressed in"),
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "newton per millimetre"),
-        QT_TRANSLATE_NOOP("palpate::ui::Terms", "Damping"),
+        QT_TRANSLATE_NOOP("palpate::ui::Terms", "Resists fast movement"),
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "force against each mm/s of movement"),
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "newton seconds per millimetre"),
         QT_TRANSLATE_NOOP("palpate::ui::Terms", "Friction at rest"),

@@ -44,7 +44,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_structure(new QLabel(this))
     , m_layers(new QLabel(this))
     , m_detail(new QLabel(this))
-    , m_solver(new QLabel(this))
+    , m_late(new QLabel(this))
     , m_bar(new ForceBar(this))
     , m_chart(new TouchChart(m_history, this))
 {
@@ -80,11 +80,8 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_detail->setAccessibleDescription(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
                             "that are touched [N/mm]"));
-    m_solver->setWordWrap(true);
-    m_solver->setToolTip(tr("Active constraints: planes of the surface that hold the hand back, at most 3.\n"
-                            "Solver: time of one tick, not exceeded by 99 of 100 [µs].\n"
-                            "Where more facets lie in one place than a tick has time for, it goes on from where it got "
-                            "to with the next."));
+    m_late->setWordWrap(true);
+    m_late->setToolTip(tr("More triangles of the mesh lie in this place than there is time to feel at once"));
 
     auto* number = new QHBoxLayout;
     number->setSpacing(6);
@@ -102,7 +99,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     layout->addWidget(m_layers);
     layout->addSpacing(6);
     layout->addWidget(m_chart, 1);
-    layout->addWidget(m_solver);
+    layout->addWidget(m_late);
     m_bar->setLimit(m_bar->limit_N());
     showNoHand();
 }
@@ -149,17 +146,12 @@ void TouchPanel::show(const TouchReading& reading)
     for (std::size_t i = 1; i < reading.layers.size(); ++i) {
         names << reading.layers[i].name;
     }
-    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Free space"), isTouching ? detailText(reading)
-                                                                               : reading.isSlidOff
-                                                                                   ? tr("slid off the edge")
-                                                                                   : tr("nothing is touched"));
+    setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Not touching"), isTouching ? detailText(reading)
+                                                                                 : reading.isSlidOff
+                                                                                     ? tr("slid off the edge")
+                                                                                     : tr("the hand is free"));
     setLayers(reading.layers);
-    m_solver->setText(reading.isAtBound ? tr("too many facets in this place: the force follows late")
-                      : reading.solveP99_us >= 0.0
-                          ? tr("constraints %1 · solver %2 µs p99")
-                                .arg(reading.constraints)
-                                .arg(QLocale().toString(reading.solveP99_us, 'f', reading.solveP99_us < 9.95 ? 1 : 0))
-                          : tr("constraints %1").arg(reading.constraints));
+    m_late->setText(reading.isAtBound ? tr("very fine mesh here: the force follows late") : QString());
     double along_N = 0.0;
     for (const FeltLayer& layer : reading.layers) {
         along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;
@@ -175,9 +167,9 @@ void TouchPanel::showNoHand()
     m_force->setText(forceText(0.0));
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);
-    setLine(tr("No hand"), tr("press on a structure to feel it"));
+    setLine(tr("Not touching"), tr("press on a structure to feel it"));
     setLayers({});
-    m_solver->setText(tr("constraints 0"));
+    m_late->clear();
     Q_EMIT changed();
 }
 

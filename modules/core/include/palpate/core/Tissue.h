@@ -47,7 +47,7 @@ struct TissueTerm
 inline constexpr std::array kTissueTerms{
     TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, "Stiffness",
                "force for each mm pressed in", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
-    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Damping",
+    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Resists fast movement",
                "force against each mm/s of movement", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005},
     TissueTerm{"friction_static", "", &Tissue::friction_static, "Friction at rest",
                "share of the normal force that holds", "", "", 5.0, 2, 0.05, "friction", "static"},

@@ -43,8 +43,13 @@ struct Layering
     [[nodiscard]] std::vector<std::size_t> order() const;
     /// @return the same of structures that were put into that order.
     [[nodiscard]] Layering inOrder(const std::vector<std::size_t>& order) const;
-    /// What a person should know, one sentence an entry. @param names  of the structures
-    [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names) const;
+    /// What a person should know, one sentence an entry. What the hand passes through is in none of those about layers.
+    /// @param names   of the structures
+    /// @param isFelt  one entry a structure
+    [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
+                                                     const std::vector<bool>& isFelt) const;
+    /// @return the smallest structure around one that is felt itself.
+    [[nodiscard]] std::optional<std::size_t> feltAround(std::size_t structure, const std::vector<bool>& isFelt) const;
 };
 
 /// A surface with an inside that can be relied on: closed everywhere, its normals outwards. Edges of more than two

@@ -26,9 +26,12 @@ class HandControl : public QObject
 
     /// The device in `live` is another one: its own settings apply.
     void takeDevice();
-    /// Runs the servo loop on a CPU, with this device and others chosen later, whatever was kept for them; an edit in
-    /// the panel ends that.
+    /// Runs the servo loop on a CPU, with this device and others chosen later, whatever was kept for them; choosing
+    /// another ends that.
     void useCpu(int cpu);
+    /// Runs the servo loop otherwise and keeps that for this device. What is refused stays as it was and is said.
+    /// @param cpu  to run on alone; -1: on any
+    void chooseLoop(int rate_kHz, int cpu);
     /// By a key: the device moves, the hand in the scene stays.
     void setClutched(bool isClutched);
     /// Puts the middle of the workspace in the middle of what it reaches. The hand then begins anew there.

@@ -3,7 +3,7 @@
 
 #include "palpate/ui/HandSettings.h"
 
-#include <palpate/servo/ServoLoop.h>
+#include <palpate/device/HapticDevice.h>
 
 #include <QString>
 #include <QWidget>
@@ -11,13 +11,10 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
 class QPushButton;
 
 namespace palpate::ui {
-
-class EnergyBar;
 
 /// What the hand's device is at the moment.
 struct HandStatus
@@ -29,23 +26,15 @@ struct HandStatus
         AtEdge ///< by itself, at the edge of the workspace
     };
     double held_N_per_mm = 0.0; ///< stiffness that may be held, in the scene; infinite: no bound
-    double rate_Hz = 0.0;
-    int delayTicks = 1;     ///< after which the force acts
-    bool isMapped = false;  ///< false: the device's coordinates are the scene's
-    double scale = 1.0;     ///< mm of the scene a mm of the device
-    QString filled;         ///< what fills the workspace
-    double force_N = 0.0;   ///< given to the hand
-    double energy_mJ = 0.0; ///< observed, see servo::TickRecord
-    double damping_N = 0.0; ///< that the passivity controller adds
+    bool isMapped = false;      ///< false: the device's coordinates are the scene's
+    double scale = 1.0;         ///< mm of the scene a mm of the device
+    QString filled;             ///< what fills the workspace
+    double force_N = 0.0;       ///< given to the hand
     Clutch clutch = Clutch::None;
-    QString inside;              ///< the structure that the hand began in and has not left; it is not felt
-    core::TimingSummary latency; ///< see device::DeviceReport
-    servo::TimingReport timing;
-    servo::RealtimeReport realtime;
+    QString inside; ///< the structure that the hand began in and has not left; it is not felt
 };
 
-/// The device in the hand: how it lies in the scene, what stiffness it holds, the energy at it and how regular its loop
-/// is.
+/// The device in the hand: how it lies in the scene and what stiffness it can show.
 class HandPanel : public QWidget
 {
     Q_OBJECT
@@ -74,22 +63,15 @@ class HandPanel : public QWidget
     QLabel* m_name = nullptr;
     QLabel* m_force = nullptr;
     QLabel* m_held = nullptr;
-    QLabel* m_energyText = nullptr;
-    EnergyBar* m_energy = nullptr;
     QLabel* m_clutched = nullptr;
     QWidget* m_mapping = nullptr;
-    QFormLayout* m_form = nullptr;
-    QWidget* m_fits = nullptr;
     QLabel* m_reach = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     QComboBox* m_turn = nullptr;
-    QComboBox* m_rate = nullptr;
-    QComboBox* m_cpu = nullptr;
     QCheckBox* m_leftHanded = nullptr;
     std::array<QComboBox*, 2> m_buttons{};
     QPushButton* m_clutch = nullptr;
     QPushButton* m_centre = nullptr;
-    QLabel* m_timing = nullptr;
     bool m_isShowing = false;
     double m_limit_N = 0.0; ///< of the motors; 0: none
 };

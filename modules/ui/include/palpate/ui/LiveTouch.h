@@ -64,8 +64,6 @@ class LiveTouch : public QObject
     /// Runs the loop at a rate and on a CPU: a running one begins anew, with the device kept open, when one of them is
     /// another. Refused while a recording runs, and by `servo::checkCpu`. On failure as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
-    /// Time that 99 of 100 ticks' solver calls stay below [µs]; < 0 before the first.
-    [[nodiscard]] double solveP99_us() const noexcept { return m_solveP99_us; }
     /// Ticks per second over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }
@@ -110,7 +108,6 @@ class LiveTouch : public QObject
     std::uint64_t m_ticks = 0;
     std::int64_t m_measured_ns = 0;
     double m_rate_Hz = 0.0;
-    double m_solveP99_us = -1.0;
     int m_delayTicks = 1;
     bool m_wasFaulted = false;
     servo::MapSettings m_map;

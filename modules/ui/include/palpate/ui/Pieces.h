@@ -26,6 +26,7 @@ class Chip : public QLabel
     enum class Tone
     {
         Quiet,
+        Good, ///< quiet, with a green dot
         Warning,
         Recording
     };
@@ -33,21 +34,23 @@ class Chip : public QLabel
     explicit Chip(const QString& what, QWidget* parent = nullptr);
     void say(const QString& text, Tone tone = Tone::Quiet);
     [[nodiscard]] const QString& said() const noexcept { return m_said; }
-    /// Shows what was said in fewer words, or whole.
+    /// Shows what was said in fewer words, or whole. Of what is good the dot alone stays.
     void setShort(bool isShort);
     /// Width of the chip in fewer words, or whole. [px]
     [[nodiscard]] int widthFor(bool isShort) const;
 
   Q_SIGNALS:
     void changed();
+    void clicked();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
     void takeInk();
-    [[nodiscard]] QString shortText() const { return m_said.section(QStringLiteral(", "), 0, 0); }
+    [[nodiscard]] QString shortText() const;
 
     Tone m_tone = Tone::Quiet;
     QString m_said;

@@ -96,7 +96,8 @@ class StructureModel : public QAbstractTableModel
                  std::vector<meshio::SurfaceMap> maps, const QStringList& problems);
     /// What was found in the structure's mesh, one sentence an entry, empty when it is clean.
     [[nodiscard]] QStringList findings(int row) const;
-
+    /// The same in plain words: how it feels for that, an entry a kind.
+    [[nodiscard]] QStringList defects(int row) const;
     /// More than an open rim, which vessels and sheets have by nature: something was repaired or stands out.
     [[nodiscard]] bool isDefective(int row) const;
 

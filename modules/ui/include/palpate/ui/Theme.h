@@ -20,6 +20,7 @@ void applyTheme(QApplication& application, bool isDark);
 /// Colours with a meaning, each at 4.5 : 1 or more on the window's background.
 [[nodiscard]] QColor forceColour();   ///< lines of force
 [[nodiscard]] QColor depthColour();   ///< lines of depth
+[[nodiscard]] QColor goodColour();    ///< all is well
 [[nodiscard]] QColor warningColour(); ///< something to look at
 [[nodiscard]] QColor recordColour();  ///< recording is on
 [[nodiscard]] QColor mutedColour();   ///< units and secondary text

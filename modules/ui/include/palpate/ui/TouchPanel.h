@@ -22,8 +22,7 @@ struct TouchReading
     double depth_mm = 0.0;
     QString structure;               ///< of the outermost layer; empty in free space
     double stiffness_N_per_mm = 0.0; ///< of all layers that are touched together
-    int constraints = 0;
-    double solveP99_us = -1.0;       ///< < 0: not known
+    int constraints = 0;             ///< active ones of the outermost layer; the engineering panel has them
     bool isSlidOff = false;          ///< pressed, but the surface has given way to the side
     bool isAtBound = false;          ///< the solver stopped at its bound: the force is that of where it got to
     std::vector<FeltLayer> layers{}; ///< outermost first
@@ -41,7 +40,7 @@ class TouchPanel : public QWidget
     void show(const TouchReading& reading);
     /// What was shown last; that of free space without a hand.
     [[nodiscard]] const TouchReading& reading() const noexcept { return m_reading; }
-    /// No hand: numbers go to a dash, the chart stays.
+    /// Nobody touches: numbers go to a dash, the chart stays.
     void showNoHand();
     void clearHistory();
 
@@ -60,7 +59,7 @@ class TouchPanel : public QWidget
     QLabel* m_structure = nullptr;
     QLabel* m_layers = nullptr;
     QLabel* m_detail = nullptr;
-    QLabel* m_solver = nullptr;
+    QLabel* m_late = nullptr; ///< that the force lags; shown while it does
     ForceBar* m_bar = nullptr;
     TouchChart* m_chart = nullptr;
 };
