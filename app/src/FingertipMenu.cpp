@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QLocale>
 #include <QMenu>
 #include <QSettings>
 
@@ -30,7 +31,7 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
     auto* group = new QActionGroup(radii);
     for (const double radius_mm : kRadii_mm) {
-        QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(radius_mm)
+        QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(QLocale().toString(radius_mm))
                                                            : FingertipTexts::tr("Point"));
         action->setCheckable(true);
         action->setChecked(radius_mm == live.fingertip_mm());

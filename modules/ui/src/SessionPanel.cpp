@@ -75,7 +75,7 @@ void SessionPanel::addAction(QAction* action)
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setIconSize(QSize(20, 20));
+    keepIconSize(*button, 20);
     m_buttons->addWidget(button);
 }
 

@@ -78,9 +78,7 @@ QLabel* makeWarning(const QString& accessibleName, QWidget* box)
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setAccessibleName(accessibleName);
-    QPalette warning = label->palette();
-    warning.setColor(QPalette::WindowText, warningColour());
-    label->setPalette(warning);
+    label->setForegroundRole(QPalette::BrightText); // of warnings: see Theme.h
     label->hide();
     return label;
 }
@@ -133,6 +131,7 @@ void StructurePanel::addHead(QFormLayout& form, QWidget* box)
 {
     m_colour = new QToolButton(box);
     m_colour->setAutoRaise(true);
+    keepIconSize(*m_colour, 16);
     m_colour->setToolTip(tr("Colour of the structure"));
     m_colour->setAccessibleName(tr("Colour"));
     m_title = new QLabel(box);

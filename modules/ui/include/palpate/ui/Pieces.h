@@ -70,6 +70,7 @@ class WelcomePage : public QWidget
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     QPushButton* m_phantom = nullptr;

@@ -31,6 +31,7 @@ class ForceTimeline : public QWidget
     void clear();
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
     [[nodiscard]] QSize sizeHint() const override { return {500, 64}; }
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     void seekWanted(double position_s);

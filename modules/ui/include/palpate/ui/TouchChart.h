@@ -17,6 +17,7 @@ class TouchChart : public QWidget
   public:
     explicit TouchChart(const TouchHistory& history, QWidget* parent = nullptr);
     [[nodiscard]] QSize sizeHint() const override { return {260, 230}; }
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -40,7 +41,8 @@ class ForceBar : public QWidget
     [[nodiscard]] double limit_N() const noexcept { return m_limit_N; }
     /// Share of the bar that is filled, 0 … 1.
     [[nodiscard]] double share() const noexcept;
-    [[nodiscard]] QSize sizeHint() const override { return {220, 30}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {40, sizeHint().height()}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -45,7 +45,11 @@ class TouchPanel : public QWidget
     void showNoHand();
     void clearHistory();
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void fitFont();
     void setLine(const QString& structure, const QString& detail);
     void setLayers(std::vector<FeltLayer> layers);
 
