@@ -31,8 +31,9 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
     auto* group = new QActionGroup(radii);
     for (const double radius_mm : kRadii_mm) {
-        QAction* action = radii->addAction(radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(QLocale().toString(radius_mm))
-                                                           : FingertipTexts::tr("Point"));
+        QAction* action = radii->addAction(
+            radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(QLocale().toString(radius_mm))
+                            : FingertipTexts::tr("Point"));
         action->setCheckable(true);
         action->setChecked(radius_mm == live.fingertip_mm());
         group->addAction(action);

@@ -124,12 +124,11 @@ void MainWindow::makeDocks()
 /// Gives the panels these sizes, but leaves the larger part to the view. [px]
 void MainWindow::fitDocks(double left_px, double right_px, double below_px)
 {
-    constexpr double kMostLeft = 0.26, kMostRight = 0.32, kMostBelow = 0.28; // of the window
+    constexpr double kMostLeft = 0.22, kMostRight = 0.27, kMostBelow = 0.22; // of the window
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
-    resizeDocks(
-        {dock("structures"), dock("touch")},
-        {qRound(std::min(left_px, kMostLeft * width())), qRound(std::min(right_px, kMostRight * width()))},
-        Qt::Horizontal);
+    resizeDocks({dock("structures"), dock("touch")},
+                {qRound(std::min(left_px, kMostLeft * width())), qRound(std::min(right_px, kMostRight * width()))},
+                Qt::Horizontal);
     resizeDocks({dock("session")}, {qRound(std::min(below_px, kMostBelow * height()))}, Qt::Vertical);
 }
 

@@ -996,6 +996,14 @@
         <source>Turning the view</source>
         <translation>Die Ansicht drehen</translation>
     </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1521,6 +1529,18 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>simulated hand</source>
+        <translation>simulierte Hand</translation>
+    </message>
+    <message>
+        <source>recording, felt anew</source>
+        <translation>Aufzeichnung, neu gefühlt</translation>
     </message>
 </context>
 <context>
@@ -2091,6 +2111,61 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source> beside the layers around it</source>
         <translation> neben den Schichten ringsum</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Looks</name>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the system is</source>
+        <translation>Hell oder dunkel, wie das System ist</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark text on light panels</source>
+        <translation>Dunkle Schrift auf hellen Feldern</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on dark panels, for a dark room</source>
+        <translation>Helle Schrift auf dunklen Feldern, für einen dunklen Raum</translation>
+    </message>
+    <message>
+        <source>High contrast, on black</source>
+        <translation>Hoher Kontrast, auf Schwarz</translation>
+    </message>
+    <message>
+        <source>White text on black, with edges that are seen</source>
+        <translation>Weiße Schrift auf Schwarz, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>High contrast, on white</source>
+        <translation>Hoher Kontrast, auf Weiß</translation>
+    </message>
+    <message>
+        <source>Black text on white, with edges that are seen</source>
+        <translation>Schwarze Schrift auf Weiß, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Texts as large as the system&apos;s</source>
+        <translation>Schrift so groß wie die des Systems</translation>
+    </message>
+    <message>
+        <source>Texts in panels and in the view</source>
+        <translation>Schrift in den Feldern und in der Ansicht</translation>
     </message>
 </context>
 <context>

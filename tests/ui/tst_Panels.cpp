@@ -420,9 +420,9 @@ class Panels : public QObject
         QCOMPARE(palette.color(QPalette::BrightText), ui::warningColour());
         for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button}) {
             const QColor behind = palette.color(ground);
-            for (const QColor& ink : {palette.color(QPalette::Text), palette.color(QPalette::ButtonText),
-                                      palette.color(QPalette::Link), ui::mutedColour(), ui::forceColour(),
-                                      ui::depthColour(), ui::warningColour(), ui::recordColour()}) {
+            for (const QColor& ink :
+                 {palette.color(QPalette::Text), palette.color(QPalette::ButtonText), palette.color(QPalette::Link),
+                  ui::mutedColour(), ui::forceColour(), ui::depthColour(), ui::warningColour(), ui::recordColour()}) {
                 QVERIFY2(contrast(ink, behind) >= least,
                          qPrintable(ink.name() + QStringLiteral(" on ") + behind.name()));
             }
@@ -500,6 +500,7 @@ class Panels : public QObject
     {
         ui::TouchPanel panel;
         panel.show(ui::TouchReading{1.0, 2.314, 4.62, QStringLiteral("liver"), 0.5, 1, 0.31});
+        panel.setVisible(true);
         const auto height = [&panel](const QString& text) {
             for (const QLabel* label : panel.findChildren<QLabel*>()) {
                 if (label->text() == text) {
@@ -511,11 +512,11 @@ class Panels : public QObject
         const int force = height(QStringLiteral("2.31")), unit = height(QStringLiteral("N"));
         const int bar = panel.findChild<ui::ForceBar*>()->sizeHint().height();
         ui::applyTextSize(200);
-        QVERIFY(height(QStringLiteral("2.31")) > 1.8 * force);
-        QVERIFY(height(QStringLiteral("N")) > 1.8 * unit);
+        QTRY_VERIFY(height(QStringLiteral("2.31")) > 1.8 * force);
+        QTRY_VERIFY(height(QStringLiteral("N")) > 1.8 * unit);
         QVERIFY(panel.findChild<ui::ForceBar*>()->sizeHint().height() > bar);
         ui::applyTextSize(100);
-        QCOMPARE(height(QStringLiteral("2.31")), force);
+        QTRY_COMPARE(height(QStringLiteral("2.31")), force);
     }
     void systemsPaletteIsSeen()
     {

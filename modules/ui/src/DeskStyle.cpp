@@ -47,7 +47,7 @@ void DeskStyle::polish(QWidget* widget)
 }
 
 void DeskStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                                  const QWidget* widget) const
+                              const QWidget* widget) const
 {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (!isHighContrast()) {
@@ -69,16 +69,21 @@ void DeskStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
 }
 
 void DeskStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
-                                const QWidget* widget) const
+                            const QWidget* widget) const
 {
     QProxyStyle::drawControl(element, option, painter, widget);
     if (isHighContrast() && element == CE_TabBarTabShape) {
         drawEdge(*painter, *option, option->rect, Edge::Square);
+        if (option->state.testFlag(State_Selected)) { // by more than its height
+            constexpr int kMark_px = 3;
+            painter->fillRect(QRect(option->rect.topLeft(), QSize(option->rect.width(), kMark_px)),
+                              option->palette.color(QPalette::Highlight));
+        }
     }
 }
 
 void DeskStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
-                                       const QWidget* widget) const
+                                   const QWidget* widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     if (!isHighContrast()) {
@@ -90,8 +95,8 @@ void DeskStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
         drawEdge(*painter, *option, option->rect, Edge::Square);
         break;
     case CC_Slider:
-        drawEdge(*painter, *option, proxy()->subControlRect(control, option, SC_SliderGroove, widget).adjusted(0, 7, 0, -7),
-                 Edge::Square);
+        drawEdge(*painter, *option,
+                 proxy()->subControlRect(control, option, SC_SliderGroove, widget).adjusted(0, 7, 0, -7), Edge::Square);
         drawEdge(*painter, *option, proxy()->subControlRect(control, option, SC_SliderHandle, widget), Edge::Square);
         break;
     case CC_ScrollBar:

@@ -6,14 +6,14 @@
 namespace palpate::ui {
 
 /// Fusion, but where that hides something. It draws edges in a darker shade of the window, which on black is none: in
-/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. And tabs that have no
-/// room for their titles are scrolled, not cut.
+/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. And tabs that have
+/// no room for their titles are scrolled, not cut.
 class DeskStyle final : public QProxyStyle
 {
     Q_OBJECT
   public:
-    using QProxyStyle::QProxyStyle;
     using QProxyStyle::polish;
+    using QProxyStyle::QProxyStyle;
     void polish(QWidget* widget) override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;

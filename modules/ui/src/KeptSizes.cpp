@@ -25,7 +25,9 @@ class KeptFont final : public QObject
     bool eventFilter(QObject* watched, QEvent* event) override
     {
         if (event->type() == QEvent::FontChange && watched == m_widget.parentWidget()) {
-            take();
+            // Later: the style sheet, which hands fonts down, would put the old one back.
+            QMetaObject::invokeMethod(
+                this, [this] { take(); }, Qt::QueuedConnection);
         }
         return false;
     }

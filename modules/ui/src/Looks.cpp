@@ -98,7 +98,8 @@ bool Looks::eventFilter(QObject* watched, QEvent* event)
     const bool isAsked = event->type() == QEvent::ThemeChange;
     if ((isAsked || event->type() == QEvent::ApplicationPaletteChange) && noteSystemPalette(isAsked)) {
         // Not now: widgets are being told of the palette that is to go.
-        QMetaObject::invokeMethod(this, [this] { applyTheme(m_theme); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { applyTheme(m_theme); }, Qt::QueuedConnection);
     }
     return QObject::eventFilter(watched, event);
 }

@@ -34,6 +34,7 @@ SessionPanel::SessionPanel(QWidget* parent)
 {
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumWidth(10);
+    m_title->setWordWrap(true); // large texts in a narrow window
     m_time->setAccessibleDescription(tr("Position and length"));
     m_time->setToolTip(tr("Position / length [min:s]"));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -313,6 +313,7 @@ QWidget* StructurePanel::makeTissueBox()
     form->setHorizontalSpacing(10);
     form->setVerticalSpacing(8);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
 
     addHead(*form, box);
     addOpacity(*form, box);

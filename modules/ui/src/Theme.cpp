@@ -29,26 +29,22 @@ const Shades& shadesOf(bool isDark, bool isContrast)
     static const Shades light{
         QColor(0xf2f4f6U), QColor(0xffffffU), QColor(0xf7f9faU), QColor(0xfafbfcU), QColor(0x1a242eU),
         QColor(0x556270U), faint(0x556270U),  QColor(0x1b66a3U), QColor(0xffffffU), QColor(0xc9d0d7U),
-        QColor(0xc9d0d7U),
-        QColor(0x9a5b00U), QColor(0x1b66a3U), QColor(0x9c4a00U), QColor(0xb42318U),
+        QColor(0xc9d0d7U), QColor(0x9a5b00U), QColor(0x1b66a3U), QColor(0x9c4a00U), QColor(0xb42318U),
     };
     static const Shades dark{
         QColor(0x22272dU), QColor(0x191d22U), QColor(0x1e2328U), QColor(0x2d333bU), QColor(0xe8ecf0U),
         QColor(0xa3aebaU), faint(0xa3aebaU),  QColor(0x2a7abfU), QColor(0xffffffU), QColor(0x3d4650U),
-        QColor(0x3d4650U),
-        QColor(0xf2c14eU), QColor(0x6fb7eeU), QColor(0xf0a04bU), QColor(0xff7b72U),
+        QColor(0x3d4650U), QColor(0xf2c14eU), QColor(0x6fb7eeU), QColor(0xf0a04bU), QColor(0xff7b72U),
     };
     static const Shades black{
         QColor(0x000000U), QColor(0x000000U), QColor(0x0c0c0cU), QColor(0x141414U), QColor(0xffffffU),
         QColor(0xe0e0e0U), QColor(0xa8a8a8U), QColor(0x45e0ffU), QColor(0x000000U), QColor(0xffffffU),
-        QColor(0x5a5a5aU),
-        QColor(0xffd75eU), QColor(0x8fd0ffU), QColor(0xffb870U), QColor(0xffa59dU),
+        QColor(0x5a5a5aU), QColor(0xffd75eU), QColor(0x8fd0ffU), QColor(0xffb870U), QColor(0xffa59dU),
     };
     static const Shades white{
         QColor(0xffffffU), QColor(0xffffffU), QColor(0xf4f4f4U), QColor(0xf4f4f4U), QColor(0x000000U),
         QColor(0x303030U), QColor(0x555555U), QColor(0x00308fU), QColor(0xffffffU), QColor(0x000000U),
-        QColor(0xb0b0b0U),
-        QColor(0x6a3d00U), QColor(0x00418aU), QColor(0x7a2f00U), QColor(0x8a0f0aU),
+        QColor(0xb0b0b0U), QColor(0x6a3d00U), QColor(0x00418aU), QColor(0x7a2f00U), QColor(0x8a0f0aU),
     };
     return isContrast ? (isDark ? black : white) : (isDark ? dark : light);
 }
@@ -185,6 +181,9 @@ void applyTextSize(int percent)
         font.setPixelSize(qRound(share * font.pixelSize()));
     }
     QApplication::setFont(font);
+    // With a style sheet, only the windows take it, and a little later; the sheet set anew hands it down.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationFontChange);
+    qApp->setStyleSheet(qApp->styleSheet());
 }
 
 int textSize_percent()

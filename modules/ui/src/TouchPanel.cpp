@@ -13,6 +13,12 @@
 
 namespace palpate::ui {
 
+namespace {
+
+constexpr double kRows = 1.1; // letters of the layers' rows, of the panel's
+
+} // namespace
+
 QString forceText(double force_N)
 {
     const int decimals = force_N < 9.995 ? 2 : force_N < 99.95 ? 1 : 0;
@@ -56,7 +62,7 @@ TouchPanel::TouchPanel(QWidget* parent)
                             "and how deep the hand is in it [mm]"));
     m_layers->setMinimumWidth(10);
     m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    keepFont(*m_layers, 1.1, QFont::Normal);
+    keepFont(*m_layers, kRows, QFont::Normal);
     keepFont(*m_detail, 1.25, QFont::Normal);
     m_detail->setWordWrap(true); // large texts in a narrow panel
     m_detail->setAccessibleDescription(tr("Depth and stiffness"));
@@ -93,7 +99,9 @@ TouchPanel::TouchPanel(QWidget* parent)
 void TouchPanel::fitFont()
 {
     // Room for two, so that nothing jumps when the hand comes upon the second.
-    m_layers->setMinimumHeight(2 * m_layers->fontMetrics().lineSpacing() + 2);
+    QFont rows = font();
+    rows.setPointSizeF(kRows * font().pointSizeF());
+    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
 }
 
 void TouchPanel::changeEvent(QEvent* event)

@@ -113,7 +113,8 @@ void ColourLegend::show(const Content& content)
     const ColourRange& range = content.range;
     const bool isOne = !(range.high > range.low);
     m_texts[0]->SetInput(content.title.c_str());
-    m_texts[1]->SetInput(isOne ? "" : number(range.high, range.isHighCut ? "\u2265 " : "", content.decimalPoint).c_str());
+    m_texts[1]->SetInput(isOne ? ""
+                               : number(range.high, range.isHighCut ? "\u2265 " : "", content.decimalPoint).c_str());
     m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "", content.decimalPoint).c_str());
     m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "", content.decimalPoint).c_str());
     m_texts[4]->SetInput(content.unknown.c_str());
@@ -157,8 +158,10 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
     const double room = r * kBeside_px;
     const double greyLow = r * (cubeTop_px + kAboveCube_px), greyHigh = greyLow + std::max(r * kGreyHeight_px, letter);
     const double low = greyHigh + r * kAboveGrey_px;
-    const double above = renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
-    const double high = low + std::clamp(above, std::max(r * kLeastHeight_px, 3.0 * letter), std::max(r * kBarHeight_px, 6.0 * letter));
+    const double above =
+        renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
+    const double high =
+        low + std::clamp(above, std::max(r * kLeastHeight_px, 3.0 * letter), std::max(r * kBarHeight_px, 6.0 * letter));
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;

@@ -357,7 +357,8 @@ void FindingMarkers::place(const ViewFrame& frame)
             const Colour colour = core::kFindingColours[static_cast<std::size_t>(m_marks[i].type)];
             addLine(shapes, start, end, ratio * kLeader_px, rgba(colour, opacity));
         }
-        shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px), rgba(kTextGround, frame.text.groundOpacity * opacity));
+        shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px),
+                       rgba(kTextGround, frame.text.groundOpacity * opacity));
         // Whole pixels: between them the letters would be soft.
         const Pixel half = 0.5 * Pixel(piece.width, piece.height);
         const Pixel low(std::round(at.x() - half.x()), std::round(at.y() - half.y()));

@@ -12,6 +12,7 @@ namespace palpate::view {
 namespace {
 
 constexpr double kSide = 7.0; // letters
+constexpr double kUsual_px = 84.0;
 constexpr double kMost = 0.25; // of the view
 constexpr double kLeft_px = 10.0;
 
@@ -62,8 +63,8 @@ std::string OrientationCube::left() const
 
 void OrientationCube::place(vtkCamera& main, const int size_px[2], const ViewFrame& frame)
 {
-    // Its letters are those of the view, and it leaves the larger part of a small one to the tissue.
-    const double most = kMost * std::min(size_px[0], size_px[1]);
+    // It grows with the texts, but a small view stays the tissue's.
+    const double most = std::max(kUsual_px * frame.pixelRatio, kMost * std::min(size_px[0], size_px[1]));
     const double side = std::min(kSide * frame.text.size_px * frame.pixelRatio, most);
     const double left = kLeft_px * frame.pixelRatio;
     m_top_px = (left + side) / frame.pixelRatio;

@@ -260,11 +260,8 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
     const Eigen::Vector2d along = tip - g;
     const bool isLeft = along.x() < -8.0;
     std::vector<TouchLabels::Item> items;
-    items.push_back({m_arrow.label(),
-                     m_arrow.tip_W(),
-                     {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6},
-                     kTextInk,
-                     true});
+    items.push_back(
+        {m_arrow.label(), m_arrow.tip_W(), {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6}, kTextInk, true});
     const Eigen::Vector2d beside(isLeft ? 1.0 : -1.0, 0.0);
     const double depth_mm = (m_state.p_WG - m_state.p_WH).norm();
     const auto middle = [&](const Vec3& p_WG) -> Vec3 { return 0.5 * (p_WG + m_state.p_WH); };
@@ -274,7 +271,8 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
     items.push_back({millimetres(depth_mm, frame.text), 0.5 * (m_state.p_WG + outerEnd_W), beside, kTextInk, false});
     for (std::size_t i = 0; i < innerCount; ++i) {
         const TouchState::Inner& inner = m_state.inner[i];
-        items.push_back({millimetres(inner.depth_mm, frame.text), middle(inner.p_WG), beside, inkOf(inner.colour), false});
+        items.push_back(
+            {millimetres(inner.depth_mm, frame.text), middle(inner.p_WG), beside, inkOf(inner.colour), false});
     }
     m_labels.place(items, std::move(taken), frame);
 }

@@ -18,7 +18,8 @@ class Looks : public QObject
     static constexpr int kTextSizes[] = {90, 100, 110, 125, 150, 175, 200};
 
     /// Takes what the settings have.
-    /// @param actions  gets the commands "appearance-…" and "text-size-…"; @param window  is told of the system's changes
+    /// @param actions  gets the commands "appearance-…" and "text-size-…"; @param window  is told of the system's
+    /// changes
     Looks(ActionList& actions, QWidget* window);
 
     /// Takes a theme, without a word to the settings.
