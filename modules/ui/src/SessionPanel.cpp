@@ -34,7 +34,6 @@ SessionPanel::SessionPanel(QWidget* parent)
 {
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumWidth(10);
-    m_title->setWordWrap(true); // large texts in a narrow window
     m_time->setAccessibleDescription(tr("Position and length"));
     m_time->setToolTip(tr("Position / length [min:s]"));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -83,6 +82,7 @@ void SessionPanel::addAction(QAction* action)
 void SessionPanel::showTitle(const QString& title)
 {
     m_title->setText(title.isEmpty() ? tr("No recording yet. Record one with R, or open a .palpate file.") : title);
+    m_title->setToolTip(m_title->text()); // a narrow window has no room for all of it
     m_title->setForegroundRole(title.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
 }
 

@@ -49,11 +49,14 @@ class FittingScroll final : public QScrollArea
     {
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     }
     [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {withBar(widget()->minimumSizeHint()).width(), 160}; }
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        constexpr int kMostWidth_px = 240; // with large texts it scrolls sideways, so that the list above need not
+        return {std::min(kMostWidth_px, withBar(widget()->minimumSizeHint()).width()), 160};
+    }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override
