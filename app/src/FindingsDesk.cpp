@@ -8,7 +8,6 @@
 #include <palpate/study/FindingsFile.h>
 
 #include <QDateTime>
-#include <QFontInfo>
 #include <QLocale>
 
 #include <algorithm>
@@ -251,7 +250,6 @@ void FindingsDesk::show()
         }
     }
     view::FindingMarkers& markers = m_parts.viewport.view().findings();
-    markers.setFontSize(QFontInfo(m_parts.viewport.font()).pixelSize());
     markers.set(std::move(marks));
     markers.select(static_cast<std::size_t>(m_parts.panel.current() + 1));
     m_parts.viewport.update();

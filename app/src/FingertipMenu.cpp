@@ -60,6 +60,9 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
 {
     live.setFingertip(chosenFingertip_mm());
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
+    radii->setToolTipsVisible(true);
+    radii->menuAction()->setToolTip(
+        FingertipTexts::tr("What touches: a point feels every facet, a ball slides over small pits as a finger does"));
     QObject::connect(radii, &QMenu::aboutToShow, &live, [radii, &live] { fill(*radii, live); });
     fill(*radii, live);
 }

@@ -68,13 +68,13 @@ MainWindow::MainWindow()
     connectTouch();
     connectFindings();
     connectList();
-    styleView();
     refreshRecent();
     showStatus();
     showWhatPlays();
     QTimer::singleShot(0, this, &MainWindow::offerLeftover);
 
     finishShell();
+    fitDocks(withText_px(264), withText_px(292), withText_px(128));
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
@@ -118,8 +118,20 @@ void MainWindow::makeDocks()
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     right->raise();
     auto* below = dock(tr("Session"), "session", m_session, Qt::BottomDockWidgetArea);
-    resizeDocks({left, right}, {264, 292}, Qt::Horizontal);
-    resizeDocks({below}, {128}, Qt::Vertical);
+    connect(&m_looks, &Looks::textSizeChanged, this, [this, left, right, below](double ratio) {
+        fitDocks(ratio * left->width(), ratio * right->width(), ratio * below->height());
+    });
+}
+
+/// Gives the panels these sizes, but leaves the larger part to the view. [px]
+void MainWindow::fitDocks(double left_px, double right_px, double below_px)
+{
+    constexpr double kMostLeft = 0.22, kMostRight = 0.27, kMostBelow = 0.22; // of the window
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
+    resizeDocks({dock("structures"), dock("touch")},
+                {qRound(std::min(left_px, kMostLeft * width())), qRound(std::min(right_px, kMostRight * width()))},
+                Qt::Horizontal);
+    resizeDocks({dock("session")}, {qRound(std::min(below_px, kMostBelow * height()))}, Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar()
@@ -305,15 +317,6 @@ void MainWindow::connectTouch()
     connect(&m_live, &LiveTouch::deviceChanged, m_handControl, &HandControl::takeDevice);
     connect(m_engineering, &EngineeringPanel::loopChosen, m_handControl, &HandControl::chooseLoop);
     connect(m_engineering, &EngineeringPanel::loopChosen, this, &MainWindow::showStatus);
-}
-
-void MainWindow::styleView()
-{
-    if (isDarkTheme()) {
-        m_viewport->view().setBackground({0.07, 0.085, 0.10}, {0.20, 0.235, 0.27}, {0.93, 0.95, 0.97});
-    } else {
-        m_viewport->view().setBackground({0.33, 0.38, 0.44}, {0.60, 0.66, 0.72}, {1.0, 1.0, 1.0});
-    }
 }
 
 void MainWindow::followModel(int row, StructureModel::Change change)

@@ -15,6 +15,7 @@
 #include <palpate/ui/HandPanel.h>
 #include <palpate/ui/HintLine.h>
 #include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/Looks.h>
 #include <palpate/ui/MapDisplay.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
@@ -57,6 +58,7 @@ class MainWindow : public QMainWindow
     [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
     [[nodiscard]] palpate::ui::PalpationController& palpation() noexcept { return *m_palpation; }
     [[nodiscard]] palpate::ui::Playback& playback() noexcept { return *m_playback; }
+    [[nodiscard]] palpate::ui::Looks& looks() noexcept { return m_looks; }
     void setPalpating(bool isPalpating);
     /// Device plugins to choose from, in a menu of their own. Once, before `chooseDevice`.
     void setPlugins(std::unique_ptr<palpate::device::PluginHost> plugins);
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow
     void makeMenus();
     void makeToolBar();
     void makeDocks();
+    void fitDocks(double left_px, double right_px, double below_px);
     void makeStatusBar();
     void connectActions();
     void connectLoading();
@@ -131,7 +134,6 @@ class MainWindow : public QMainWindow
     int tellNotes(const palpate::ui::OpenedScene& scene);
     void tellRealtime(const palpate::servo::RealtimeReport& report);
     [[nodiscard]] QString handText() const;
-    void styleView();
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
     void offerLayers(const palpate::study::Layering& layering, const std::vector<std::string>& names,
@@ -148,6 +150,7 @@ class MainWindow : public QMainWindow
     [[nodiscard]] QString howToTouch() const;
 
     palpate::ui::ActionList m_actions{this};
+    palpate::ui::Looks m_looks{m_actions, this}; ///< before the parts that it is the look of
     palpate::ui::Messages m_messages;
     palpate::ui::PanelRound m_round;
     palpate::ui::StructureModel m_model;

@@ -189,6 +189,8 @@ void MainWindow::makeMenus()
         view->addAction(dock->toggleViewAction());
     }
     view->addSeparator();
+    m_actions.fill(*view->addMenu(tr("Appearance")), ActionGroup::Appearance);
+    m_actions.fill(*view->addMenu(tr("Text size")), ActionGroup::TextSize);
     palpate::app::addLanguageMenu(*view, *this, [this](const QString& line) { say(line); });
     QMenu* session = menuBar()->addMenu(tr("&Session"));
     m_actions.fill(*session, ActionGroup::Session);

@@ -5,6 +5,7 @@
 #include "ProgramFolders.h"
 
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/ToolTexts.h>
 
 #include <QDockWidget>
 #include <QFileInfo>
@@ -25,7 +26,7 @@ void MainWindow::makeToolBar()
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
-    bar->setIconSize(QSize(22, 22));
+    keepIconSize(*bar, 22);
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     const auto add = [&](QAction* action, bool hasText) {
@@ -53,6 +54,7 @@ void MainWindow::makeToolBar()
     m_runningChip = chips->add("running", tr("How touch runs"), 1);
     m_runningChip->setCursor(Qt::PointingHandCursor);
     bar->addWidget(chips);
+    new ToolTexts(*bar);
 }
 
 void MainWindow::showMode()

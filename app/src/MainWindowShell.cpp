@@ -184,8 +184,7 @@ void MainWindow::tellRealtime(const servo::RealtimeReport& report)
 QString MainWindow::handText() const
 {
     if (!m_live.usesPointer()) {
-        const QString name = QString::fromStdString(m_live.deviceInfo().name);
-        return tr("Touching with the %1").arg(name.section(QStringLiteral(" ("), 0, 0).toLower());
+        return tr("Touching with the %1").arg(deviceName(m_live.deviceInfo()));
     }
     if (m_palpation == nullptr || !m_palpation->isPalpating()) {
         return tr("Turning the view");

@@ -196,9 +196,11 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
                                                             : QStringLiteral("Palpate"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
     app::speakChosenLanguage();
-    ui::applyTheme(application, options.darkPalette || ui::systemIsDark(application));
 
     MainWindow window;
+    if (options.darkPalette) {
+        window.looks().use(ui::Theme::Dark);
+    }
     std::unique_ptr<ScreenshotRun> run;
     if (options.screenshot) {
         run = std::make_unique<ScreenshotRun>(window, QString::fromStdU16String(options.screenshot->u16string()));

@@ -20,7 +20,7 @@
         <translation>Koordinaten: LPS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
+        <source>The files count to the patient's left, back and head, as DICOM does</source>
         <translation>Die Dateien zählen nach links, hinten und kopfwärts des Patienten, wie DICOM</translation>
     </message>
     <message>
@@ -28,7 +28,7 @@
         <translation>Koordinaten: RAS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
+        <source>The files count to the patient's right, front and head, as older models of 3D Slicer do</source>
         <translation>Die Dateien zählen nach rechts, vorn und kopfwärts des Patienten, wie ältere Modelle von 3D Slicer</translation>
     </message>
     <message>
@@ -36,7 +36,7 @@
         <translation>Koordinaten: Y oben</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
+        <source>The files count to the patient's left, head and front, as modelling programs do</source>
         <translation>Die Dateien zählen nach links, kopfwärts und nach vorn, wie Modellierprogramme</translation>
     </message>
     <message>
@@ -48,7 +48,7 @@
         <translation>%1 angenommen</translation>
     </message>
     <message>
-        <source>The files&apos; coordinates are %1.</source>
+        <source>The files' coordinates are %1.</source>
         <translation>Die Koordinaten der Dateien sind %1.</translation>
     </message>
     <message>
@@ -56,7 +56,7 @@
         <translation>Nicht jede Datei sagt, an welchen Achsen sie liegt: %1 ist angenommen, links und rechts können vertauscht sein. Zum Angeben klicken.</translation>
     </message>
     <message>
-        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
+        <source>The surfaces are a recording's and stay as they were felt.</source>
         <translation>Die Oberflächen gehören zu einer Aufzeichnung und bleiben, wie sie getastet wurden.</translation>
     </message>
     <message>
@@ -409,20 +409,8 @@
         <translation>Mit dem Zeiger tasten: Ziehen drückt, das Rad stellt die Tiefe; aus: der Zeiger bewegt die Kamera</translation>
     </message>
     <message>
-        <source>Clutch</source>
-        <translation>Kuppeln</translation>
-    </message>
-    <message>
-        <source>Move the device without the hand in the scene; again to let go</source>
-        <translation>Das Gerät ohne die Hand in der Szene bewegen; noch einmal: wieder einkuppeln</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Record what the hand feels, every tick</source>
-        <translation>Aufzeichnen, was die Hand fühlt, Takt für Takt</translation>
     </message>
     <message>
         <source>Play</source>
@@ -437,7 +425,7 @@
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>Back to the recording&apos;s start</source>
+        <source>Back to the recording's start</source>
         <translation>Zurück zum Anfang der Aufzeichnung</translation>
     </message>
     <message>
@@ -467,30 +455,6 @@
     <message>
         <source>One file then holds the whole session; it grows by what the meshes take</source>
         <translation>Eine Datei enthält dann die ganze Sitzung; sie wächst um die Größe der Netze</translation>
-    </message>
-    <message>
-        <source>Fit all to the device</source>
-        <translation>Alles ins Gerät einpassen</translation>
-    </message>
-    <message>
-        <source>All that is shown fills the device&apos;s workspace</source>
-        <translation>Alles Gezeigte füllt den Arbeitsraum des Geräts</translation>
-    </message>
-    <message>
-        <source>Fit organ to the device</source>
-        <translation>Organ ins Gerät einpassen</translation>
-    </message>
-    <message>
-        <source>The organ that is touched or pointed at fills the device&apos;s workspace</source>
-        <translation>Das berührte Organ oder das unter dem Zeiger füllt den Arbeitsraum des Geräts</translation>
-    </message>
-    <message>
-        <source>Fit lump to the device</source>
-        <translation>Knoten ins Gerät einpassen</translation>
-    </message>
-    <message>
-        <source>10 mm about what is touched, pointed at or found fill the device&apos;s workspace</source>
-        <translation>10 mm um das Berührte, das unter dem Zeiger oder den Befund füllen den Arbeitsraum des Geräts</translation>
     </message>
     <message>
         <source>All keys</source>
@@ -533,34 +497,6 @@
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Servo rate</source>
-        <translation>Servotakt</translation>
-    </message>
-    <message>
-        <source>Real-time scheduling</source>
-        <translation>Echtzeit-Scheduling</translation>
-    </message>
-    <message>
-        <source>%1 kHz</source>
-        <translation>%1 kHz</translation>
-    </message>
-    <message>
-        <source>Ticks of the servo thread a second [kHz], over the last half second</source>
-        <translation>Takte des Servo-Threads je Sekunde [kHz], über die letzte halbe Sekunde</translation>
-    </message>
-    <message>
-        <source>real-time</source>
-        <translation>Echtzeit</translation>
-    </message>
-    <message>
-        <source>not real-time</source>
-        <translation>keine Echtzeit</translation>
-    </message>
-    <message>
-        <source>What the servo thread was granted:</source>
-        <translation>Was dem Servo-Thread gewährt wurde:</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -575,10 +511,6 @@
     <message>
         <source>P palpate, drag to press, wheel for depth</source>
         <translation>P tastet, Ziehen drückt, das Rad stellt die Tiefe</translation>
-    </message>
-    <message>
-        <source>Touch with the device; O or L fits the organ or lump to it, C clutches</source>
-        <translation>Mit dem Gerät tasten; O oder L passt Organ oder Knoten darin ein, C kuppelt</translation>
     </message>
     <message>
         <source>Feel again</source>
@@ -981,14 +913,6 @@
         <translation>Befehle mit einem Buchstaben; aus: Buchstaben tun nichts, für Spracheingabe und für Hände, die Tasten versehentlich berühren</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Not real-time: %1: %2. %3</source>
-        <translation>Keine Echtzeit: %1: %2. %3</translation>
-    </message>
-    <message>
         <source>Touching with the %1</source>
         <translation>Tasten mit: %1</translation>
     </message>
@@ -1007,6 +931,74 @@
     <message>
         <source>As recorded, the fingertip is a point (Session › Fingertip).</source>
         <translation>Wie aufgezeichnet ist die Fingerspitze ein Punkt (Sitzung › Fingerspitze).</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Hand anheben</translation>
+    </message>
+    <message>
+        <source>Move the device without the hand in the scene, as a mouse is lifted; again to go on</source>
+        <translation>Das Gerät ohne die Hand in der Szene bewegen, wie man eine Maus anhebt; noch einmal: weiter</translation>
+    </message>
+    <message>
+        <source>Record what the hand feels, at every moment</source>
+        <translation>Aufzeichnen, was die Hand fühlt, in jedem Augenblick</translation>
+    </message>
+    <message>
+        <source>Zoom the hand's space to everything</source>
+        <translation>Raum der Hand auf alles zoomen</translation>
+    </message>
+    <message>
+        <source>The device's whole way goes through all that is shown</source>
+        <translation>Der ganze Weg des Geräts führt durch alles Gezeigte</translation>
+    </message>
+    <message>
+        <source>Zoom the hand's space to the organ</source>
+        <translation>Raum der Hand auf das Organ zoomen</translation>
+    </message>
+    <message>
+        <source>The device's whole way goes through the organ that is touched or pointed at</source>
+        <translation>Der ganze Weg des Geräts führt durch das Organ, das berührt wird oder unter dem Zeiger liegt</translation>
+    </message>
+    <message>
+        <source>Zoom the hand's space to the lump</source>
+        <translation>Raum der Hand auf den Knoten zoomen</translation>
+    </message>
+    <message>
+        <source>The device's whole way is 10 mm, about what is touched, pointed at or found</source>
+        <translation>Der ganze Weg des Geräts ist 10 mm, um das Berührte, das unter dem Zeiger oder den Befund</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>How touch runs</source>
+        <translation>Wie das Tasten läuft</translation>
+    </message>
+    <message>
+        <source>Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand</source>
+        <translation>Mit dem Gerät tasten; O oder L zoomt seinen Raum auf Organ oder Knoten, C hebt die Hand an</translation>
+    </message>
+    <message>
+        <source>Engineering</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Show or hide solver, servo loop and device in numbers</source>
+        <translation>Löser, Servoschleife und Gerät in Zahlen zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Forces may stutter: %1: %2. %3</source>
+        <translation>Kräfte können stocken: %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -1068,10 +1060,6 @@
         <translation>Alle Tabellen kopieren, zum Einfügen in eine Tabellenkalkulation (Strg+C)</translation>
     </message>
     <message>
-        <source>Every tick with its time, places, forces, depth and events</source>
-        <translation>Jeder Takt mit Zeit, Orten, Kräften, Tiefe und Ereignissen</translation>
-    </message>
-    <message>
         <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
         <translation>Der Weg der Hand, daneben die berührte Oberfläche mit Verweildauer und Spitzenkraft</translation>
     </message>
@@ -1103,13 +1091,13 @@
         <source>The path is written to %1; the map is not: %2</source>
         <translation>Der Weg ist nach %1 geschrieben; die Karte nicht: %2</translation>
     </message>
+    <message>
+        <source>Every moment with its time, places, forces, depth and events</source>
+        <translation>Jeder Augenblick mit Zeit, Orten, Kräften, Tiefe und Ereignissen</translation>
+    </message>
 </context>
 <context>
     <name>RecordingControl</name>
-    <message>
-        <source>Length of the recording [min:s]; ticks that were late, because the computer was busy: nothing was felt in them; ticks that were lost, because the disk was slow: they were felt and are not in it</source>
-        <translation>Länge der Aufzeichnung [min:s]; verspätete Takte, weil der Rechner beschäftigt war: in ihnen wurde nichts gefühlt; verlorene Takte, weil der Datenträger langsam war: sie wurden gefühlt und fehlen darin</translation>
-    </message>
     <message>
         <source>Recording</source>
         <translation>Aufzeichnung</translation>
@@ -1146,6 +1134,10 @@
         <source>%1 ended by itself</source>
         <translation>%1 endete von selbst</translation>
     </message>
+    <message>
+        <source>Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was felt in them; moments that were lost, because the disk was slow: they were felt and are not in it</source>
+        <translation>Länge der Aufzeichnung [min:s]; Augenblicke von 1 ms, die verspätet waren, weil der Rechner beschäftigt war: in ihnen wurde nichts gefühlt; Augenblicke, die verloren gingen, weil der Datenträger langsam war: sie wurden gefühlt und fehlen darin</translation>
+    </message>
 </context>
 <context>
     <name>ResultTables</name>
@@ -1172,14 +1164,6 @@
     <message>
         <source>Path on the surface</source>
         <translation>Weg auf der Oberfläche</translation>
-    </message>
-    <message>
-        <source>Ticks late</source>
-        <translation>Takte verspätet</translation>
-    </message>
-    <message>
-        <source>Ticks lost</source>
-        <translation>Takte verloren</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -1250,7 +1234,7 @@
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
+        <source>Share of the surface that was examined: within %1, the fingertip's radius</source>
         <translation>Anteil der untersuchten Oberfläche: innerhalb von %1, dem Radius der Fingerspitze</translation>
     </message>
     <message>
@@ -1341,6 +1325,14 @@
         <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
         <translation>Fast höchste: die Kraft, unter der 95 % des Kontakts blieben. Maße für die Forschung, keine Diagnose.</translation>
     </message>
+    <message>
+        <source>Moments late</source>
+        <translation>Verspätete Augenblicke</translation>
+    </message>
+    <message>
+        <source>Moments lost</source>
+        <translation>Verlorene Augenblicke</translation>
+    </message>
 </context>
 <context>
     <name>SceneDocument</name>
@@ -1362,6 +1354,10 @@
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>What touches: a point feels every facet, a ball slides over small pits as a finger does</source>
+        <translation>Was tastet: ein Punkt fühlt jede Facette, eine Kugel gleitet wie ein Finger über kleine Gruben</translation>
     </message>
 </context>
 <context>
@@ -1510,11 +1506,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Tastet, was in der Mitte der Ansicht liegt, und fühlt die Kraft</translation>
     </message>
     <message>
-        <source>Recording, felt anew</source>
-        <translation>Aufzeichnung, neu gefühlt</translation>
-    </message>
-    <message>
-        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
+        <source>The open recording's motion, felt with the tissue as it is now</source>
         <translation>Die Bewegung der offenen Aufzeichnung, gefühlt mit dem Gewebe, wie es jetzt ist</translation>
     </message>
     <message>
@@ -1550,11 +1542,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1: kalibrieren</translation>
     </message>
     <message>
-        <source>%1 %2 ms</source>
-        <translation>%1 %2 ms</translation>
-    </message>
-    <message>
-        <source>The hand&apos;s device: %1</source>
+        <source>The hand's device: %1</source>
         <translation>Das Gerät der Hand: %1</translation>
     </message>
     <message>
@@ -1564,14 +1552,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>Up to %1 N and %2 N/mm</source>
         <translation>Bis %1 N und %2 N/mm</translation>
-    </message>
-    <message>
-        <source>From report received to force written: %1 ms, 99 % below %2 ms, at most %3 ms</source>
-        <translation>Vom Empfang des Berichts bis zur geschriebenen Kraft: %1 ms, 99 % unter %2 ms, höchstens %3 ms</translation>
-    </message>
-    <message>
-        <source>%1 reports, %2 refused, lost %3 times</source>
-        <translation>%1 Berichte, %2 abgewiesen, %3-mal verloren</translation>
     </message>
     <message>
         <source>%1: it would need %2.</source>
@@ -1585,6 +1565,22 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>Devices</source>
         <translation>Geräte</translation>
     </message>
+    <message>
+        <source>Replay with today's tissue</source>
+        <translation>Wiedergabe mit dem heutigen Gewebe</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>simulated hand</source>
+        <translation>simulierte Hand</translation>
+    </message>
+    <message>
+        <source>recording, felt anew</source>
+        <translation>Aufzeichnung, neu gefühlt</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EnergyBar</name>
@@ -1595,6 +1591,205 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>%1 mJ</source>
         <translation>%1 mJ</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::EngineeringPanel</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>half below %1, 99 % below %2</source>
+        <translation>die Hälfte unter %1, 99 % unter %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 refused, lost %3 times</source>
+        <translation>%1, %2 abgewiesen, %3-mal verloren</translation>
+    </message>
+    <message>
+        <source>Click for the details (View › Engineering).</source>
+        <translation>Für Einzelheiten klicken (Ansicht › Technik).</translation>
+    </message>
+    <message>
+        <source>computer too busy</source>
+        <translation>Rechner überlastet</translation>
+    </message>
+    <message>
+        <source>Touch is computed %1 times a second instead of %2: forces may stutter. Close other programs.</source>
+        <translation>Das Tasten wird %1-mal statt %2-mal je Sekunde berechnet: Kräfte können stocken. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>force may stutter</source>
+        <translation>Kraft kann stocken</translation>
+    </message>
+    <message>
+        <source>The system does not give touch its time first: other programs may make the force stutter. The list of messages (F4) says how to permit it.</source>
+        <translation>Das System gibt dem Tasten keinen Vorrang: andere Programme können die Kraft stocken lassen. Die Liste der Meldungen (F4) sagt, wie es erlaubt wird.</translation>
+    </message>
+    <message>
+        <source>running well</source>
+        <translation>läuft gut</translation>
+    </message>
+    <message>
+        <source>Touch is computed %1 times a second, as it should be.</source>
+        <translation>Das Tasten wird %1-mal je Sekunde berechnet, wie es sein soll.</translation>
+    </message>
+    <message>
+        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
+Below zero the program would give more than it took; damping then takes it away.</source>
+        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ].
+Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</translation>
+    </message>
+    <message>
+        <source>What the servo thread was granted</source>
+        <translation>Was dem Servo-Thread gewährt wurde</translation>
+    </message>
+    <message>
+        <source>Constraints</source>
+        <translation>Zwangsbedingungen</translation>
+    </message>
+    <message>
+        <source>Active constraints: planes of the surface that hold the hand back, at most 3</source>
+        <translation>Aktive Zwangsbedingungen: Ebenen der Oberfläche, die die Hand zurückhalten, höchstens 3</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Time of one tick in the solver, of ticks with a hand</source>
+        <translation>Zeit eines Takts im Löser, aus Takten mit Hand</translation>
+    </message>
+    <message>
+        <source>Measured rate</source>
+        <translation>Gemessener Takt</translation>
+    </message>
+    <message>
+        <source>Ticks of the servo thread a second, over the last half second [kHz]</source>
+        <translation>Takte des Servo-Threads je Sekunde, über die letzte halbe Sekunde [kHz]</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Jitter</translation>
+    </message>
+    <message>
+        <source>How far the time from tick to tick is from the period; 99.9 % of the ticks stay below</source>
+        <translation>Wie weit die Zeit von Takt zu Takt von der Periode abweicht; 99,9 % der Takte bleiben darunter</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Ticks that ended after their time, of all since the loop began; periods left out for it</source>
+        <translation>Takte, die nach ihrer Zeit endeten, von allen seit Beginn der Schleife; Perioden, die deshalb ausfielen</translation>
+    </message>
+    <message>
+        <source>Dropped ticks</source>
+        <translation>Verlorene Takte</translation>
+    </message>
+    <message>
+        <source>Ticks that were felt but are not in this recording, because the disk was slow</source>
+        <translation>Takte, die gefühlt wurden, aber in dieser Aufzeichnung fehlen, weil der Datenträger langsam war</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ]</source>
+        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ]</translation>
+    </message>
+    <message>
+        <source>Damping added</source>
+        <translation>Dämpfung zusätzlich</translation>
+    </message>
+    <message>
+        <source>Force that the passivity controller adds against the movement [N]</source>
+        <translation>Kraft, die der Passivitätsregler gegen die Bewegung hinzufügt [N]</translation>
+    </message>
+    <message>
+        <source>Device round trip</source>
+        <translation>Umlaufzeit des Geräts</translation>
+    </message>
+    <message>
+        <source>From a report of the device received to the force that answers it written</source>
+        <translation>Vom Empfang einer Meldung des Geräts bis zum Schreiben der Kraft, die ihr antwortet</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>After which the force is taken to act: it bounds the stiffness that is stable</source>
+        <translation>Nach der die Kraft als wirkend gilt: sie begrenzt die Steifigkeit, die stabil ist</translation>
+    </message>
+    <message>
+        <source>Device reports</source>
+        <translation>Gerätemeldungen</translation>
+    </message>
+    <message>
+        <source>Received, of those not to be believed, and how often the device was lost</source>
+        <translation>Empfangen, davon unglaubwürdig, und wie oft das Gerät verloren ging</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation>Takt der Servoschleife</translation>
+    </message>
+    <message>
+        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter.</source>
+        <translation>Takte je Sekunde. Eine schnellere Schleife hält steiferes Gewebe, wo das Gerät mitkommt; siehe Jitter.</translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation>Servotakt</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>CPU %1 alone</source>
+        <translation>Nur CPU %1</translation>
+    </message>
+    <message>
+        <source>CPU of the servo loop</source>
+        <translation>CPU der Servoschleife</translation>
+    </message>
+    <message>
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere "Any" lets
+the loop go where there is room.</source>
+        <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
+die Schleife laufen, wo Platz ist.</translation>
+    </message>
+    <message>
+        <source>Servo CPU</source>
+        <translation>Servo-CPU</translation>
+    </message>
+    <message>
+        <source>99.9 % below %1</source>
+        <translation>99,9 % unter %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 left out</source>
+        <translation>%1 von %2, %3 ausgefallen</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
@@ -1714,7 +1909,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
 <context>
     <name>palpate::ui::ForceBar</name>
     <message>
-        <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
+        <source>Force of the model [N]; the bar ends at the device's limit of %1 N</source>
         <translation>Kraft des Modells [N]; der Balken endet an der Grenze des Geräts von %1 N</translation>
     </message>
     <message>
@@ -1733,7 +1928,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
 <context>
     <name>palpate::ui::ForceTimeline</name>
     <message>
-        <source>Timeline of the recording&apos;s force</source>
+        <source>Timeline of the recording's force</source>
         <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
     </message>
     <message>
@@ -1780,18 +1975,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Berühren Sie erst die Stelle, zeigen Sie darauf oder markieren Sie sie als Befund (M).</translation>
     </message>
     <message>
-        <source>Nothing is shown that could fill the device&apos;s workspace.</source>
-        <translation>Nichts wird gezeigt, was den Arbeitsraum des Geräts füllen könnte.</translation>
-    </message>
-    <message>
-        <source>%1 fills the workspace. The hand stays where it touches; Centre brings it to the middle.</source>
-        <translation>%1 füllt den Arbeitsraum. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
-    </message>
-    <message>
-        <source>%1 fills the workspace.</source>
-        <translation>%1 füllt den Arbeitsraum.</translation>
-    </message>
-    <message>
         <source>The whole scene</source>
         <translation>Die ganze Szene</translation>
     </message>
@@ -1807,31 +1990,27 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>10 mm about finding %1</source>
         <translation>10 mm um Befund %1</translation>
     </message>
+    <message>
+        <source>Nothing is shown that the hand's space could be zoomed to.</source>
+        <translation>Nichts wird gezeigt, worauf der Raum der Hand gezoomt werden könnte.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand's space. The hand stays where it touches; Centre brings it to the middle.</source>
+        <translation>%1 füllt den Raum der Hand. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand's space.</source>
+        <translation>%1 füllt den Raum der Hand.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::HandPanel</name>
-    <message>
-        <source>No motors: force is shown, not felt, and any stiffness is stable.</source>
-        <translation>Keine Motoren: die Kraft wird angezeigt, nicht gefühlt, und jede Steifigkeit ist stabil.</translation>
-    </message>
-    <message>
-        <source>Holds up to %1 N/mm at %2 kHz with %3 ms of delay; more is refused.</source>
-        <translation>Hält bis %1 N/mm bei %2 kHz mit %3 ms Verzögerung; mehr wird abgewiesen.</translation>
-    </message>
-    <message>
-        <source>At the edge of the workspace: bring the device back to its middle. The hand in the scene stays until then.</source>
-        <translation>Am Rand des Arbeitsraums: führen Sie das Gerät zurück in seine Mitte. Die Hand in der Szene bleibt bis dahin.</translation>
-    </message>
-    <message>
-        <source>Clutched: the device moves, the hand in the scene stays.</source>
-        <translation>Ausgekuppelt: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
-    </message>
     <message>
         <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
         <translation>Innerhalb von %1 (von außen gefühlt): führen Sie die Hand erst zu sich heraus.</translation>
     </message>
     <message>
-        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
+        <source>As it lies: the device's millimetres are the scene's.</source>
         <translation>Wie sie liegt: die Millimeter des Geräts sind die der Szene.</translation>
     </message>
     <message>
@@ -1839,74 +2018,12 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>1 mm des Geräts ist %1 mm der Szene.</translation>
     </message>
     <message>
-        <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
-        <translation>%1 füllt den Arbeitsraum: 1 mm des Geräts ist %2 mm der Szene.</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
     </message>
     <message>
-        <source>Latency %1 ms, 99 % below %2 ms</source>
-        <translation>Latenz %1 ms, 99 % unter %2 ms</translation>
-    </message>
-    <message>
-        <source>Jitter 99.9 % below %1 µs</source>
-        <translation>Jitter 99,9 % unter %1 µs</translation>
-    </message>
-    <message>
-        <source>%1 of %2 ticks late</source>
-        <translation>%1 von %2 Takten verspätet</translation>
-    </message>
-    <message>
         <source>Force on the hand</source>
         <translation>Kraft auf die Hand</translation>
-    </message>
-    <message>
-        <source>Stiffness that is held</source>
-        <translation>Gehaltene Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Energy observer</source>
-        <translation>Energiebeobachter</translation>
-    </message>
-    <message>
-        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
-Below zero the program would give more than it took; damping then takes it away.</source>
-        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ].
-Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</translation>
-    </message>
-    <message>
-        <source>Latency and jitter</source>
-        <translation>Latenz und Jitter</translation>
-    </message>
-    <message>
-        <source>Fit all</source>
-        <translation>Alles</translation>
-    </message>
-    <message>
-        <source>All that is shown fills the device&apos;s workspace (W)</source>
-        <translation>Alles Gezeigte füllt den Arbeitsraum des Geräts (W)</translation>
-    </message>
-    <message>
-        <source>Fit organ</source>
-        <translation>Organ</translation>
-    </message>
-    <message>
-        <source>The organ that is touched fills the device&apos;s workspace; else the one under the pointer or selected (O)</source>
-        <translation>Das berührte Organ füllt den Arbeitsraum des Geräts; sonst das unter dem Zeiger oder das gewählte (O)</translation>
-    </message>
-    <message>
-        <source>Fit lump</source>
-        <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>10 mm fill the device&apos;s workspace: where the hand touches, else under the pointer, else the newest finding (L)</source>
-        <translation>10 mm füllen den Arbeitsraum des Geräts: wo die Hand berührt, sonst unter dem Zeiger, sonst der neueste Befund (L)</translation>
-    </message>
-    <message>
-        <source>What fills the workspace</source>
-        <translation>Was den Arbeitsraum füllt</translation>
     </message>
     <message>
         <source> mm per mm</source>
@@ -1937,62 +2054,12 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>Womit sich das Gerät dreht</translation>
     </message>
     <message>
-        <source>The picture: right is right in the view, however it is turned.
-The patient: right is to the patient&apos;s left, up is to the head.
-Nothing: the device&apos;s coordinates are the scene&apos;s, without scale and clutch.</source>
-        <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
-Der Patient: rechts ist die linke Seite des Patienten, oben ist der Kopf.
-Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab und Kupplung.</translation>
-    </message>
-    <message>
         <source>Turns with</source>
         <translation>Dreht mit</translation>
     </message>
     <message>
-        <source>%1 kHz</source>
-        <translation>%1 kHz</translation>
-    </message>
-    <message>
-        <source>Rate of the servo loop</source>
-        <translation>Takt der Servoschleife</translation>
-    </message>
-    <message>
-        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter below.</source>
-        <translation>Takte je Sekunde. Eine schnellere Schleife hält steiferes Gewebe, wo das Gerät mitkommt; siehe den Jitter unten.</translation>
-    </message>
-    <message>
-        <source>Servo rate</source>
-        <translation>Servotakt</translation>
-    </message>
-    <message>
-        <source>Any</source>
-        <translation>Beliebig</translation>
-    </message>
-    <message>
-        <source>CPU %1 alone</source>
-        <translation>Nur CPU %1</translation>
-    </message>
-    <message>
-        <source>CPU of the servo loop</source>
-        <translation>CPU der Servoschleife</translation>
-    </message>
-    <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
-the loop go where there is room.</source>
-        <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
-die Schleife laufen, wo Platz ist.</translation>
-    </message>
-    <message>
-        <source>Servo CPU</source>
-        <translation>Servo-CPU</translation>
-    </message>
-    <message>
         <source>Nothing</source>
         <translation>Nichts</translation>
-    </message>
-    <message>
-        <source>Clutch</source>
-        <translation>Kuppeln</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -2019,20 +2086,80 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Solange sie gehalten wird, bewegt sich das Gerät und die Hand in der Szene bleibt; die Taste C schaltet um</translation>
     </message>
     <message>
-        <source>Puts the middle of the device&apos;s workspace in the middle of what fills it</source>
-        <translation>Legt die Mitte des Arbeitsraums in die Mitte dessen, was ihn füllt</translation>
-    </message>
-    <message>
         <source>Force on the hand %1 N of %2 N</source>
         <translation>Kraft auf die Hand %1 N von %2 N</translation>
     </message>
     <message>
-        <source>Energy %1 mJ · damping added %2 N</source>
-        <translation>Energie %1 mJ · Dämpfung zusätzlich %2 N</translation>
+        <source>No motors: the force is shown, not felt, and tissue may be as stiff as you like.</source>
+        <translation>Keine Motoren: die Kraft wird angezeigt, nicht gefühlt, und Gewebe darf beliebig steif sein.</translation>
     </message>
     <message>
-        <source>Not real-time: the list of messages (F4) says how to permit it.</source>
-        <translation>Keine Echtzeit: die Liste der Meldungen (F4) sagt, wie sie erlaubt wird.</translation>
+        <source>This device can show tissue up to %1 N/mm.</source>
+        <translation>Dieses Gerät kann Gewebe bis %1 N/mm darstellen.</translation>
+    </message>
+    <message>
+        <source>At the edge of the hand's space: bring the device back to its middle. The hand in the scene stays until then.</source>
+        <translation>Am Rand des Raums der Hand: führen Sie das Gerät zurück in seine Mitte. Bis dahin bleibt die Hand in der Szene.</translation>
+    </message>
+    <message>
+        <source>Lifted: the device moves, the hand in the scene stays.</source>
+        <translation>Angehoben: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand's space: 1 mm of the device is %2 mm of the scene.</source>
+        <translation>%1 füllt den Raum der Hand: 1 mm des Geräts ist %2 mm der Szene.</translation>
+    </message>
+    <message>
+        <source>Stiffest tissue that can be shown</source>
+        <translation>Steifstes Gewebe, das sich darstellen lässt</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>The device's whole way then goes through all that is shown (W)</source>
+        <translation>Der ganze Weg des Geräts führt dann durch alles Gezeigte (W)</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>The device's whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
+        <translation>Der ganze Weg des Geräts führt dann durch das berührte Organ; sonst durch das unter dem Zeiger oder das gewählte (O)</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>The device's whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
+        <translation>Der ganze Weg des Geräts ist dann 10 mm: wo die Hand berührt, sonst unter dem Zeiger, sonst um den neuesten Befund (L)</translation>
+    </message>
+    <message>
+        <source>Zoom the hand's space to</source>
+        <translation>Raum der Hand zoomen auf</translation>
+    </message>
+    <message>
+        <source>What fills the hand's space</source>
+        <translation>Was den Raum der Hand füllt</translation>
+    </message>
+    <message>
+        <source>The picture: right is right in the view, however it is turned.
+The patient: right is to the patient's left, up is to the head.
+Nothing: the device's coordinates are the scene's, without scale, and the hand cannot be lifted.</source>
+        <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
+Der Patient: rechts ist zur Linken des Patienten, oben zum Kopf.
+Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die Hand lässt sich nicht anheben.</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Hand anheben</translation>
+    </message>
+    <message>
+        <source>Puts the middle of the device's way in the middle of what the hand's space is zoomed to</source>
+        <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
     </message>
 </context>
 <context>
@@ -2152,38 +2279,93 @@ Hier drücken oder F4 für alle Meldungen</translation>
 <context>
     <name>palpate::ui::LiveTouch</name>
     <message>
-        <source>With %1 at most %2 N/mm is shown.</source>
-        <translation>Mit %1 werden höchstens %2 N/mm dargestellt.</translation>
-    </message>
-    <message>
-        <source>%1 holds at most %2 N/mm here.</source>
-        <translation>%1 hält hier höchstens %2 N/mm.</translation>
-    </message>
-    <message>
         <source> Its makers state no more.</source>
         <translation> Mehr geben seine Hersteller nicht an.</translation>
-    </message>
-    <message>
-        <source> Its force acts %1 ms late at %2 Hz: anything stiffer could make it oscillate.</source>
-        <translation> Seine Kraft wirkt %1 ms verspätet bei %2 Hz: Steiferes könnte es zum Schwingen bringen.</translation>
-    </message>
-    <message>
-        <source> A millimetre of the device is %1 mm of the scene: a smaller scale (panel Device) holds more.</source>
-        <translation> Ein Millimeter des Geräts ist %1 mm der Szene: ein kleinerer Maßstab (Panel Gerät) hält mehr.</translation>
-    </message>
-    <message>
-        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 holds here%5.</source>
-        <translation>%1 verlangt %2 N/mm; gefühlt werden %3 N/mm, das meiste, das %4 hier hält%5.</translation>
     </message>
     <message>
         <source> beside the layers around it</source>
         <translation> neben den Schichten ringsum</translation>
     </message>
+    <message>
+        <source>%1 can show tissue up to %2 N/mm.</source>
+        <translation>%1 kann Gewebe bis %2 N/mm darstellen.</translation>
+    </message>
+    <message>
+        <source>%1 can show tissue up to %2 N/mm here.</source>
+        <translation>%1 kann hier Gewebe bis %2 N/mm darstellen.</translation>
+    </message>
+    <message>
+        <source> Its force comes %1 ms late: anything stiffer could make it tremble.</source>
+        <translation> Seine Kraft kommt %1 ms zu spät: bei Steiferem könnte es zittern.</translation>
+    </message>
+    <message>
+        <source> A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show more.</source>
+        <translation> Ein Millimeter des Geräts ist %1 mm der Szene: mit einem kleineren Maßstab (Panel „Gerät“) kann es mehr darstellen.</translation>
+    </message>
+    <message>
+        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.</source>
+        <translation>%1 verlangt %2 N/mm; gefühlt werden %3 N/mm, das meiste, was %4 hier darstellen kann%5.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Looks</name>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the system is</source>
+        <translation>Hell oder dunkel, wie das System ist</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark text on light panels</source>
+        <translation>Dunkle Schrift auf hellen Feldern</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on dark panels, for a dark room</source>
+        <translation>Helle Schrift auf dunklen Feldern, für einen dunklen Raum</translation>
+    </message>
+    <message>
+        <source>High contrast, on black</source>
+        <translation>Hoher Kontrast, auf Schwarz</translation>
+    </message>
+    <message>
+        <source>White text on black, with edges that are seen</source>
+        <translation>Weiße Schrift auf Schwarz, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>High contrast, on white</source>
+        <translation>Hoher Kontrast, auf Weiß</translation>
+    </message>
+    <message>
+        <source>Black text on white, with edges that are seen</source>
+        <translation>Schwarze Schrift auf Weiß, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Texts as large as the system's</source>
+        <translation>Schrift so groß wie die des Systems</translation>
+    </message>
+    <message>
+        <source>Texts in panels and in the view</source>
+        <translation>Schrift in den Feldern und in der Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
     <message>
-        <source>Young&apos;s modulus, kPa</source>
+        <source>Young's modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2191,11 +2373,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>damping felt, N·s/mm</source>
-        <translation>Dämpfung gefühlt, N·s/mm</translation>
-    </message>
-    <message>
-        <source>friction, times the tissue&apos;s own</source>
+        <source>friction, times the tissue's own</source>
         <translation>Reibung, Vielfaches der des Gewebes</translation>
     </message>
     <message>
@@ -2217,6 +2395,10 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>%1: nothing said</source>
         <translation>%1: keine Angabe</translation>
+    </message>
+    <message>
+        <source>resists fast movement, N·s/mm</source>
+        <translation>bremst schnelle Bewegung, N·s/mm</translation>
     </message>
 </context>
 <context>
@@ -2258,10 +2440,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Steifigkeit</translation>
     </message>
     <message>
-        <source>Damping</source>
-        <translation>Dämpfung</translation>
-    </message>
-    <message>
         <source>Friction</source>
         <translation>Reibung</translation>
     </message>
@@ -2278,7 +2456,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>In</translation>
     </message>
     <message>
-        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
+        <source>What the numbers are. Shear and Young's modulus differ by a factor of three: see what the scanner's manual says</source>
         <translation>Was die Zahlen sind. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei: siehe das Handbuch des Scanners</translation>
     </message>
     <message>
@@ -2286,7 +2464,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>bitte angeben…</translation>
     </message>
     <message>
-        <source>Times the tissue&apos;s own</source>
+        <source>Times the tissue's own</source>
         <translation>Vielfaches des Gewebewerts</translation>
     </message>
     <message>
@@ -2298,7 +2476,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus, kPa</source>
+        <source>Young's modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2370,7 +2548,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Eigene Farbe</translation>
     </message>
     <message>
-        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
+        <source>Say what the numbers of %1 are: shear and Young's modulus differ by a factor of three.</source>
         <translation>Geben Sie an, was die Zahlen von %1 sind: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
     </message>
     <message>
@@ -2378,8 +2556,12 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 variiert nach %2.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
+        <source>%1: %2 of %3 places say nothing. The tissue's own is felt there.</source>
         <translation>%1: %2 von %3 Stellen haben keine Angabe. Dort wird der Wert des Gewebes gefühlt.</translation>
+    </message>
+    <message>
+        <source>Resists fast movement</source>
+        <translation>Bremst schnelle Bewegung</translation>
     </message>
 </context>
 <context>
@@ -2499,8 +2681,8 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 wurde nicht abgeschlossen (Absturz oder voller Datenträger): sie endet bei %2 s, und was danach gefühlt wurde, fehlt darin.</translation>
     </message>
     <message>
-        <source>%1: %2 ticks were lost while it was recorded, because the disk was too slow.</source>
-        <translation>%1: %2 Takte gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
+        <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
+        <translation>%1: %2 Augenblicke gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
     </message>
 </context>
 <context>
@@ -2671,12 +2853,6 @@ Felt: %3</source>
 Gefühlt: %3</translation>
     </message>
     <message>
-        <source>About the mesh of %1:
-• %2</source>
-        <translation>Zum Netz von %1:
-• %2</translation>
-    </message>
-    <message>
         <source>%1 can be felt. Click to let the hand pass through it.</source>
         <translation>%1 ist zu fühlen. Klicken, um die Hand hindurchzulassen.</translation>
     </message>
@@ -2716,6 +2892,34 @@ Gefühlt: %3</translation>
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
     </message>
+    <message>
+        <source>The mesh is open: feels like a sheet</source>
+        <translation>Das Netz ist offen: fühlt sich an wie ein Blatt</translation>
+    </message>
+    <message>
+        <source>Part of the mesh is open: feels like a sheet there</source>
+        <translation>Ein Teil des Netzes ist offen: fühlt sich dort an wie ein Blatt</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: felt from within only</source>
+        <translation>Das Netz ist umgestülpt: nur von innen zu fühlen</translation>
+    </message>
+    <message>
+        <source>The mesh had faults, which were mended</source>
+        <translation>Das Netz hatte Fehler; sie wurden behoben</translation>
+    </message>
+    <message>
+        <source>The mesh branches along some edges</source>
+        <translation>Das Netz verzweigt sich an manchen Kanten</translation>
+    </message>
+    <message>
+        <source>About the mesh of %1:
+• %2
+The list of messages (F4) has the details.</source>
+        <translation>Zum Netz von %1:
+• %2
+Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
@@ -2746,10 +2950,6 @@ Gefühlt: %3</translation>
     <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
-    </message>
-    <message>
-        <source>Own values</source>
-        <translation>Eigene Werte</translation>
     </message>
     <message>
         <source>Tissue</source>
@@ -2804,20 +3004,8 @@ Gefühlt: %3</translation>
         <translation>%1 nimmt %2</translation>
     </message>
     <message>
-        <source>felt as at most %1 N/mm: the device holds %2 N/mm in all%3</source>
-        <translation>gefühlt als höchstens %1 N/mm: das Gerät hält insgesamt %2 N/mm%3</translation>
-    </message>
-    <message>
-        <source>felt as %1 N/mm: the device holds %2 N/mm in all%3</source>
-        <translation>gefühlt als %1 N/mm: das Gerät hält insgesamt %2 N/mm%3</translation>
-    </message>
-    <message>
         <source>This law is refused: %1.</source>
         <translation>Dieses Gesetz wird abgewiesen: %1.</translation>
-    </message>
-    <message>
-        <source>%1 N·s/mm is refused: the device can be damped with %2 N·s/mm at most. Enter that or less.</source>
-        <translation>%1 N·s/mm wird abgewiesen: das Gerät lässt sich mit höchstens %2 N·s/mm dämpfen. Geben Sie das oder weniger ein.</translation>
     </message>
     <message>
         <source>%1 Of that %2.</source>
@@ -2951,6 +3139,26 @@ Gefühlt: %3</translation>
         <source>Remove from the scene</source>
         <translation>Aus der Szene entfernen</translation>
     </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>The list of messages (F4) has the details</source>
+        <translation>Einzelheiten stehen in der Liste der Meldungen (F4)</translation>
+    </message>
+    <message>
+        <source>felt as at most %1 N/mm: the device can show %2 N/mm in all%3</source>
+        <translation>gefühlt als höchstens %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
+    </message>
+    <message>
+        <source>felt as %1 N/mm: the device can show %2 N/mm in all%3</source>
+        <translation>gefühlt als %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
+    </message>
+    <message>
+        <source>%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or less.</source>
+        <translation>%1 N·s/mm wird abgewiesen: das Gerät kann Bewegung mit höchstens %2 N·s/mm bremsen. Geben Sie dies oder weniger ein.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -3002,10 +3210,6 @@ Gefühlt: %3</translation>
         <translation>Newton je Millimeter</translation>
     </message>
     <message>
-        <source>Damping</source>
-        <translation>Dämpfung</translation>
-    </message>
-    <message>
         <source>force against each mm/s of movement</source>
         <translation>Kraft gegen jeden mm/s der Bewegung</translation>
     </message>
@@ -3050,7 +3254,7 @@ Gefühlt: %3</translation>
         <translation>Größte Steifigkeit</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus</source>
+        <source>Young's modulus</source>
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>
@@ -3084,6 +3288,10 @@ Gefühlt: %3</translation>
     <message>
         <source>Stiffness after the click</source>
         <translation>Steifigkeit nach dem Klick</translation>
+    </message>
+    <message>
+        <source>Resists fast movement</source>
+        <translation>Bremst schnelle Bewegung</translation>
     </message>
 </context>
 <context>
@@ -3170,44 +3378,8 @@ und wie tief die Hand in ihr ist [mm]</translation>
         <translation>Tiefe: von der äußersten Oberfläche zur Hand [mm]; Steifigkeit, wie gefühlt, aller berührten Schichten [N/mm]</translation>
     </message>
     <message>
-        <source>Active constraints: planes of the surface that hold the hand back, at most 3.
-Solver: time of one tick, not exceeded by 99 of 100 [µs].
-Where more facets lie in one place than a tick has time for, it goes on from where it got to with the next.</source>
-        <translation>Aktive Zwangsbedingungen: Ebenen der Oberfläche, die die Hand zurückhalten, höchstens 3.
-Löser: Zeit eines Takts, die 99 von 100 nicht überschreiten [µs].
-Wo an einer Stelle mehr Facetten liegen, als ein Takt Zeit hat, macht der nächste dort weiter, wo er aufhörte.</translation>
-    </message>
-    <message>
-        <source>Free space</source>
-        <translation>Freier Raum</translation>
-    </message>
-    <message>
-        <source>nothing is touched</source>
-        <translation>nichts ist berührt</translation>
-    </message>
-    <message>
-        <source>too many facets in this place: the force follows late</source>
-        <translation>zu viele Facetten an dieser Stelle: die Kraft folgt verspätet</translation>
-    </message>
-    <message>
-        <source>constraints %1 · solver %2 µs p99</source>
-        <translation>Zwänge %1 · Löser %2 µs p99</translation>
-    </message>
-    <message>
-        <source>constraints %1</source>
-        <translation>Zwänge %1</translation>
-    </message>
-    <message>
-        <source>No hand</source>
-        <translation>Keine Hand</translation>
-    </message>
-    <message>
         <source>press on a structure to feel it</source>
         <translation>auf eine Struktur drücken, um sie zu fühlen</translation>
-    </message>
-    <message>
-        <source>constraints 0</source>
-        <translation>Zwänge 0</translation>
     </message>
     <message>
         <source>%1 mm deep · slid off the edge</source>
@@ -3220,6 +3392,22 @@ Wo an einer Stelle mehr Facetten liegen, als ein Takt Zeit hat, macht der nächs
     <message>
         <source>%1 N, %2 mm deep</source>
         <translation>%1 N, %2 mm tief</translation>
+    </message>
+    <message>
+        <source>More triangles of the mesh lie in this place than there is time to feel at once</source>
+        <translation>An dieser Stelle hat das Netz mehr Dreiecke, als sich auf einmal fühlen lassen</translation>
+    </message>
+    <message>
+        <source>Not touching</source>
+        <translation>Keine Berührung</translation>
+    </message>
+    <message>
+        <source>the hand is free</source>
+        <translation>die Hand ist frei</translation>
+    </message>
+    <message>
+        <source>very fine mesh here: the force follows late</source>
+        <translation>hier ist das Netz sehr fein: die Kraft folgt verspätet</translation>
     </message>
 </context>
 <context>

@@ -8,12 +8,14 @@
 #include <palpate/ui/Theme.h>
 #include <palpate/ui/TouchChart.h>
 #include <palpate/ui/TouchPanel.h>
+#include <palpate/view/TextStyle.h>
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QTreeView>
 
@@ -53,6 +55,7 @@ class Panels : public QObject
     Q_OBJECT
   private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void cleanupTestCase() { ui::applyTheme(ui::Theme::System); }
 
     void forceHasSensibleDigits()
     {
@@ -397,25 +400,142 @@ class Panels : public QObject
         QCOMPARE(recent.count(), 1);
         QCOMPARE(recent.first().first().toString(), QStringLiteral("/a/liver.stl"));
     }
-    void textReadsInBothPalettes_data()
+    void textReadsInEachTheme_data()
     {
+        QTest::addColumn<ui::Theme>("theme");
         QTest::addColumn<bool>("isDark");
-        QTest::newRow("light") << false;
-        QTest::newRow("dark") << true;
+        QTest::addColumn<double>("least");
+        QTest::newRow("light") << ui::Theme::Light << false << 4.5;
+        QTest::newRow("dark") << ui::Theme::Dark << true << 4.5;
+        QTest::newRow("high contrast on black") << ui::Theme::ContrastOnBlack << true << 7.0;
+        QTest::newRow("high contrast on white") << ui::Theme::ContrastOnWhite << false << 7.0;
     }
-    void textReadsInBothPalettes()
+    void textReadsInEachTheme()
     {
+        QFETCH(ui::Theme, theme);
         QFETCH(bool, isDark);
-        ui::applyTheme(*qApp, isDark);
+        QFETCH(double, least);
+        ui::applyTheme(theme);
         QCOMPARE(ui::isDarkTheme(), isDark);
+        QCOMPARE(ui::isHighContrast(), least > 4.5);
         const QPalette palette = QApplication::palette();
-        for (const auto ground : {QPalette::Window, QPalette::Base}) {
+        QCOMPARE(palette.color(QPalette::BrightText), ui::warningColour());
+        for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button}) {
             const QColor behind = palette.color(ground);
-            for (const QColor& ink : {palette.color(QPalette::Text), ui::mutedColour(), ui::forceColour(),
+            for (const QColor& ink : {palette.color(QPalette::Text), palette.color(QPalette::ButtonText),
+                                      palette.color(QPalette::Link), ui::mutedColour(), ui::forceColour(),
                                       ui::depthColour(), ui::warningColour(), ui::recordColour(), ui::goodColour()}) {
-                QVERIFY2(contrast(ink, behind) >= 4.5, qPrintable(ink.name() + QStringLiteral(" on ") + behind.name()));
+                QVERIFY2(contrast(ink, behind) >= least,
+                         qPrintable(ink.name() + QStringLiteral(" on ") + behind.name()));
             }
         }
+        QVERIFY(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)) >= least);
+        if (theme == ui::Theme::ContrastOnBlack || theme == ui::Theme::ContrastOnWhite) {
+            const QColor disabled = palette.color(QPalette::Disabled, QPalette::Text);
+            QVERIFY(contrast(disabled, palette.color(QPalette::Window)) >= least);
+            QCOMPARE(palette.color(QPalette::Window), isDark ? QColor(Qt::black) : QColor(Qt::white));
+        }
+    }
+    void symbolsReadInEachTheme_data() { textReadsInEachTheme_data(); }
+    void symbolsReadInEachTheme()
+    {
+        QFETCH(ui::Theme, theme);
+        QFETCH(double, least);
+        ui::applyTheme(theme);
+        for (int i = 0; i <= static_cast<int>(ui::Symbol::Keys); ++i) {
+            for (const auto ground : {QPalette::Window, QPalette::Base}) {
+                QImage picture(64, 64, QImage::Format_RGB32);
+                picture.fill(QApplication::palette().color(ground));
+                QPainter painter(&picture);
+                ui::icon(static_cast<ui::Symbol>(i)).paint(&painter, picture.rect());
+                painter.end();
+                double best = 0.0;
+                for (int at = 0; at < 64 * 64; ++at) {
+                    best = std::max(best, contrast(picture.pixelColor(at % 64, at / 64), picture.pixelColor(0, 0)));
+                }
+                QVERIFY2(best >= least, qPrintable(QStringLiteral("symbol %1: %2").arg(i).arg(best)));
+            }
+        }
+    }
+    /// Texts of the view stand on a ground through which tissue of any colour shines.
+    void textsOnTissueRead()
+    {
+        const auto over = [](const view::Colour& tissue, double opacity) {
+            view::Colour seen{};
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                seen[i] = opacity * view::kTextGround[i] + (1.0 - opacity) * tissue[i];
+            }
+            return QColor::fromRgbF(static_cast<float>(seen[0]), static_cast<float>(seen[1]),
+                                    static_cast<float>(seen[2]));
+        };
+        const auto colour = [](const view::Colour& c) {
+            return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]));
+        };
+        const view::Colour white{1.0, 1.0, 1.0}, black{0.0, 0.0, 0.0};
+        for (const view::Colour& ink : {view::kTextInk, view::inkOf(black), view::inkOf({1.0, 0.0, 0.0})}) {
+            for (const view::Colour& tissue : {white, black}) {
+                QVERIFY(contrast(colour(ink), over(tissue, view::TextStyle().groundOpacity)) >= 4.5);
+                QVERIFY(contrast(colour(ink), over(tissue, 1.0)) >= 7.0); // in high contrast nothing shines through
+            }
+        }
+    }
+    void warningsFollowTheTheme()
+    {
+        ui::applyTheme(ui::Theme::Light);
+        ui::StructureModel model;
+        ui::StructurePanel panel(model);
+        const auto warning = [&panel] {
+            for (const QLabel* one : panel.findChildren<QLabel*>()) {
+                if (one->accessibleDescription().contains(QLatin1String("refused"))) {
+                    return one->palette().color(one->foregroundRole());
+                }
+            }
+            return QColor();
+        };
+        const QColor light = ui::warningColour();
+        QCOMPARE(warning(), light);
+        ui::applyTheme(ui::Theme::ContrastOnBlack);
+        QCOMPARE(warning(), ui::warningColour());
+        QVERIFY(warning() != light);
+    }
+    void bigNumbersGrowWithTheText()
+    {
+        ui::TouchPanel panel;
+        panel.show(ui::TouchReading{1.0, 2.314, 4.62, QStringLiteral("liver"), 0.5, 1});
+        panel.setVisible(true);
+        const auto height = [&panel](const QString& text) {
+            for (const QLabel* label : panel.findChildren<QLabel*>()) {
+                if (label->text() == text) {
+                    return label->fontMetrics().height();
+                }
+            }
+            return 0;
+        };
+        const int force = height(QStringLiteral("2.31")), unit = height(QStringLiteral("N"));
+        const int bar = panel.findChild<ui::ForceBar*>()->sizeHint().height();
+        ui::applyTextSize(200);
+        QTRY_VERIFY(height(QStringLiteral("2.31")) > 1.8 * force);
+        QTRY_VERIFY(height(QStringLiteral("N")) > 1.8 * unit);
+        QVERIFY(panel.findChild<ui::ForceBar*>()->sizeHint().height() > bar);
+        ui::applyTextSize(100);
+        QTRY_COMPARE(height(QStringLiteral("2.31")), force);
+    }
+    void systemsPaletteIsSeen()
+    {
+        ui::applyTheme(ui::Theme::System);
+        QVERIFY(!ui::noteSystemPalette(false)); // it is ours
+        const bool wasDark = ui::isDarkTheme();
+        QPalette other;
+        other.setColor(QPalette::Window, wasDark ? Qt::white : Qt::black);
+        other.setColor(QPalette::WindowText, wasDark ? Qt::black : Qt::white);
+        QApplication::setPalette(other);
+        QVERIFY(ui::noteSystemPalette(false));
+        ui::applyTheme(ui::Theme::System);
+        QCOMPARE(ui::isDarkTheme(), !wasDark);
+        QVERIFY(!ui::noteSystemPalette(false));
+        QVERIFY(ui::noteSystemPalette(true)); // as it is without what the test set
+        ui::applyTheme(ui::Theme::System);
+        QCOMPARE(ui::isDarkTheme(), wasDark);
     }
 };
 

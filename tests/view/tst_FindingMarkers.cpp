@@ -143,11 +143,12 @@ class FindingMarkers : public QObject
         view::FindingMarkers markers;
         markers.addTo(*overlay);
         markers.set(at({Vec3::Zero()}));
-        markers.setFontSize(13.0);
-        markers.place(frameAt(300));
+        view::ViewFrame frame = frameAt(300);
+        frame.text.size_px = 13.0;
+        markers.place(frame);
         const double small_px = markers.labelOf(0).size_px.y();
-        markers.setFontSize(26.0);
-        markers.place(frameAt(300));
+        frame.text.size_px = 26.0;
+        markers.place(frame);
         QVERIFY(markers.labelOf(0).size_px.y() > 1.5 * small_px);
     }
 

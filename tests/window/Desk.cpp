@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
 
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QApplication>
 #include <QSettings>
@@ -104,6 +105,16 @@ std::filesystem::path Desk::writeStl(const char* name, const geometry::TriangleM
         put(std::uint16_t{0});
     }
     return path;
+}
+
+bool isScrolled(const QWidget* widget)
+{
+    for (const QWidget* one = widget->parentWidget(); one != nullptr; one = one->parentWidget()) {
+        if (qobject_cast<const QAbstractScrollArea*>(one) != nullptr) {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace palpate::test

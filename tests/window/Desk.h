@@ -52,6 +52,9 @@ class Desk
     std::unique_ptr<MainWindow> m_window;
 };
 
+/// Whether what a widget shows may be scrolled away: it lies in the moving part of a scrolling panel.
+[[nodiscard]] bool isScrolled(const QWidget* widget);
+
 /// Of the messages over the view, a line each, the one on top.
 [[nodiscard]] inline QString newest(const QString& messages)
 {

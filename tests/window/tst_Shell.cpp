@@ -4,7 +4,6 @@
 
 #include <palpate/ui/MessageList.h>
 
-#include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
@@ -32,17 +31,6 @@ void catchAlert(QAccessibleEvent* event)
     if (event->type() == QAccessible::Alert) {
         g_alerted.push_back(event->object());
     }
-}
-
-/// Whether what a widget shows may be scrolled away: it lies in the moving part of a scrolling panel.
-bool isScrolled(const QWidget* widget)
-{
-    for (const QWidget* one = widget->parentWidget(); one != nullptr; one = one->parentWidget()) {
-        if (qobject_cast<const QAbstractScrollArea*>(one) != nullptr) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /// Whether a panel, or what lies in one, is behind another one's tab: Qt puts it outside the window.
@@ -116,7 +104,8 @@ class Shell : public QObject
         m_desk->pressKeyOf("keys");
         QVERIFY(the<ui::KeysCard>().isVisible());
         for (const QWidget* widget : window().findChildren<QWidget*>()) {
-            if (!widget->isVisible() || widget->isWindow() || isScrolled(widget) || isBehindATab(window(), widget)) {
+            if (!widget->isVisible() || widget->isWindow() || test::isScrolled(widget) ||
+                isBehindATab(window(), widget)) {
                 continue;
             }
             const QRect place(widget->mapTo(&window(), QPoint()), widget->size());

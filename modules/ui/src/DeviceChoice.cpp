@@ -205,9 +205,20 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makePlayback()
     return std::unique_ptr<device::HapticDevice>(std::move(device));
 }
 
+QString deviceName(const device::DeviceInfo& info)
+{
+    if (info.id == "mouse") {
+        return DeviceChoice::tr("mouse");
+    }
+    if (info.id == "simulated-hand") {
+        return DeviceChoice::tr("simulated hand");
+    }
+    return info.id == "playback" ? DeviceChoice::tr("recording, felt anew") : QString::fromStdString(info.name);
+}
+
 QString DeviceChoice::summary() const
 {
-    const QString name = QString::fromStdString(m_live.deviceInfo().name).toLower();
+    const QString name = deviceName(m_live.deviceInfo());
     const device::DeviceReport report = m_live.deviceReport();
     switch (report.condition) {
     case device::DeviceCondition::Lost:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnergyBar.h"
 
+#include "palpate/ui/Theme.h"
+
 #include <QLocale>
 #include <QPainter>
 
@@ -34,15 +36,15 @@ QString EnergyBar::spokenText() const
 void EnergyBar::paintEvent(QPaintEvent*)
 {
     constexpr double kZero = 0.25; // of the width: what is too much should be little
-    const QColor tooMuch(0xb3, 0x26, 0x1e);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().color(QPalette::AlternateBase).darker(108));
-    painter.drawRoundedRect(rect(), 4, 4);
     const double zero = kZero * width();
     const double length = m_energy_mJ / m_range_mJ * (m_energy_mJ < 0.0 ? zero : width() - zero);
-    painter.setBrush(m_energy_mJ < 0.0 ? tooMuch : palette().color(QPalette::Highlight));
+    painter.setBrush(m_energy_mJ < 0.0 ? warningColour() : palette().color(QPalette::Highlight));
     painter.drawRect(QRectF(std::min(zero, zero + length), 2, std::abs(length), height() - 4));
     painter.setPen(palette().color(QPalette::Text));
     painter.drawLine(QPointF(zero, 0), QPointF(zero, height()));

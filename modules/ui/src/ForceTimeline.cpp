@@ -40,11 +40,16 @@ ForceTimeline::ForceTimeline(QWidget* parent)
     : QWidget(parent)
     , Spoken(this)
 {
-    setMinimumHeight(56);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Timeline of the recording's force"));
     setToolTip(tr("Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End."));
+}
+
+QSize ForceTimeline::minimumSizeHint() const
+{
+    constexpr int kLane_px = 40;
+    return {100, kLane_px + fontMetrics().height()};
 }
 
 void ForceTimeline::setPeaks(std::vector<float> peaks_N, double duration_s)

@@ -28,7 +28,6 @@ QString plotText(double value)
 LawPlot::LawPlot(QWidget* parent)
     : QWidget(parent)
 {
-    setMinimumSize(160, 110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Force in newton by depth in millimetres"));
 }
@@ -83,6 +82,12 @@ void LawPlot::setDepth(double depth_mm)
     }
 }
 
+QSize LawPlot::sizeHint() const
+{
+    constexpr int kCurve_px = 100;
+    return {220, kCurve_px + 2 * fontMetrics().height()};
+}
+
 double LawPlot::forceAt(double depth_mm) const
 {
     return m_table == nullptr ? m_tissue.stiffness_N_per_mm * depth_mm : m_table->force(depth_mm);
@@ -125,7 +130,7 @@ void LawPlot::paintFrame(QPainter& painter) const
     const QRectF in = area();
     const QFontMetricsF metrics(font());
     painter.fillRect(in, palette().color(QPalette::Base));
-    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+    painter.setPen(QPen(palette().color(QPalette::Midlight), 1.0));
     for (const double share : {0.0, 0.5, 1.0}) {
         painter.drawLine(placeOf(0.0, share * m_top_N), placeOf(m_reach_mm, share * m_top_N));
         painter.drawLine(placeOf(share * m_reach_mm, 0.0), placeOf(share * m_reach_mm, m_top_N));

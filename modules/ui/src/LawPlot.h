@@ -25,7 +25,8 @@ class LawPlot : public QWidget
     void setDepth(double depth_mm);
     /// Where a force at a depth is drawn.
     [[nodiscard]] QPointF placeOf(double depth_mm, double force_N) const;
-    [[nodiscard]] QSize sizeHint() const override { return {220, 130}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
   Q_SIGNALS:
     /// A measured point was moved.

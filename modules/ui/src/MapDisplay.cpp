@@ -198,7 +198,8 @@ void MapDisplay::refresh()
     m_viewport.view().setPicture(
         i, view::coloured(*row.picture, *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
     const QString title = readableName(row.loaded.description.name) + QLatin1Char('\n') + numbers.title;
-    m_viewport.view().legend().show({title.toStdString(), tr("nothing said").toStdString(), range});
+    m_viewport.view().legend().show(
+        {title.toStdString(), tr("nothing said").toStdString(), range, QLocale().decimalPoint().toStdString()});
     m_shown = std::move(numbers);
     m_viewport.update();
 }

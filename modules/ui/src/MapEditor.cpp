@@ -66,6 +66,7 @@ MapEditor::MapEditor(QWidget* parent)
     m_form->setHorizontalSpacing(10);
     m_form->setVerticalSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makeFields();
     connectFields();
     refresh();

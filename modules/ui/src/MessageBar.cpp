@@ -68,12 +68,13 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringLi
 
 void MessageRow::drawIcon()
 {
-    m_symbol->setPixmap(Messages::iconOf(m_kind).pixmap(22, 22));
+    const int side_px = withText_px(22);
+    m_symbol->setPixmap(Messages::iconOf(m_kind).pixmap(side_px, side_px));
 }
 
 void MessageRow::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         drawIcon(); // in the palette's text colour
     }
     QFrame::changeEvent(event);

@@ -129,10 +129,7 @@ KeysCard::KeysCard(const ActionList& actions, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(26, 20, 26, 20);
     auto* title = new QLabel(tr("All keys"), this);
-    QFont large = font();
-    large.setPointSizeF(font().pointSizeF() * 1.4);
-    large.setBold(true);
-    title->setFont(large);
+    keepFont(*title, 1.4, QFont::Bold);
     layout->addWidget(title);
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -75,13 +75,14 @@ void SessionPanel::addAction(QAction* action)
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setAutoRaise(true);
-    button->setIconSize(QSize(20, 20));
+    keepIconSize(*button, 20);
     m_buttons->addWidget(button);
 }
 
 void SessionPanel::showTitle(const QString& title)
 {
     m_title->setText(title.isEmpty() ? tr("No recording yet. Record one with R, or open a .palpate file.") : title);
+    m_title->setToolTip(m_title->text()); // a narrow window has no room for all of it
     m_title->setForegroundRole(title.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
 }
 

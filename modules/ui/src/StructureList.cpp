@@ -139,30 +139,46 @@ void StructureList::makeView()
     m_view->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_view->setAccessibleName(tr("Structures"));
     m_view->setFrameShape(QFrame::NoFrame);
-    m_view->setMinimumHeight(9 * fontMetrics().height()); // six rows; what is below scrolls
-    m_view->setIconSize(QSize(18, 18));
     m_view->setIndentation(0);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->setItemDelegateForColumn(StructureModel::Name, new NameDelegate(m_view));
-    // A tint, so that swatches, symbols and badges read on the selected row as on the others.
-    QPalette tint = palette();
-    const QColor accent = tint.color(QPalette::Highlight);
-    const QColor base = tint.color(QPalette::Base);
-    const float share = isDarkTheme() ? 0.45F : 0.22F;
-    tint.setColor(QPalette::Highlight, QColor::fromRgbF(base.redF() + share * (accent.redF() - base.redF()),
-                                                        base.greenF() + share * (accent.greenF() - base.greenF()),
-                                                        base.blueF() + share * (accent.blueF() - base.blueF())));
-    tint.setColor(QPalette::HighlightedText, tint.color(QPalette::Text));
-    m_view->setPalette(tint);
     QHeaderView* header = m_view->header();
     header->setStretchLastSection(false);
     header->setMinimumSectionSize(24);
     for (const int column : {StructureModel::Shown, StructureModel::Health, StructureModel::Felt}) {
         header->setSectionResizeMode(column, QHeaderView::Fixed);
-        header->resizeSection(column, 30);
     }
     header->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
     header->hide();
+    takeLook();
+}
+
+void StructureList::takeLook()
+{
+    m_view->setMinimumHeight(9 * fontMetrics().height()); // six rows; what is below scrolls
+    const int symbol_px = withText_px(18);
+    m_view->setIconSize(QSize(symbol_px, symbol_px));
+    for (const int column : {StructureModel::Shown, StructureModel::Health, StructureModel::Felt}) {
+        m_view->header()->resizeSection(column, symbol_px + 12);
+    }
+    // A tint, so that swatches, symbols and badges read on the selected row as on the others.
+    QPalette tint = palette();
+    const QColor accent = tint.color(QPalette::Highlight);
+    const QColor base = tint.color(QPalette::Base);
+    const float share = isHighContrast() ? 0.3F : isDarkTheme() ? 0.45F : 0.22F;
+    tint.setColor(QPalette::Highlight, QColor::fromRgbF(base.redF() + share * (accent.redF() - base.redF()),
+                                                        base.greenF() + share * (accent.greenF() - base.greenF()),
+                                                        base.blueF() + share * (accent.blueF() - base.blueF())));
+    tint.setColor(QPalette::HighlightedText, tint.color(QPalette::Text));
+    m_view->setPalette(tint);
+}
+
+void StructureList::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        takeLook();
+    }
+    QWidget::changeEvent(event);
 }
 
 QWidget* StructureList::makeHead()

@@ -52,9 +52,11 @@ class StructureList : public QWidget
   protected:
     /// In the filter: Esc clears it, Return and Down go to the list.
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     void makeView();
+    void takeLook();
     [[nodiscard]] QWidget* makeHead();
     void keepSelection();
     void bringSelectionBack();

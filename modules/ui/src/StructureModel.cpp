@@ -21,14 +21,15 @@ namespace {
 
 QIcon swatch(const QColor& colour)
 {
-    QPixmap pixmap(32, 32);
+    const int side_px = withText_px(16);
+    QPixmap pixmap(2 * side_px, 2 * side_px);
     pixmap.setDevicePixelRatio(2.0);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(mutedColour(), 1.0));
     painter.setBrush(colour);
-    painter.drawRoundedRect(QRectF(1.5, 1.5, 13, 13), 3, 3);
+    painter.drawRoundedRect(QRectF(1.5, 1.5, side_px - 3.0, side_px - 3.0), 3, 3);
     QIcon made(pixmap);
     made.addPixmap(pixmap, QIcon::Selected); // its true colour on the selected row too
     return made;

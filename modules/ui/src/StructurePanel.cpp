@@ -51,12 +51,15 @@ class FittingScroll final : public QScrollArea
     {
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setFocusPolicy(Qt::NoFocus); // what it holds takes the keys, and is scrolled to
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     }
     [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {withBar(widget()->minimumSizeHint()).width(), 160}; }
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        constexpr int kMostWidth_px = 240; // with large texts it scrolls sideways, so that the list above need not
+        return {std::min(kMostWidth_px, withBar(widget()->minimumSizeHint()).width()), 160};
+    }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override
@@ -82,9 +85,7 @@ QLabel* makeWarning(const QString& what, QWidget* box)
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setAccessibleDescription(what);
-    QPalette warning = label->palette();
-    warning.setColor(QPalette::WindowText, warningColour());
-    label->setPalette(warning);
+    label->setForegroundRole(QPalette::BrightText); // of warnings: see Theme.h
     label->hide();
     return label;
 }
@@ -137,6 +138,7 @@ void StructurePanel::addHead(QFormLayout& form, QWidget* box)
 {
     m_colour = new QToolButton(box);
     m_colour->setAutoRaise(true);
+    keepIconSize(*m_colour, 16);
     m_colour->setToolTip(tr("Colour of the structure"));
     m_colour->setAccessibleName(tr("Colour"));
     m_title = new QLabel(box);
@@ -322,6 +324,7 @@ QWidget* StructurePanel::makeTissueBox()
     form->setHorizontalSpacing(10);
     form->setVerticalSpacing(8);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
 
     addHead(*form, box);
     addOpacity(*form, box);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Theme.h"
 
+#include "DeskStyle.h"
+
 #include <QApplication>
 #include <QPalette>
 #include <QStyleFactory>
+#include <QToolTip>
+
+#include <optional>
 
 namespace palpate::ui {
 
@@ -11,8 +16,42 @@ namespace {
 
 struct Shades
 {
-    QColor window, base, alternate, button, text, muted, highlight, line;
+    QColor window, base, alternate, button, text, muted, disabled, highlight, highlighted, line, grid;
+    QColor force, depth, warning, record, good;
 };
+
+const Shades& shadesOf(bool isDark, bool isContrast)
+{
+    const auto faint = [](QColor colour) {
+        colour.setAlpha(150);
+        return colour;
+    };
+    static const Shades light{
+        QColor(0xf2f4f6U), QColor(0xffffffU), QColor(0xf7f9faU), QColor(0xfafbfcU),
+        QColor(0x1a242eU), QColor(0x556270U), faint(0x556270U),  QColor(0x1b66a3U),
+        QColor(0xffffffU), QColor(0xc9d0d7U), QColor(0xc9d0d7U), QColor(0x9a5b00U),
+        QColor(0x1b66a3U), QColor(0x9c4a00U), QColor(0xb42318U), QColor(0x1a753fU),
+    };
+    static const Shades dark{
+        QColor(0x22272dU), QColor(0x191d22U), QColor(0x1e2328U), QColor(0x2d333bU),
+        QColor(0xe8ecf0U), QColor(0xa3aebaU), faint(0xa3aebaU),  QColor(0x2a7abfU),
+        QColor(0xffffffU), QColor(0x3d4650U), QColor(0x3d4650U), QColor(0xf2c14eU),
+        QColor(0x6fb7eeU), QColor(0xf0a04bU), QColor(0xff7b72U), QColor(0x5fc98aU),
+    };
+    static const Shades black{
+        QColor(0x000000U), QColor(0x000000U), QColor(0x0c0c0cU), QColor(0x141414U),
+        QColor(0xffffffU), QColor(0xe0e0e0U), QColor(0xa8a8a8U), QColor(0x45e0ffU),
+        QColor(0x000000U), QColor(0xffffffU), QColor(0x5a5a5aU), QColor(0xffd75eU),
+        QColor(0x8fd0ffU), QColor(0xffb870U), QColor(0xffa59dU), QColor(0x7fe0a5U),
+    };
+    static const Shades white{
+        QColor(0xffffffU), QColor(0xffffffU), QColor(0xf4f4f4U), QColor(0xf4f4f4U),
+        QColor(0x000000U), QColor(0x303030U), QColor(0x555555U), QColor(0x00308fU),
+        QColor(0xffffffU), QColor(0x000000U), QColor(0xb0b0b0U), QColor(0x6a3d00U),
+        QColor(0x00418aU), QColor(0x7a2f00U), QColor(0x8a0f0aU), QColor(0x0b5226U),
+    };
+    return isContrast ? (isDark ? black : white) : (isDark ? dark : light);
+}
 
 QPalette paletteOf(const Shades& s)
 {
@@ -25,81 +64,165 @@ QPalette paletteOf(const Shades& s)
     p.setColor(QPalette::PlaceholderText, s.muted);
     p.setColor(QPalette::Button, s.button);
     p.setColor(QPalette::ButtonText, s.text);
-    p.setColor(QPalette::BrightText, QColor(255, 255, 255));
+    p.setColor(QPalette::BrightText, s.warning);
     p.setColor(QPalette::Highlight, s.highlight);
-    p.setColor(QPalette::HighlightedText, QColor(255, 255, 255));
-    p.setColor(QPalette::Link, s.highlight);
+    p.setColor(QPalette::HighlightedText, s.highlighted);
+    p.setColor(QPalette::Link, s.depth);
+    p.setColor(QPalette::LinkVisited, s.depth);
     p.setColor(QPalette::ToolTipBase, s.base);
     p.setColor(QPalette::ToolTipText, s.text);
     p.setColor(QPalette::Mid, s.line);
+    p.setColor(QPalette::Midlight, s.grid); // of charts
     p.setColor(QPalette::Dark, s.line.darker(130));
     p.setColor(QPalette::Light, s.base);
+    p.setColor(QPalette::Shadow, Qt::black);
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        QColor faint = s.muted;
-        faint.setAlpha(150);
-        p.setColor(QPalette::Disabled, role, faint);
+        p.setColor(QPalette::Disabled, role, s.disabled);
     }
     return p;
 }
 
-} // namespace
-
-bool systemIsDark(const QApplication& application)
+// What the system has, and what was set in its place.
+struct State
 {
-    const QPalette palette = application.palette();
+    std::optional<QPalette> applied;
+    bool isSystemDark = false;
+    bool isContrast = false;
+    bool isApplying = false;
+    std::optional<QFont> font; ///< the system's, when the texts' size was first set
+    int textSize_percent = 100;
+};
+
+State& state()
+{
+    static State one;
+    return one;
+}
+
+bool isDark(const QPalette& palette)
+{
     return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
 }
 
-bool isDarkTheme()
+const Shades& shades()
 {
-    return QApplication::palette().color(QPalette::Window).lightness() < 128;
+    return shadesOf(isDarkTheme(), isHighContrast());
 }
 
-void applyTheme(QApplication& application, bool isDark)
+} // namespace
+
+bool isDarkTheme()
 {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
-    const Shades light{QColor(0xf2, 0xf4, 0xf6), QColor(0xff, 0xff, 0xff), QColor(0xf7, 0xf9, 0xfa),
-                       QColor(0xfa, 0xfb, 0xfc), QColor(0x1a, 0x24, 0x2e), QColor(0x55, 0x62, 0x70),
-                       QColor(0x1b, 0x66, 0xa3), QColor(0xc9, 0xd0, 0xd7)};
-    const Shades dark{QColor(0x22, 0x27, 0x2d), QColor(0x19, 0x1d, 0x22), QColor(0x1e, 0x23, 0x28),
-                      QColor(0x2d, 0x33, 0x3b), QColor(0xe8, 0xec, 0xf0), QColor(0xa3, 0xae, 0xba),
-                      QColor(0x2a, 0x7a, 0xbf), QColor(0x3d, 0x46, 0x50)};
-    application.setPalette(paletteOf(isDark ? dark : light));
-    application.setStyleSheet(
+    return isDark(QApplication::palette());
+}
+
+bool isHighContrast()
+{
+    return state().isContrast;
+}
+
+void applyTheme(Theme theme)
+{
+    State& now = state();
+    if (!now.applied) {
+        now.isSystemDark = isDark(QApplication::palette());
+        QApplication::setStyle(new DeskStyle(QStyleFactory::create(QStringLiteral("Fusion"))));
+    }
+    now.isContrast = theme == Theme::ContrastOnBlack || theme == Theme::ContrastOnWhite;
+    const bool wantsDark =
+        theme == Theme::System ? now.isSystemDark : theme == Theme::Dark || theme == Theme::ContrastOnBlack;
+    now.isApplying = true;
+    now.applied = paletteOf(shadesOf(wantsDark, now.isContrast));
+    QApplication::setPalette(*now.applied);
+    now.applied = QApplication::palette(); // as it is compared later
+    QToolTip::setPalette(*now.applied);
+    qApp->setStyleSheet(
         QStringLiteral("QToolBar { spacing: 4px; padding: 4px 8px; border: 0; }"
                        "QToolBar QToolButton { padding: 5px 9px; border-radius: 4px; border: 1px solid transparent; }"
                        "QToolBar QToolButton:hover { background: palette(base); border-color: palette(mid); }"
-                       "QToolBar QToolButton:pressed { background: palette(mid); }"
+                       "QToolBar QToolButton:pressed { background: palette(alternate-base); "
+                       "border-color: palette(highlight); }"
                        "QToolBar QToolButton:checked { background: palette(base); "
                        "border: 2px solid palette(highlight); }"
                        "QToolBar QToolButton:focus { border: 1px solid palette(highlight); }"
                        "QDockWidget::title { padding: 6px 10px; text-align: left; }"
                        "QStatusBar::item { border: 0; }"));
+    now.isApplying = false;
+}
+
+bool noteSystemPalette(bool mustAsk)
+{
+    State& now = state();
+    if (now.isApplying || !now.applied) {
+        return false;
+    }
+    if (mustAsk) {
+        now.isApplying = true;
+        QApplication::setPalette(QPalette()); // the system's
+        now.isApplying = false;
+    } else if (QApplication::palette() == *now.applied) {
+        return false;
+    }
+    now.isSystemDark = isDark(QApplication::palette());
+    return true;
+}
+
+void applyTextSize(int percent)
+{
+    State& now = state();
+    if (!now.font) {
+        now.font = QApplication::font();
+    }
+    if (percent == now.textSize_percent) {
+        return; // the system's own fonts for menus and the like stay
+    }
+    now.textSize_percent = percent;
+    QFont font = *now.font;
+    const double share = 0.01 * percent;
+    if (font.pointSizeF() > 0.0) {
+        font.setPointSizeF(share * font.pointSizeF());
+    } else {
+        font.setPixelSize(qRound(share * font.pixelSize()));
+    }
+    QApplication::setFont(font);
+    // With a style sheet, only the windows take it, and a little later; the sheet set anew hands it down.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationFontChange);
+    qApp->setStyleSheet(qApp->styleSheet());
+}
+
+int textSize_percent()
+{
+    return state().textSize_percent;
+}
+
+int withText_px(int usual_px)
+{
+    return qRound(0.01 * state().textSize_percent * usual_px);
 }
 
 QColor forceColour()
 {
-    return isDarkTheme() ? QColor(0xf2, 0xc1, 0x4e) : QColor(0x9a, 0x5b, 0x00);
+    return shades().force;
 }
 
 QColor depthColour()
 {
-    return isDarkTheme() ? QColor(0x6f, 0xb7, 0xee) : QColor(0x1b, 0x66, 0xa3);
+    return shades().depth;
 }
 
 QColor goodColour()
 {
-    return isDarkTheme() ? QColor(0x5f, 0xc9, 0x8a) : QColor(0x1a, 0x75, 0x3f);
+    return shades().good;
 }
 
 QColor warningColour()
 {
-    return isDarkTheme() ? QColor(0xf0, 0xa0, 0x4b) : QColor(0x9c, 0x4a, 0x00);
+    return shades().warning;
 }
 
 QColor recordColour()
 {
-    return isDarkTheme() ? QColor(0xff, 0x7b, 0x72) : QColor(0xb4, 0x23, 0x18);
+    return shades().record;
 }
 
 QColor mutedColour()

@@ -29,7 +29,6 @@ TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
     , Spoken(this)
     , m_history(history)
 {
-    setMinimumSize(180, 130);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Chart of force and depth over the last ten seconds"));
     setToolTip(tr("Force [N] and depth [mm] over the last 10 s"));
@@ -44,6 +43,12 @@ QString TouchChart::spokenText() const
     return tr("now %1 N, %2 mm deep; at most %3 N, %4 mm")
         .arg(forceText(newest.force_N), depthText(newest.depth_mm), forceText(m_history.peakForce_N()),
              depthText(m_history.peakDepth_mm()));
+}
+
+QSize TouchChart::minimumSizeHint() const
+{
+    constexpr int kLane_px = 40;
+    return {180, 2 * kLane_px + 4 * fontMetrics().height()};
 }
 
 void TouchChart::paintEvent(QPaintEvent*)
@@ -73,7 +78,7 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
         axisTop(std::max(isForce ? m_history.peakForce_N() : m_history.peakDepth_mm(), isForce ? 0.5 : 1.0));
     const QFontMetricsF metrics(font());
     painter.fillRect(lane, palette().color(QPalette::Base));
-    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+    painter.setPen(QPen(palette().color(QPalette::Midlight), 1.0));
     for (const double share : {0.0, 0.5, 1.0}) {
         const double y = lane.bottom() - share * lane.height();
         painter.drawLine(QPointF(lane.left(), y), QPointF(lane.right(), y));
@@ -188,7 +193,6 @@ ForceBar::ForceBar(QWidget* parent)
     , Spoken(this)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setMinimumHeight(30);
     setFocusPolicy(Qt::TabFocus); // a place for the keys in the panel, at which the force is heard
     setAccessibleName(tr("Force in newton"));
 }
@@ -215,6 +219,12 @@ void ForceBar::setForce(double force_N)
 double ForceBar::share() const noexcept
 {
     return std::clamp(m_force_N / m_limit_N, 0.0, 1.0);
+}
+
+QSize ForceBar::sizeHint() const
+{
+    constexpr int kBar_px = 12;
+    return {220, kBar_px + 4 + fontMetrics().height()};
 }
 
 void ForceBar::paintEvent(QPaintEvent*)

@@ -4,6 +4,7 @@
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchChart.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -11,6 +12,12 @@
 #include <algorithm>
 
 namespace palpate::ui {
+
+namespace {
+
+constexpr double kRows = 1.1; // letters of the layers' rows, of the panel's
+
+} // namespace
 
 QString forceText(double force_N)
 {
@@ -48,19 +55,11 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_bar(new ForceBar(this))
     , m_chart(new TouchChart(m_history, this))
 {
-    QFont large = font();
-    large.setPointSizeF(font().pointSizeF() * 3.6);
-    large.setWeight(QFont::DemiBold);
-    m_force->setFont(large);
+    keepFont(*m_force, 3.6, QFont::DemiBold);
     m_force->setAccessibleDescription(tr("Force in newton"));
     m_force->setToolTip(tr("Force on the hand [N]"));
-    QFont unit = font();
-    unit.setPointSizeF(font().pointSizeF() * 1.8);
-    m_forceUnit->setFont(unit);
-    QFont medium = font();
-    medium.setPointSizeF(font().pointSizeF() * 1.25);
-    medium.setWeight(QFont::DemiBold);
-    m_structure->setFont(medium);
+    keepFont(*m_forceUnit, 1.8, QFont::Normal);
+    keepFont(*m_structure, 1.25, QFont::DemiBold);
     m_structure->setTextFormat(Qt::PlainText);
     m_structure->setAccessibleDescription(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
@@ -70,13 +69,9 @@ TouchPanel::TouchPanel(QWidget* parent)
                             "and how deep the hand is in it [mm]"));
     m_layers->setMinimumWidth(10);
     m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    // Room for two, so that nothing jumps when the hand comes upon the second.
-    QFont rows = font();
-    rows.setPointSizeF(font().pointSizeF() * 1.1);
-    m_layers->setFont(rows);
-    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
-    medium.setWeight(QFont::Normal);
-    m_detail->setFont(medium);
+    keepFont(*m_layers, kRows, QFont::Normal);
+    keepFont(*m_detail, 1.25, QFont::Normal);
+    m_detail->setWordWrap(true); // large texts in a narrow panel
     m_detail->setAccessibleDescription(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
                             "that are touched [N/mm]"));
@@ -101,7 +96,24 @@ TouchPanel::TouchPanel(QWidget* parent)
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_late);
     m_bar->setLimit(m_bar->limit_N());
+    fitFont();
     showNoHand();
+}
+
+void TouchPanel::fitFont()
+{
+    // Room for two, so that nothing jumps when the hand comes upon the second.
+    QFont rows = font();
+    rows.setPointSizeF(kRows * font().pointSizeF());
+    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
+}
+
+void TouchPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::FontChange) {
+        fitFont();
+    }
+    QWidget::changeEvent(event);
 }
 
 void TouchPanel::setForceLimit(double force_N)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/VtkViewport.h"
 
+#include "palpate/ui/Theme.h"
+
 #include <QElapsedTimer>
+#include <QFontInfo>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -54,6 +58,7 @@ VtkViewport::VtkViewport(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(240, 180);
+    takeLook();
 
     m_window->SetOwnContext(0);
     m_window->SetFrameBlitModeToNoBlit();
@@ -72,6 +77,32 @@ VtkViewport::VtkViewport(QWidget* parent)
         refineNext();
         update();
     });
+}
+
+void VtkViewport::takeLook()
+{
+    if (isHighContrast()) {
+        const view::Colour ground = isDarkTheme() ? view::Colour{0.0, 0.0, 0.0} : view::Colour{1.0, 1.0, 1.0};
+        m_view.setBackground(ground, ground, isDarkTheme() ? view::Colour{1.0, 1.0, 1.0} : view::Colour{0.0, 0.0, 0.0});
+    } else if (isDarkTheme()) {
+        m_view.setBackground({0.07, 0.085, 0.10}, {0.20, 0.235, 0.27}, {0.93, 0.95, 0.97});
+    } else {
+        m_view.setBackground({0.33, 0.38, 0.44}, {0.60, 0.66, 0.72}, {1.0, 1.0, 1.0});
+    }
+    view::TextStyle text;
+    text.size_px = QFontInfo(font()).pixelSize();
+    text.decimalPoint = QLocale().decimalPoint().toStdString();
+    text.groundOpacity = isHighContrast() ? 1.0 : text.groundOpacity;
+    m_view.setTextStyle(text);
+    update();
+}
+
+void VtkViewport::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        takeLook();
+    }
+    QOpenGLWidget::changeEvent(event);
 }
 
 VtkViewport::~VtkViewport()

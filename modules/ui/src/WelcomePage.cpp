@@ -20,10 +20,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     , m_card(new QWidget(this))
 {
     auto* title = new QLabel(tr("Feel segmented anatomy"), m_card);
-    QFont large = font();
-    large.setPointSizeF(font().pointSizeF() * 2.0);
-    large.setWeight(QFont::DemiBold);
-    title->setFont(large);
+    keepFont(*title, 2.0, QFont::DemiBold);
     title->setAlignment(Qt::AlignCenter);
     auto* hint = new QLabel(
         tr("Drop surface meshes or a scene here: %1").arg(QString::fromStdString(meshio::meshFormatNames("or"))),
@@ -39,7 +36,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     m_phantom->setToolTip(
         tr("Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation"));
     for (QPushButton* button : {open, m_phantom}) {
-        button->setIconSize(QSize(24, 24));
+        keepIconSize(*button, 24);
         button->setMinimumSize(180, 46);
     }
     auto* buttons = new QHBoxLayout;
@@ -73,7 +70,6 @@ WelcomePage::WelcomePage(QWidget* parent)
     card->addLayout(m_recent);
     auto* layout = new QVBoxLayout(this);
     layout->addStretch(2);
-    m_card->setMaximumWidth(600);
     auto* middle = new QHBoxLayout;
     middle->addStretch(1);
     middle->addWidget(m_card, 100);
@@ -83,6 +79,12 @@ WelcomePage::WelcomePage(QWidget* parent)
     connect(open, &QPushButton::clicked, this, &WelcomePage::openWanted);
     connect(m_phantom, &QPushButton::clicked, this, &WelcomePage::phantomWanted);
     setChoices(false, {});
+}
+
+void WelcomePage::resizeEvent(QResizeEvent*)
+{
+    constexpr int kMost = 100; // letters of a line
+    m_card->setMaximumWidth(kMost * fontMetrics().averageCharWidth());
 }
 
 void WelcomePage::setChoices(bool hasPhantom, const QStringList& recent)

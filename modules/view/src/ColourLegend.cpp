@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/ColourLegend.h"
 
-#include "palpate/view/Billboard.h"
-
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkNew.h>
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace palpate::view {
 
@@ -24,9 +21,9 @@ namespace {
 
 constexpr int kColourRows = 10; // of colours; between them it is even
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
-constexpr double kLeastHeight_px = 50.0, kTitle_px = 60.0;
-constexpr double kBarLow_px = 150.0; // above the orientation cube and what grey means
-constexpr double kGreyLow_px = 122.0, kGreyHeight_px = 16.0, kBeside_px = 8.0;
+constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // letters
+constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
+constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
 /// A column of quads, coloured at its rows' ends.
 vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
@@ -80,27 +77,24 @@ vtkSmartPointer<vtkUnsignedCharArray> colourRows(int rows, Colour (*colourAt)(do
     return colours;
 }
 
-std::string number(double value, const char* before)
+std::string number(double value, const char* before, const std::string& decimalPoint)
 {
-    char text[48];
-    std::snprintf(text, sizeof text, "%s%.3g", before, value);
-    return text;
+    return before + shortText(value, 3, decimalPoint);
 }
 
 } // namespace
 
 ColourLegend::ColourLegend()
-    : m_back(makeColumn(2, colourRows(2, [](double) { return kDarkRim; })))
+    : m_back(makeColumn(2, colourRows(2, [](double) { return kTextGround; })))
     , m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
     , m_grey(makeColumn(2, colourRows(2, [](double) { return kUnknownColour; })))
 {
     for (auto& text : m_texts) {
         text = vtkSmartPointer<vtkTextActor>::New();
         text->GetTextProperty()->SetVerticalJustificationToCentered();
-        text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
+        text->GetTextProperty()->SetColor(kTextInk[0], kTextInk[1], kTextInk[2]);
         text->VisibilityOff();
     }
-    m_back->GetProperty()->SetOpacity(0.5);
     m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
 }
 
@@ -119,9 +113,10 @@ void ColourLegend::show(const Content& content)
     const ColourRange& range = content.range;
     const bool isOne = !(range.high > range.low);
     m_texts[0]->SetInput(content.title.c_str());
-    m_texts[1]->SetInput(isOne ? "" : number(range.high, range.isHighCut ? "\u2265 " : "").c_str());
-    m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "").c_str());
-    m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "").c_str());
+    m_texts[1]->SetInput(isOne ? ""
+                               : number(range.high, range.isHighCut ? "\u2265 " : "", content.decimalPoint).c_str());
+    m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "", content.decimalPoint).c_str());
+    m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "", content.decimalPoint).c_str());
     m_texts[4]->SetInput(content.unknown.c_str());
     m_hasUnknown = range.hasUnknown;
     m_back->VisibilityOn();
@@ -152,29 +147,32 @@ std::array<std::string, 5> ColourLegend::texts() const
     return texts;
 }
 
-void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
+void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
 {
     if (!isShown()) {
         return;
     }
-    const double r = pixelRatio;
+    const double r = frame.pixelRatio;
+    const double letter = letterSize_px(frame.text, TextUse::Usual, r);
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
     const double room = r * kBeside_px;
-    const double low = r * kBarLow_px;
-    const double above = renderer.GetSize()[1] - low - r * kTitle_px - room; // a low view has a shorter bar
-    const double high = low + std::clamp(above, r * kLeastHeight_px, r * kBarHeight_px);
-    const double greyLow = r * kGreyLow_px, greyHigh = r * (kGreyLow_px + kGreyHeight_px);
+    const double greyLow = r * (cubeTop_px + kAboveCube_px), greyHigh = greyLow + std::max(r * kGreyHeight_px, letter);
+    const double low = greyHigh + r * kAboveGrey_px;
+    const double above =
+        renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
+    const double high =
+        low + std::clamp(above, std::max(r * kLeastHeight_px, 3.0 * letter), std::max(r * kBarHeight_px, 6.0 * letter));
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;
-    m_texts[0]->SetPosition(left, high + 12.0 * r);
+    m_texts[0]->SetPosition(left, high + kAboveGrey_px * r);
     m_texts[1]->SetPosition(beside, high);
     m_texts[2]->SetPosition(beside, 0.5 * (low + high));
     m_texts[3]->SetPosition(beside, low);
     m_texts[4]->SetPosition(beside, 0.5 * (greyLow + greyHigh));
     double end = right, top = high;
     for (const auto& text : m_texts) {
-        text->GetTextProperty()->SetFontSize(static_cast<int>(14.0 * r));
+        setFont(*text->GetTextProperty(), frame.text, TextUse::Usual, r);
         if (text->GetVisibility() != 0) {
             double size[2] = {0.0, 0.0};
             text->GetSize(&renderer, size);
@@ -182,6 +180,7 @@ void ColourLegend::place(vtkRenderer& renderer, double pixelRatio)
             top = std::max(top, text->GetPosition()[1] + (text == m_texts[0] ? size[1] : 0.0));
         }
     }
+    m_back->GetProperty()->SetOpacity(frame.text.groundOpacity);
     placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});
 }
 

@@ -34,9 +34,6 @@ constexpr double kRim_px = 1.5;
 constexpr double kHollow_px = 2.4; // width of a hollow shape's line
 constexpr double kLeader_px = 1.6;
 constexpr int kAtlasHeight_px = 2048; // every OpenGL has textures as high
-constexpr Colour kGround{0.08, 0.09, 0.11};
-constexpr double kGroundOpacity = 0.72;
-constexpr Colour kInk{0.97, 0.97, 0.97};
 
 /// Colours of one pixel each.
 std::array<unsigned char, 4> rgba(const Colour& colour, double opacity)
@@ -184,11 +181,10 @@ class FindingMarkers::Picture
     Pixel atlasSize = Pixel::Ones();
 
     /// Writes texts into one image, below one another in columns.
-    void write(const std::vector<std::string>& words, int font_px, int dpi)
+    void write(const std::vector<std::string>& words, const TextStyle& text, double pixelRatio, int dpi)
     {
         vtkNew<vtkTextProperty> style;
-        style->SetFontSize(font_px);
-        style->SetBold(true);
+        setFont(*style, text, TextUse::Usual, pixelRatio);
         style->SetColor(1.0, 1.0, 1.0);
         pieces.assign(words.size(), {});
         std::vector<vtkSmartPointer<vtkImageData>> images(words.size());
@@ -273,13 +269,6 @@ void FindingMarkers::setVisible(bool isVisible)
     m_placed.reset();
 }
 
-void FindingMarkers::setFontSize(double size_px)
-{
-    m_font_px = size_px;
-    m_pixelRatio = 0.0;
-    m_placed.reset();
-}
-
 void FindingMarkers::findHidden(const IsBehind& isBehind)
 {
     for (std::size_t i = 0; i < m_marks.size() && m_marks.size() <= kMostNumbered; ++i) {
@@ -301,15 +290,15 @@ std::string FindingMarkers::textOf(std::size_t i) const
     return std::to_string(mark.number) + (isSelected && !mark.name.empty() ? "  " + mark.name : "");
 }
 
-void FindingMarkers::writeTexts(double pixelRatio)
+void FindingMarkers::writeTexts(const ViewFrame& frame)
 {
+    const double pixelRatio = frame.pixelRatio;
     vtkRenderWindow* window = m_overlay != nullptr ? m_overlay->GetRenderWindow() : nullptr;
     std::vector<std::string> words;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         words.push_back(textOf(i));
     }
-    m_picture->write(words, std::max(8, static_cast<int>(std::lround(m_font_px * pixelRatio))),
-                     window != nullptr ? window->GetDPI() : 72);
+    m_picture->write(words, frame.text, pixelRatio, window != nullptr ? window->GetDPI() : 72);
     constexpr double kMargin_px = 3.0;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         const Picture::Piece& piece = m_picture->pieces[i];
@@ -319,6 +308,7 @@ void FindingMarkers::writeTexts(double pixelRatio)
                 : Pixel(Pixel(piece.width, piece.height) / pixelRatio + Pixel(2.0 * kMargin_px, kMargin_px));
     }
     m_pixelRatio = pixelRatio;
+    m_textStyle = frame.text;
 }
 
 void FindingMarkers::place(const ViewFrame& frame)
@@ -328,8 +318,8 @@ void FindingMarkers::place(const ViewFrame& frame)
         flat->actor().SetPosition(view_px != nullptr ? 0.5 * view_px[0] : 0.0,
                                   view_px != nullptr ? 0.5 * view_px[1] : 0.0);
     }
-    if (frame.pixelRatio != m_pixelRatio) {
-        writeTexts(frame.pixelRatio);
+    if (frame.pixelRatio != m_pixelRatio || frame.text != m_textStyle) {
+        writeTexts(frame);
     } else if (m_placed == frame) {
         return;
     }
@@ -367,13 +357,14 @@ void FindingMarkers::place(const ViewFrame& frame)
             const Colour colour = core::kFindingColours[static_cast<std::size_t>(m_marks[i].type)];
             addLine(shapes, start, end, ratio * kLeader_px, rgba(colour, opacity));
         }
-        shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px), rgba(kGround, kGroundOpacity * opacity));
+        shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px),
+                       rgba(kTextGround, frame.text.groundOpacity * opacity));
         // Whole pixels: between them the letters would be soft.
         const Pixel half = 0.5 * Pixel(piece.width, piece.height);
         const Pixel low(std::round(at.x() - half.x()), std::round(at.y() - half.y()));
         const Pixel from = Pixel(piece.x, piece.y).cwiseQuotient(m_picture->atlasSize);
         const Pixel to = Pixel(piece.x + piece.width, piece.y + piece.height).cwiseQuotient(m_picture->atlasSize);
-        texts.addTextured(rectangle(low + half, half), from, to, rgba(kInk, m_isHidden[i] ? 0.6 : 1.0));
+        texts.addTextured(rectangle(low + half, half), from, to, rgba(kTextInk, m_isHidden[i] ? 0.6 : 1.0));
     }
     shapes.finish(m_isVisible);
     texts.finish(m_isVisible);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace palpate::view {
 
@@ -92,9 +91,7 @@ void ForceArrow::place(const Vec3& p_W, const Vec3& f_W, const Colour& colour, d
     if (!(force_N > 0.0)) {
         return;
     }
-    char value[32];
-    std::snprintf(value, sizeof value, "%.2f N", force_N);
-    m_label = value;
+    m_label = fixedText(force_N, 2, frame.text.decimalPoint) + " N";
 
     const Vec3 axis = f_W / force_N;
     const double turned = std::abs(axis.dot(frame.towardsViewer(p_W)));

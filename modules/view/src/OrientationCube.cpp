@@ -9,6 +9,15 @@
 
 namespace palpate::view {
 
+namespace {
+
+constexpr double kSide = 7.0; // letters
+constexpr double kUsual_px = 84.0;
+constexpr double kMost = 0.25; // of the view
+constexpr double kLeft_px = 10.0;
+
+} // namespace
+
 OrientationCube::OrientationCube()
     : m_cube(vtkSmartPointer<vtkAnnotatedCubeActor>::New())
     , m_renderer(vtkSmartPointer<vtkRenderer>::New())
@@ -52,10 +61,13 @@ std::string OrientationCube::left() const
     return m_cube->GetXPlusFaceText();
 }
 
-void OrientationCube::place(vtkCamera& main, const int size_px[2], double pixelRatio)
+void OrientationCube::place(vtkCamera& main, const int size_px[2], const ViewFrame& frame)
 {
-    const double side = 84.0 * pixelRatio;
-    const double left = 10.0 * pixelRatio;
+    // It grows with the texts, but a small view stays the tissue's.
+    const double most = std::max(kUsual_px * frame.pixelRatio, kMost * std::min(size_px[0], size_px[1]));
+    const double side = std::min(kSide * frame.text.size_px * frame.pixelRatio, most);
+    const double left = kLeft_px * frame.pixelRatio;
+    m_top_px = (left + side) / frame.pixelRatio;
     const double width = std::max(1, size_px[0]);
     const double height = std::max(1, size_px[1]);
     m_renderer->SetViewport(std::min(1.0, left / width), std::min(1.0, left / height),

@@ -10,10 +10,16 @@
 #include <vtkProperty2D.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace palpate::view {
+
+namespace {
+
+constexpr double kLongest = 12.5; // of the bar, letters
+
+} // namespace
 
 double roundScaleLength(double longest_mm)
 {
@@ -69,9 +75,11 @@ void ScaleBar::setColour(const Colour& colour)
 void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
 {
     const double pixel_mm = frame.mmPerPixel(focus_W);
-    const double length_mm = roundScaleLength(150.0 * pixel_mm);
-    const double length_px = length_mm / pixel_mm;
     const double r = frame.pixelRatio;
+    // Longer below a larger text, and never half across the view.
+    const double longest_px = std::min(kLongest * frame.text.size_px, 0.5 * width_px / r);
+    const double length_mm = roundScaleLength(longest_px * pixel_mm);
+    const double length_px = length_mm / pixel_mm;
     const double right = width_px - 20.0 * r;
     const double left = right - length_px * r;
     const double low = 18.0 * r;
@@ -87,11 +95,9 @@ void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
     }
     shape->GetPoints()->Modified();
     shape->Modified();
-    char caption[32];
-    std::snprintf(caption, sizeof caption, "%g mm", length_mm);
-    m_caption = caption;
-    m_text->SetInput(caption);
-    m_text->GetTextProperty()->SetFontSize(static_cast<int>(14.0 * r));
+    m_caption = shortText(length_mm, 6, frame.text.decimalPoint) + " mm";
+    m_text->SetInput(m_caption.c_str());
+    setFont(*m_text->GetTextProperty(), frame.text, TextUse::Usual, r);
     m_text->SetPosition(0.5 * (left + right), low + 9.0 * r);
 }
 

@@ -8,7 +8,6 @@
 #include <vtkSphereSource.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace palpate::view {
@@ -63,17 +62,9 @@ Eigen::AlignedBox2d boxAbout(const Eigen::Vector2d& centre, double half)
     return {centre - Eigen::Vector2d::Constant(half), centre + Eigen::Vector2d::Constant(half)};
 }
 
-std::string millimetres(double depth_mm)
+std::string millimetres(double depth_mm, const TextStyle& style)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, depth_mm < 0.95 ? "%.2f mm" : "%.1f mm", depth_mm);
-    return text;
-}
-
-/// A structure's colour as text on a dark ground.
-Colour lightened(const Colour& colour)
-{
-    return {0.5 + 0.5 * colour[0], 0.5 + 0.5 * colour[1], 0.5 + 0.5 * colour[2]};
+    return fixedText(depth_mm, depth_mm < 0.95 ? 2 : 1, style.decimalPoint) + " mm";
 }
 
 std::array<BillboardLine, 4> fourLines(double width_px, const Colour& colour)
@@ -269,21 +260,19 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
     const Eigen::Vector2d along = tip - g;
     const bool isLeft = along.x() < -8.0;
     std::vector<TouchLabels::Item> items;
-    items.push_back({m_arrow.label(),
-                     m_arrow.tip_W(),
-                     {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6},
-                     {1.0, 1.0, 1.0},
-                     true});
+    items.push_back(
+        {m_arrow.label(), m_arrow.tip_W(), {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6}, kTextInk, true});
     const Eigen::Vector2d beside(isLeft ? 1.0 : -1.0, 0.0);
     const double depth_mm = (m_state.p_WG - m_state.p_WH).norm();
     const auto middle = [&](const Vec3& p_WG) -> Vec3 { return 0.5 * (p_WG + m_state.p_WH); };
     const std::size_t innerCount = std::min(m_state.innerCount, m_state.inner.size());
     // Of the outermost layer beside the part that only it holds.
     const Vec3 outerEnd_W = innerCount > 0 ? m_state.inner[0].p_WG : m_state.p_WH;
-    items.push_back({millimetres(depth_mm), 0.5 * (m_state.p_WG + outerEnd_W), beside, {1.0, 1.0, 1.0}, false});
+    items.push_back({millimetres(depth_mm, frame.text), 0.5 * (m_state.p_WG + outerEnd_W), beside, kTextInk, false});
     for (std::size_t i = 0; i < innerCount; ++i) {
         const TouchState::Inner& inner = m_state.inner[i];
-        items.push_back({millimetres(inner.depth_mm), middle(inner.p_WG), beside, lightened(inner.colour), false});
+        items.push_back(
+            {millimetres(inner.depth_mm, frame.text), middle(inner.p_WG), beside, inkOf(inner.colour), false});
     }
     m_labels.place(items, std::move(taken), frame);
 }

@@ -13,8 +13,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kLarge_px = 15.0, kSmall_px = 13.0; // of the letters
-constexpr double kBorder_px = 4.0;                   // to the view's
+constexpr double kBorder_px = 4.0; // to the view's
 
 } // namespace
 
@@ -24,9 +23,7 @@ void TouchLabels::add()
     one.actor->PickableOff();
     one.actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     vtkTextProperty* text = one.actor->GetTextProperty();
-    text->SetBold(true);
-    text->SetBackgroundColor(0.08, 0.09, 0.11);
-    text->SetBackgroundOpacity(0.72);
+    text->SetBackgroundColor(kTextGround[0], kTextGround[1], kTextGround[2]);
     text->SetJustificationToLeft();
     text->SetVerticalJustificationToBottom();
     if (m_overlay != nullptr) {
@@ -57,7 +54,8 @@ void TouchLabels::place(const std::vector<Item>& items, std::vector<Eigen::Align
         const std::string padded = ' ' + item.text + ' ';
         vtkTextProperty* text = one.actor->GetTextProperty();
         text->SetColor(item.colour[0], item.colour[1], item.colour[2]);
-        text->SetFontSize(std::max(8, static_cast<int>((item.isLarge ? kLarge_px : kSmall_px) * frame.pixelRatio)));
+        text->SetBackgroundOpacity(frame.text.groundOpacity);
+        setFont(*text, frame.text, item.isLarge ? TextUse::Large : TextUse::Usual, frame.pixelRatio);
         one.actor->SetInput(padded.c_str());
         int box[4] = {0, 0, 0, 0};
         vtkTextRenderer::GetInstance()->GetBoundingBox(text, vtkStdString(padded), box, dpi);

@@ -22,6 +22,8 @@ enum class ActionGroup
     File,
     Edit,
     View,
+    Appearance, ///< in the menu View
+    TextSize,   ///< in the menu View
     Session,
     Device,
     Help,

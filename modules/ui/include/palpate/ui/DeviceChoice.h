@@ -19,6 +19,10 @@ class QMenu;
 
 namespace palpate::ui {
 
+/// A device's name within a sentence: of those that are part of the program in the window's language, of others as
+/// they say it themselves.
+[[nodiscard]] QString deviceName(const device::DeviceInfo& info);
+
 /// Which device the hand holds: mouse, simulated hand, the open recording played again, or a plugin's; and what a
 /// 6-axis mouse moves. Says how the device is doing.
 class DeviceChoice : public QObject

@@ -73,6 +73,7 @@ class WelcomePage : public QWidget
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     QPushButton* m_phantom = nullptr;

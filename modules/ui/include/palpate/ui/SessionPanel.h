@@ -37,6 +37,7 @@ class ForceTimeline : public QWidget, public Spoken
     [[nodiscard]] QString spokenText() const override;
     [[nodiscard]] std::optional<Scale> spokenScale() const override;
     void setSpoken(double value) override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     void seekWanted(double position_s);

@@ -4,20 +4,51 @@
 #include <QColor>
 #include <QIcon>
 
-class QApplication;
+class QWidget;
 
 namespace palpate::ui {
 
-/// Takes the Fusion style with a quiet palette, light or dark.
-void applyTheme(QApplication& application, bool isDark);
+/// What the application looks like.
+enum class Theme
+{
+    System, ///< light or dark as the system's palette is
+    Light,
+    Dark,
+    ContrastOnBlack, ///< all texts and signs at 7 : 1 or more
+    ContrastOnWhite
+};
 
-/// @return whether the system's palette, before `applyTheme`, is a dark one.
-[[nodiscard]] bool systemIsDark(const QApplication& application);
+/// Takes the Fusion style with a palette for the whole application. The first call notes what the system had.
+/// @par Thread The GUI's.
+void applyTheme(Theme theme);
+
+/// Looks whether somebody else has set the application's palette since `applyTheme`: then that is the system's.
+/// @param mustAsk  the system said that it changed: its palette is fetched anew, and ours is gone until `applyTheme`
+/// @return whether `applyTheme` is to be called again.
+[[nodiscard]] bool noteSystemPalette(bool mustAsk);
+
+/// Makes the application's texts this large, 100: as the system has them. [%]
+void applyTextSize(int percent);
+/// The size that was applied last. [%]
+[[nodiscard]] int textSize_percent();
+/// A size of what goes with a text, such as a picture beside it, at the size of texts now.
+/// @param usual_px  at 100 %
+[[nodiscard]] int withText_px(int usual_px);
+
+/// Keeps a widget's font at a ratio to its parent's, also when that changes.
+/// @param weight  QFont::Weight
+void keepFont(QWidget& widget, double ratio, int weight);
+
+/// Keeps the size of the icons of a button, list or tool bar with that of texts. @param usual_px  at 100 %
+void keepIconSize(QWidget& widget, int usual_px);
 
 /// @return whether the palette in use is dark.
 [[nodiscard]] bool isDarkTheme();
+/// @return whether the palette in use is one of high contrast.
+[[nodiscard]] bool isHighContrast();
 
-/// Colours with a meaning, each at 4.5 : 1 or more on the window's background.
+/// Colours with a meaning, each at 4.5 : 1 or more on the window's background, in high contrast at 7 : 1. The palette
+/// has the colour of warnings as QPalette::BrightText, so that a label follows it by that role.
 [[nodiscard]] QColor forceColour();   ///< lines of force
 [[nodiscard]] QColor depthColour();   ///< lines of depth
 [[nodiscard]] QColor goodColour();    ///< all is well

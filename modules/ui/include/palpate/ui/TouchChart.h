@@ -20,6 +20,7 @@ class TouchChart : public QWidget, public Spoken
     [[nodiscard]] QSize sizeHint() const override { return {260, 230}; }
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
     [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -43,10 +44,11 @@ class ForceBar : public QWidget, public Spoken
     [[nodiscard]] double limit_N() const noexcept { return m_limit_N; }
     /// Share of the bar that is filled, 0 … 1.
     [[nodiscard]] double share() const noexcept;
-    [[nodiscard]] QSize sizeHint() const override { return {220, 30}; }
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
     [[nodiscard]] QString spokenText() const override;
     [[nodiscard]] std::optional<Scale> spokenScale() const override { return Scale{m_force_N, 0.0, m_limit_N}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {40, sizeHint().height()}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -47,8 +47,11 @@ class TouchPanel : public QWidget
   Q_SIGNALS:
     /// `reading` is another one.
     void changed();
+  protected:
+    void changeEvent(QEvent* event) override;
 
   private:
+    void fitFont();
     void setLine(const QString& structure, const QString& detail);
     void setLayers(std::vector<FeltLayer> layers);
 

@@ -80,9 +80,11 @@ class VtkViewport : public QOpenGLWidget
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
   private:
+    void takeLook();
     void letGoOfContext();
     void fitSize();
     void moveCamera(const QPointF& place, unsigned long event, Qt::KeyboardModifiers modifiers);

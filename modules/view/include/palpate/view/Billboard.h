@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/view/ColourMap.h"
+#include "palpate/view/TextStyle.h"
 
 #include <palpate/core/Types.h>
 
@@ -27,6 +28,7 @@ struct ViewFrame
     double scale = 1.0; ///< perspective: height of the view at distance 1; parallel: height of the view [mm]
     bool isParallel = false;
     double pixelRatio = 1.0; ///< device pixels of one logical pixel
+    TextStyle text{};
 
     /// Reads the camera and size of a renderer. @param pixelRatio  of the screen it is shown on
     [[nodiscard]] static ViewFrame of(vtkRenderer& renderer, double pixelRatio);

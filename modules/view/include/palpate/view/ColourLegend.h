@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/view/Billboard.h"
 #include "palpate/view/SurfaceColours.h"
 
 #include <vtkActor2D.h>
@@ -23,6 +24,7 @@ class ColourLegend
         std::string title;   ///< what is coloured, by what and in which unit; lines
         std::string unknown; ///< what grey means
         ColourRange range;
+        std::string decimalPoint = "."; ///< of the numbers
     };
 
     ColourLegend();
@@ -32,8 +34,8 @@ class ColourLegend
     [[nodiscard]] bool isShown() const { return m_bar->GetVisibility() != 0; }
     /// Its words from the top: title, largest, middle, least number, and what grey means where it is there.
     [[nodiscard]] std::array<std::string, 5> texts() const;
-    /// @param renderer  that it was added to; @param pixelRatio  device pixels of one logical pixel
-    void place(vtkRenderer& renderer, double pixelRatio);
+    /// @param renderer  that it was added to; @param cubeTop_px  what is below it ends there, logical pixels
+    void place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
 
   private:
     vtkSmartPointer<vtkActor2D> m_back; ///< behind it all, so that it reads on bright tissue

@@ -50,8 +50,6 @@ class FindingMarkers
     void select(std::size_t number);
     void setVisible(bool isVisible);
     [[nodiscard]] bool isVisible() const noexcept { return m_isVisible; }
-    /// Size of the numbers' font. [logical px]
-    void setFontSize(double size_px);
 
     /// Whether tissue lies between the eye and a place.
     using IsBehind = std::function<bool(const Vec3& p_W)>;
@@ -76,16 +74,16 @@ class FindingMarkers
 
   private:
     class Picture;
-    void writeTexts(double pixelRatio);
+    void writeTexts(const ViewFrame& frame);
 
     std::vector<FindingMark> m_marks;
     std::vector<bool> m_isHidden;    ///< one a mark
-    std::vector<DiscLabel> m_labels; ///< one a mark; sizes hold for m_pixelRatio
+    std::vector<DiscLabel> m_labels; ///< one a mark; sizes hold for m_pixelRatio and m_textStyle
     std::unique_ptr<Picture> m_picture;
     std::size_t m_selected = 0;
     std::size_t m_revision = 0;
-    double m_font_px = 13.0;
     double m_pixelRatio = 0.0;         ///< 0: texts are to be written anew
+    TextStyle m_textStyle;             ///< that they were written in
     std::optional<ViewFrame> m_placed; ///< what is drawn now; nothing: it is to be made anew
     vtkRenderer* m_overlay = nullptr;
     bool m_isVisible = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/view/Billboard.h"
+
 #include <vtkAnnotatedCubeActor.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
@@ -23,11 +25,14 @@ class OrientationCube
     /// The patient's left as the cube names it: "L" or "L?".
     [[nodiscard]] std::string left() const;
     /// @param main  the view's camera; @param size_px  of the whole window, device pixels
-    void place(vtkCamera& main, const int size_px[2], double pixelRatio);
+    void place(vtkCamera& main, const int size_px[2], const ViewFrame& frame);
+    /// Where it ends above, as placed last. [logical px]
+    [[nodiscard]] double top_px() const noexcept { return m_top_px; }
 
   private:
     vtkSmartPointer<vtkAnnotatedCubeActor> m_cube;
     vtkSmartPointer<vtkRenderer> m_renderer;
+    double m_top_px = 0.0;
 };
 
 } // namespace palpate::view

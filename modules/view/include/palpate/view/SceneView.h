@@ -59,6 +59,9 @@ class SceneView
     void setPicture(std::size_t i, vtkPolyData* surface) { m_structures[i].picture.setPicture(surface); }
     void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
+    /// Of all texts, from the next frame on.
+    void setTextStyle(const TextStyle& style) { m_text = style; }
+    [[nodiscard]] const TextStyle& textStyle() const noexcept { return m_text; }
 
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
@@ -115,6 +118,7 @@ class SceneView
     std::size_t m_tissueRevision = 0; ///< counts changes of what can hide a finding
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
+    TextStyle m_text;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
 };

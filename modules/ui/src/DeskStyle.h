@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QProxyStyle>
+
+namespace palpate::ui {
+
+/// Fusion, but where that hides something. It draws edges in a darker shade of the window, which on black is none: in
+/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. And tabs that have
+/// no room for their titles are scrolled, not cut.
+class DeskStyle final : public QProxyStyle
+{
+    Q_OBJECT
+  public:
+    using QProxyStyle::polish;
+    using QProxyStyle::QProxyStyle;
+    void polish(QWidget* widget) override;
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override;
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override;
+};
+
+} // namespace palpate::ui

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/Theme.h"
+
+#include <QEvent>
+#include <QSize>
+#include <QWidget>
+
+namespace palpate::ui {
+
+namespace {
+
+/// Sets a widget's font anew when its parent's changes: Qt keeps a size that was set once.
+class KeptFont final : public QObject
+{
+  public:
+    KeptFont(QWidget& widget, double ratio, int weight)
+        : QObject(&widget)
+        , m_widget(widget)
+        , m_ratio(ratio)
+        , m_weight(weight)
+    {
+        widget.parentWidget()->installEventFilter(this);
+        take();
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (event->type() == QEvent::FontChange && watched == m_widget.parentWidget()) {
+            // Later: the style sheet, which hands fonts down, would put the old one back.
+            QMetaObject::invokeMethod(
+                this, [this] { take(); }, Qt::QueuedConnection);
+        }
+        return false;
+    }
+
+  private:
+    void take()
+    {
+        const QFont base = m_widget.parentWidget()->font();
+        QFont font = m_widget.font();
+        if (base.pointSizeF() > 0.0) {
+            font.setPointSizeF(m_ratio * base.pointSizeF());
+        } else {
+            font.setPixelSize(qRound(m_ratio * base.pixelSize()));
+        }
+        font.setWeight(static_cast<QFont::Weight>(m_weight));
+        m_widget.setFont(font);
+    }
+
+    QWidget& m_widget;
+    double m_ratio;
+    int m_weight;
+};
+
+/// Sets the size of a widget's icons anew when its font changes.
+class KeptIconSize final : public QObject
+{
+  public:
+    KeptIconSize(QWidget& widget, int usual_px)
+        : QObject(&widget)
+        , m_widget(widget)
+        , m_usual_px(usual_px)
+    {
+        widget.installEventFilter(this);
+        take();
+    }
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::FontChange) {
+            take();
+        }
+        return false;
+    }
+
+  private:
+    void take()
+    {
+        const int side_px = withText_px(m_usual_px);
+        m_widget.setProperty("iconSize", QSize(side_px, side_px)); // buttons, lists and tool bars have it
+    }
+
+    QWidget& m_widget;
+    int m_usual_px;
+};
+
+} // namespace
+
+void keepIconSize(QWidget& widget, int usual_px)
+{
+    new KeptIconSize(widget, usual_px); // the widget owns it
+}
+
+void keepFont(QWidget& widget, double ratio, int weight)
+{
+    new KeptFont(widget, ratio, weight); // the widget owns it
+}
+
+} // namespace palpate::ui
