@@ -98,35 +98,27 @@ std::string coverChart(const Comparison& comparison, double sphereRadius, double
 
 std::string estimateChart(const Comparison& comparison)
 {
-    std::vector<double> all;
+    const auto error = [](double estimate, double truth) { return 100.0 * ((estimate - 1.0) / (truth - 1.0) - 1.0); };
+    std::vector<double> excesses;
+    double largest = 35.0;
     for (const SphereCase& c : comparison.spheres) {
-        for (const double k : {c.bell, c.punch, c.model.estimate, c.modelWithPunch.estimate}) {
-            all.push_back(std::abs(k - 1.0));
-        }
+        excesses.insert(excesses.end(), {std::abs(c.bell - 1.0), std::abs(c.punch - 1.0)});
+        largest = std::max(
+            {largest, std::abs(error(c.model.estimate, c.bell)), std::abs(error(c.modelWithPunch.estimate, c.punch))});
     }
-    const ChartAxis x = ChartAxis::decades(all, "|k/k0 − 1| by the elements");
-    const ChartAxis y = ChartAxis::decades(all, "|k/k0 − 1| by the estimate");
-    SvgChart chart(1120, 500, x, y);
-    for (const double factor : {1.3, 1.0, 1.0 / 1.3}) {
-        std::vector<std::array<double, 2>> line;
-        for (double v = x.low; v < 1.01 * x.high; v *= std::pow(10.0, 0.125)) {
-            if (factor * v <= y.high && factor * v >= y.low) {
-                line.push_back({v, factor * v});
-            }
-        }
-        chart.addLine(line, "#8c98a3", factor == 1.0 ? 1.6 : 1.0, factor != 1.0,
-                      factor > 1.0   ? "30 % too much"
-                      : factor < 1.0 ? "30 % too little"
-                                     : "");
-    }
+    SvgChart chart(1120, 400, ChartAxis::decades(excesses, "|k/k0 − 1| by the elements"),
+                   {-largest, largest, false, "error of the estimate of k/k0 − 1 [%]"});
+    chart.addHorizontalRule(30.0, "30 % too much");
+    chart.addHorizontalRule(0.0, "");
+    chart.addHorizontalRule(-30.0, "30 % too little");
     for (const SphereCase& c : comparison.spheres) {
-        chart.add(markOf(std::abs(c.punch - 1.0), std::abs(c.modelWithPunch.estimate - 1.0), kPunch, true,
+        chart.add(markOf(std::abs(c.punch - 1.0), error(c.modelWithPunch.estimate, c.punch), kPunch, true,
                          nameOf(c) + ", punch, its own share: " + shortNumber(c.punch) + ", estimate " +
                              shortNumber(c.modelWithPunch.estimate)));
-        chart.add(markOf(std::abs(c.bell - 1.0), std::abs(c.model.estimate - 1.0), kBell, false,
+        chart.add(markOf(std::abs(c.bell - 1.0), error(c.model.estimate, c.bell), kBell, false,
                          nameOf(c) + ", bell: " + shortNumber(c.bell) + ", estimate " + shortNumber(c.model.estimate)));
     }
-    return chart.svg("The estimate's excess against that of the elements");
+    return chart.svg("Error of the estimate against how much of a lump is felt");
 }
 
 } // namespace palpate::evaluation::felt

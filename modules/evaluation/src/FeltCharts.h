@@ -13,7 +13,7 @@ namespace palpate::evaluation::felt {
 
 /// Stiffness against cover for spheres of one size and ratio: bounds as a band, estimate, elements.
 [[nodiscard]] std::string coverChart(const Comparison& comparison, double sphereRadius, double ratio);
-/// Excess by the estimate against that by the elements, each case under both presses.
+/// Error of the estimate against the excess by the elements, each case under both presses.
 [[nodiscard]] std::string estimateChart(const Comparison& comparison);
 
 /// What there is of each, ascending.
