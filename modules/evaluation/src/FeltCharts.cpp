@@ -19,8 +19,8 @@ constexpr const char* kPunch = "#c2542d";
 SvgChart::Mark markOf(double x, double y, const char* colour, bool isHollow, std::string tooltip)
 {
     SvgChart::Mark mark;
-    mark.x = x;
-    mark.y = y;
+    mark.x = mark.xEnd = x;
+    mark.y = mark.yEnd = y;
     mark.colour = colour;
     mark.isHollow = isHollow;
     mark.shape = isHollow ? MarkShape::Diamond : MarkShape::Circle;

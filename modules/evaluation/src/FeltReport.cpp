@@ -50,6 +50,12 @@ std::string verdictMark(bool isGood)
     return isGood ? "<span class='pass'>within</span>" : "<span class='fail'>outside</span>";
 }
 
+/// Of what need not be within.
+std::string remark(bool isWithinBounds)
+{
+    return isWithinBounds ? "within" : "outside";
+}
+
 std::string layersTable(const Comparison& comparison)
 {
     std::string out = "<table><thead>" +
@@ -61,7 +67,7 @@ std::string layersTable(const Comparison& comparison)
         out += tableRow({shortNumber(c.thickness), ratioText(c.ratio), number("%.4f", c.exact), number("%.4f", c.punch),
                          number("%.3f %%", 100.0 * std::abs(c.punch / c.exact - 1.0)), number("%.4f", c.bell),
                          number("%.3f", c.model.low), number("%.3f", c.model.estimate), number("%.3f", c.model.high),
-                         verdictMark(isWithin(c.model, c.bell)), verdictMark(isWithin(c.model, c.punch))},
+                         verdictMark(isWithin(c.model, c.bell)), remark(isWithin(c.model, c.punch))},
                         "td");
     }
     return out + "</tbody></table>";
@@ -80,7 +86,7 @@ std::string spheresTable(const Comparison& comparison)
                          number("%.4f", c.model.low), number("%.4f", c.model.estimate), number("%.4f", c.model.high),
                          number("%.4f", c.bell), verdictMark(isWithin(c.model, c.bell)),
                          percent(excessError(c.model.estimate, c.bell)), number("%.4f", c.punch),
-                         verdictMark(isWithin(c.model, c.punch)), number("%.4f", c.shareOfPunch),
+                         remark(isWithin(c.model, c.punch)), number("%.4f", c.shareOfPunch),
                          number("%.4f", c.modelWithPunch.estimate), verdictMark(isWithin(c.modelWithPunch, c.punch)),
                          percent(excessError(c.modelWithPunch.estimate, c.punch))},
                         "td");
