@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "FeltComparisonRun.h"
 #include "LayersOption.h"
 #include "ProgramFolders.h"
 #include "ProgressLine.h"
@@ -39,6 +40,7 @@ struct EvaluateOptions
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
+    bool isFelt = false;
     bool isLong = false;
     bool withLaidMotions = false; ///< beside a given one
 };
@@ -199,10 +201,28 @@ core::Status chooseScene(EvaluateOptions& options)
     return {};
 }
 
+Status makeFolder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder)) {
+        return {StatusCode::BadCommandLine, "--out: " + folder.string() + " cannot be made: " + error.message()};
+    }
+    return {};
+}
+
 int runEvaluate(EvaluateOptions options)
 {
     if (options.isStability) {
         return runHardCases(options.isLong);
+    }
+    if (options.isFelt) {
+        if (!options.scenes.empty()) {
+            return report(Status(StatusCode::BadCommandLine,
+                                 "--felt: found " + options.scenes.front().string() + ", expected no SCENE"));
+        }
+        const Status status = makeFolder(options.out);
+        return status.isOk() ? runFeltComparison(options.out, options.isQuick) : report(status);
     }
     const auto started = std::chrono::steady_clock::now();
     const auto unit = unitOption(options.unit);
@@ -231,12 +251,8 @@ int runEvaluate(EvaluateOptions options)
         }
         motions.push_back(std::move(loaded).value());
     }
-    // Before minutes of work, not after.
-    std::error_code error;
-    fs::create_directories(options.out, error);
-    if (!fs::is_directory(options.out)) {
-        return report(Status(StatusCode::BadCommandLine,
-                             "--out: " + options.out.string() + " cannot be made: " + error.message()));
+    if (const Status status = makeFolder(options.out); !status.isOk()) { // before minutes of work, not after
+        return report(status);
     }
     std::vector<std::string> losses;
     meshio::ReadOptions read;
@@ -293,6 +309,9 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
     command->add_flag("--quick", options->isQuick, "End within half a minute");
     command->add_flag("--stability", options->isStability, "Run the hard cases alone; exit code 3 when one fails");
     command->add_flag("--long", options->isLong, "With --stability: the hard cases of millions of ticks as well");
+    command->add_flag("--felt", options->isFelt,
+                      "Hold what is said of buried lumps against exact solutions alone: felt.html; exit code 3 when a "
+                      "bound does not hold");
     command->callback([options, &chosen] { chosen = [options] { return runEvaluate(*options); }; });
 }
 

@@ -88,6 +88,7 @@ class Evaluate : public QObject
         QTest::newRow("not a motion") << QStringList{"organs", "--motion", "organs/box.obj", "--out", "x"};
         QTest::newRow("folder that can't be made") << QStringList{"organs", "--out", "m.csv/x"};
         QTest::newRow("unit") << QStringList{"organs", "--unit", "inch", "--out", "x"};
+        QTest::newRow("lumps of a scene") << QStringList{"organs", "--felt", "--out", "x"};
         QTest::newRow("stiffness") << QStringList{"organs", "--stiffness", "-1", "--out", "x"};
     }
     void wrongCommandLinesEndWithCode2()
@@ -140,6 +141,13 @@ class Evaluate : public QObject
         QCOMPARE(structures.size(), qsizetype(2));
         QCOMPARE(structures[0]["stiffness_n_per_mm"].toDouble(), 0.7);
         QVERIFY(all["hard_cases"].toArray().size() > 0);
+    }
+
+    void whatIsSaidOfBuriedLumpsIsProvedWithoutAScene()
+    {
+        QCOMPARE(exitCodeOf({"--felt", "--quick", "--out", "f"}), 0);
+        QCOMPARE(QDir(file("f")).entryList(QDir::Files | QDir::Hidden),
+                 (QStringList{"felt-cover.svg", "felt-estimate.svg", "felt.csv", "felt.html"}));
     }
 
     void withoutASceneThePhantomIsTakenAndCtrlCLeavesNothing()

@@ -39,7 +39,7 @@ Stiffening stiffening(std::span<const LumpShare> lumps) noexcept
         }
         softened += share * (1.0 - 1.0 / lump.ratio);
         stiffened += share * by;
-        const double rest = kBeta * (1.0 - bounded(sum));
+        const double whole = bounded(sum), rest = kBeta * (1.0 + whole) * (1.0 - whole);
         if (std::isinf(lump.ratio)) {
             estimated += rest > 0.0 ? share / rest : by;
         } else {

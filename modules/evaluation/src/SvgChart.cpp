@@ -122,6 +122,19 @@ void SvgChart::addLine(const std::vector<std::array<double, 2>>& points, std::st
     }
 }
 
+void SvgChart::addRegion(const std::vector<std::array<double, 2>>& lower,
+                         const std::vector<std::array<double, 2>>& upper, std::string_view colour)
+{
+    std::string corners;
+    for (const auto& [x, y] : lower) {
+        corners += text("%.1f,%.1f ", px(x), py(y));
+    }
+    for (auto point = upper.rbegin(); point != upper.rend(); ++point) {
+        corners += text("%.1f,%.1f ", px((*point)[0]), py((*point)[1]));
+    }
+    m_back.insert(0, "<polygon fill='" + std::string(colour) + "' points='" + corners + "'/>");
+}
+
 void SvgChart::addBand(double yLow, double yHigh, std::string_view colour)
 {
     m_back.insert(0, text("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' fill='%s'/>", kLeft, py(yHigh),

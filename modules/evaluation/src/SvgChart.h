@@ -37,6 +37,9 @@ class SvgChart
     void add(const Mark& mark);
     void addLine(const std::vector<std::array<double, 2>>& points, std::string_view colour, double width_px,
                  bool isDashed = false, std::string_view label = {});
+    /// Fills between two lines. @param lower, upper  with the same x, ascending
+    void addRegion(const std::vector<std::array<double, 2>>& lower, const std::vector<std::array<double, 2>>& upper,
+                   std::string_view colour);
     void addBand(double yLow, double yHigh, std::string_view colour);
     void addVerticalRule(double x, std::string_view label);
     void addHorizontalRule(double y, std::string_view label);

@@ -21,11 +21,13 @@ struct LumpShare
     double ratio = 1.0; ///< rho > 0: the lump's modulus by the organ's; infinite: rigid
 };
 
-/// Weight of what lies between in the estimate: 2/5 makes it exact for a small, deep sphere (Eshelby).
+/// The estimate lies between the bounds by beta = kBeta (1 + S), 0: high, 1: low. 2/5 makes it exact for a small, deep
+/// sphere (Eshelby); 1 + S was fitted to spheres near the surface: with 2/5 alone up to 66 % of k/k0 - 1 is wrong, with
+/// it 17 % (resources/docs/felt.md).
 inline constexpr double kBeta = 0.4;
 
 /// Low and high: the theorems of least complementary and least potential energy with the field of the organ without a
-/// lump. Estimate: `1 + S (rho - 1) / (1 + kBeta (1 - S) (rho - 1))`.
+/// lump. Estimate: `1 + S (rho - 1) / (1 + beta (1 - S) (rho - 1))`.
 /// Model: linear, incompressible, a half-space, the lump bonded to it. resources/docs/felt.md has the proof.
 /// @param share  0 … 1 (beyond: as these); @param ratio  > 0; may be infinite
 [[nodiscard]] Stiffening stiffening(double share, double ratio) noexcept;
