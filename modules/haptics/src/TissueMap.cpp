@@ -29,6 +29,17 @@ TissueMap TissueMap::atMost(double most) const
     return {std::make_shared<const std::vector<std::array<float, 3>>>(std::move(bounded)), factor};
 }
 
+TissueMap TissueMap::towardsOne(double share) const
+{
+    std::vector<std::array<float, 3>> nearer = *corners;
+    for (std::array<float, 3>& at : nearer) {
+        for (float& value : at) {
+            value = value > 1.0F ? static_cast<float>(1.0 + share * (double{value} - 1.0)) : value;
+        }
+    }
+    return {std::make_shared<const std::vector<std::array<float, 3>>>(std::move(nearer)), factor};
+}
+
 TissueMap TissueMap::atVertices(const geometry::SurfaceIndex& surface, const geometry::RepairedMesh& repaired,
                                 std::span<const float> values)
 {

@@ -131,4 +131,43 @@ Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const 
     return buried::feltSurface(of.description.name, *of.surface, organ.shapes(scene), options);
 }
 
+Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress)
+{
+    if (scene.scene.buried != meshio::BuriedTouch::Felt) {
+        return {};
+    }
+    const auto organs = organsWithLumps(scene);
+    if (!organs.isOk()) {
+        scene.warnings.push_back("lumps felt through their organ: " + organs.status().message());
+        return {};
+    }
+    for (const OrganWithLumps& organ : organs.value()) {
+        buried::FeltOptions how;
+        how.radius_mm = organ.radius_mm;
+        how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());
+        how.progress = progress;
+        auto felt = feltSurface(scene, organ, how);
+        if (!felt.isOk()) {
+            if (felt.status().code() == StatusCode::Cancelled) {
+                return felt.status();
+            }
+            scene.warnings.push_back(felt.status().message());
+            continue;
+        }
+        for (const std::string& note : felt.value().notes) {
+            scene.warnings.push_back(note);
+        }
+        meshio::LoadedStructure& through = scene.structures[organ.organ];
+        through.feltBelow.clear();
+        for (buried::FeltSurface::Press& press : felt.value().press) {
+            press.ratio.resize(felt.value().organVertices); // the organ's own come first
+            through.feltBelow.push_back(std::move(press.ratio));
+        }
+        for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
+            scene.structures[organ.lumps[lump.given].structure].isFeltThrough = true;
+        }
+    }
+    return {};
+}
+
 } // namespace palpate::study

@@ -25,6 +25,45 @@ double slopeOf(const haptics::HapticStructure& structure)
                                     : haptics::greatestStiffness(structure.tissue);
 }
 
+/// The largest slope of what lumps below make of a law [N/mm]: `s(d) F(d)` with s rising between two presses.
+/// @param share  of what they add, 0 … 1
+double feltSlope(const haptics::HapticStructure& one, double share)
+{
+    const double slope = slopeOf(one);
+    const auto nearer = [share](double s) { return s > 1.0 ? 1.0 + share * (s - 1.0) : s; };
+    double most = slope * nearer(one.maps.felt.back().greatest());
+    for (std::size_t j = 0; j + 1 < haptics::kFeltPress_mm.size(); ++j) {
+        const auto &from = *one.maps.felt[j].corners, &to = *one.maps.felt[j + 1].corners;
+        double rise = 0.0, greatest = 0.0;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const double a = nearer(from[i][corner]), b = nearer(to[i][corner]);
+                rise = std::max(rise, b - a);
+                greatest = std::max({greatest, a, b});
+            }
+        }
+        const double width = haptics::kFeltPress_mm[j + 1] - haptics::kFeltPress_mm[j];
+        most = std::max(most, greatest * slope + rise / width * one.lawAt(haptics::kFeltPress_mm[j + 1]).force_N);
+    }
+    return most * (one.maps.stiffness.isEmpty() ? 1.0 : one.maps.stiffness.greatest());
+}
+
+/// Takes from lumps below what would be more than a device holds.
+void boundFelt(double most_N_per_mm, haptics::HapticStructure& one)
+{
+    if (!one.maps.hasFelt() || feltSlope(one, 1.0) <= most_N_per_mm) {
+        return;
+    }
+    double holds = 0.0, fails = 1.0;
+    for (int halving = 0; halving < 12; ++halving) { // 1 in 4096 of what they add
+        const double middle = 0.5 * (holds + fails);
+        (feltSlope(one, middle) <= most_N_per_mm ? holds : fails) = middle;
+    }
+    for (haptics::TissueMap& felt : one.maps.felt) {
+        felt = felt.towardsOne(holds);
+    }
+}
+
 /// Bounds what one structure makes of a device's limit: a map where there is one, as it may say less than the tissue
 /// everywhere; else the tissue and its law.
 void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
@@ -44,6 +83,7 @@ void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
     } else {
         one.law = haptics::ForceTable::bounded(one.law, most);
     }
+    boundFelt(most, one);
     if (!one.maps.damping.isEmpty()) {
         one.maps.damping = one.maps.damping.atMost(left.damping_Ns_per_mm);
     }
@@ -53,6 +93,9 @@ void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
 
 double greatestStiffness(const haptics::HapticStructure& structure)
 {
+    if (structure.maps.hasFelt()) {
+        return feltSlope(structure, 1.0);
+    }
     const double slope = slopeOf(structure);
     return structure.maps.stiffness.isEmpty() ? slope : slope * structure.maps.stiffness.greatest();
 }

@@ -44,6 +44,9 @@ haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure, const g
                                : haptics::TissueMap::atVertices(surface, *structure.surface, values);
         to.factor = isStiffness && !isScale ? 1.0 / own : 1.0;
     }
+    for (std::size_t j = 0; j < maps.felt.size() && j < structure.feltBelow.size(); ++j) {
+        maps.felt[j] = haptics::TissueMap::atVertices(surface, *structure.surface, structure.feltBelow[j]);
+    }
     return maps;
 }
 
@@ -57,8 +60,8 @@ std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScen
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(scene.structures.size());
     for (const meshio::LoadedStructure& structure : scene.structures) {
-        const bool isFelt = structure.description.palpable && structure.surface != nullptr &&
-                            !structure.surface->mesh.triangles.empty();
+        const bool isFelt = structure.description.palpable && !structure.isFeltThrough &&
+                            structure.surface != nullptr && !structure.surface->mesh.triangles.empty();
         structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
         if (isFelt) {
             structures.back().maps = tissueMaps(structure, *structures.back().surface);

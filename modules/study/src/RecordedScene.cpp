@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/RecordedScene.h"
 
+#include "palpate/study/BuriedLumps.h"
 #include "palpate/study/HapticCopy.h"
 #include "palpate/study/StructureSources.h"
 
@@ -240,6 +241,9 @@ class Reopening
     /// Gives a structure the maps that it was felt with, where its own are others.
     void feelAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
     {
+        if (record.tissueMaps.hasFelt()) {
+            feelLumpsAsRecorded(one, record);
+        }
         if (one.maps.empty() && record.tissueMaps.isEmpty()) {
             return;
         }
@@ -270,6 +274,27 @@ class Reopening
         }
     }
 
+    /// What lumps below made of a structure; they are not looked for anew.
+    void feelLumpsAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
+    {
+        const auto index = indexed(*one.surface);
+        for (const haptics::TissueMap& felt : record.tissueMaps.felt) {
+            if (felt.isEmpty() || felt.corners->size() != index->triangleCount()) {
+                m_out.losses.push_back(record.name +
+                                       ": what lumps below it made is of another surface; it is not felt");
+                one.feltBelow.clear();
+                return;
+            }
+            std::vector<float>& values = one.feltBelow.emplace_back(one.surface->mesh.vertices.size(), 1.0F);
+            for (std::uint32_t i = 0; i < index->triangleCount(); ++i) {
+                const geometry::Triangle& corners = one.surface->mesh.triangles[index->sourceTriangle(i)];
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    values[corners[corner]] = (*felt.corners)[i][corner];
+                }
+            }
+        }
+    }
+
     const RecordingReader& m_reader;
     const meshio::ReadOptions& m_options;
     std::vector<StructureRecord> m_records;
@@ -282,7 +307,16 @@ class Reopening
 
 Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options)
 {
-    return session::isRecordingFile(path) ? sceneOfRecording(path, options) : meshio::loadScene(path, options);
+    if (session::isRecordingFile(path)) {
+        return sceneOfRecording(path, options);
+    }
+    auto loaded = meshio::loadScene(path, options);
+    if (loaded.isOk()) {
+        if (Status status = feelBuried(loaded.value(), options.progress); !status.isOk()) {
+            return status;
+        }
+    }
+    return loaded;
 }
 
 void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)

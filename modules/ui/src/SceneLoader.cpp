@@ -4,6 +4,7 @@
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/study/BuriedLumps.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/view/SurfaceMesh.h>
 
@@ -83,7 +84,13 @@ class SceneLoader::Opening
         m_opened->files = std::move(files);
         m_opened->isReopened = true;
         m_read = [scene = std::move(scene)](const std::filesystem::path& path, const meshio::ReadOptions& how) {
-            return meshio::loadScene(scene, path, how);
+            auto loaded = meshio::loadScene(scene, path, how);
+            if (loaded.isOk()) {
+                if (core::Status status = study::feelBuried(loaded.value(), how.progress); !status.isOk()) {
+                    return core::Result<meshio::LoadedScene>(status);
+                }
+            }
+            return loaded;
         };
     }
 

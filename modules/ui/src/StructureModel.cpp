@@ -301,8 +301,8 @@ void StructureModel::setMaps(int row, const std::optional<std::vector<core::Tiss
 /// Lays the maps out for the tick. @par Cost O(triangles) for each map
 void StructureModel::refreshFelt(StructureRow& row)
 {
-    row.felt = row.touch != nullptr && !row.loaded.maps.empty() ? study::tissueMaps(row.loaded, *row.touch)
-                                                                : haptics::TissueMaps();
+    const bool varies = !row.loaded.maps.empty() || !row.loaded.feltBelow.empty();
+    row.felt = row.touch != nullptr && varies ? study::tissueMaps(row.loaded, *row.touch) : haptics::TissueMaps();
 }
 
 void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
@@ -386,7 +386,8 @@ std::vector<haptics::HapticStructure> StructureModel::feltStructures(const hapti
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
-        structures.push_back(study::hapticStructure(from, isFelt(from) && !row.isRemoved ? row.touch : nullptr));
+        structures.push_back(study::hapticStructure(
+            from, isFelt(from) && !row.loaded.isFeltThrough && !row.isRemoved ? row.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
         }

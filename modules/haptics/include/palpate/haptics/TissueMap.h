@@ -25,6 +25,9 @@ struct TissueMap
     /// The same with no number above `most`; itself where none is.
     [[nodiscard]] TissueMap atMost(double most) const;
 
+    /// The same with each number above 1 brought nearer to it: 1 + share (number - 1). @pre 0 <= share <= 1; factor 1
+    [[nodiscard]] TissueMap towardsOne(double share) const;
+
     /// @param repaired  the mesh that `surface` was built from
     /// @param values  one for each of its vertices
     [[nodiscard]] static TissueMap atVertices(const geometry::SurfaceIndex& surface,

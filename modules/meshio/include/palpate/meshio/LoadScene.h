@@ -27,6 +27,10 @@ struct LoadedStructure
     FileFrame frame = FileFrame::Untagged; ///< the mesh file's tag; `description.frame` is what was chosen for it
     std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
     std::vector<SurfaceMap> maps{};                        ///< at most one for each quantity
+    /// What lumps below make of the stiffness felt, k/k0 at each vertex [1], one list for each of
+    /// haptics::kFeltPress_mm; empty: nothing. See study::feelBuried.
+    std::vector<std::vector<float>> feltBelow{};
+    bool isFeltThrough = false; ///< a lump that is felt through its organ: its own surface is not touched
 };
 
 /// A scene with its meshes.

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,5 +55,11 @@ organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, do
 /// The same as buried::feltSurface, of an organ of a scene.
 [[nodiscard]] core::Result<buried::FeltSurface>
 feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const buried::FeltOptions& options);
+
+/// Makes the lumps of a scene that are felt through their organs: each organ gets what they make of it, and they are
+/// not touched themselves. A scene whose lumps are felt by their own layers stays as it is; notes become warnings.
+/// @param progress  told the share done; false cancels. May be empty
+/// @return Cancelled; a scene without lumps is fine
+[[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {});
 
 } // namespace palpate::study

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in what, how stiff it is, and that it is felt through the organ's surface.
+#include "../meshio/Samples.h"
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/haptics/Palpator.h>
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/study/BuriedLumps.h>
+#include <palpate/study/DeviceLimit.h>
+#include <palpate/study/FeltFile.h>
+#include <palpate/study/HapticCopy.h>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+
+using namespace palpate;
+using core::Vec3;
+
+class BuriedLumps : public QObject
+{
+    Q_OBJECT
+
+    static void add(meshio::LoadedScene& scene, const char* name, const geometry::TriangleMesh& mesh, double k)
+    {
+        meshio::LoadedStructure& one = scene.structures.emplace_back();
+        one.description.name = name;
+        one.description.tissue.stiffness_N_per_mm = k;
+        one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+        scene.scene.structures.push_back(one.description);
+    }
+    /// A lump of 20 mm, 8 mm below the top of an organ of 160 mm.
+    static meshio::LoadedScene scene()
+    {
+        meshio::LoadedScene scene;
+        add(scene, "organ", test::sphere(48, 80.0), 0.2);
+        add(scene, "lump", test::moved(test::sphere(12, 10.0), Vec3(0, 0, 62)), 0.6);
+        add(scene, "apart", test::moved(test::sphere(12, 10.0), Vec3(0, 0, 162)), 0.6);
+        return scene;
+    }
+
+  private Q_SLOTS:
+    void lumpsAreFoundByShapeAndByName()
+    {
+        meshio::LoadedScene s = scene();
+        const auto found = study::organsWithLumps(s);
+        QVERIFY(found.isOk() && found.value().size() == 1);
+        const study::OrganWithLumps& organ = found.value()[0];
+        QVERIFY(organ.organ == 0 && organ.lumps.size() == 1 && organ.lumps[0].structure == 1);
+        QVERIFY(std::abs(organ.lumps[0].ratio - 3.0) < 1e-12 && organ.radius_mm == 5.0);
+        QVERIFY(organ.lumps[0].source == study::RatioSource::Tissue);
+
+        s.structures[0].description.young_kPa = 7.0;
+        s.structures[1].description.young_kPa = 35.0;
+        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio, 5.0);
+        s.structures[1].description.young_ratio = 4.4;
+        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio, 4.4);
+        QCOMPARE(study::organsWithLumps(s, {{"lump", 2.5}}).value()[0].lumps[0].ratio, 2.5);
+        s.structures[0].description.felt_contact_radius_mm = 8.0;
+        QCOMPARE(study::organsWithLumps(s).value()[0].radius_mm, 8.0);
+
+        s.structures[2].description.inside = "organ";
+        QCOMPARE(study::organsWithLumps(s).value()[0].lumps.size(), std::size_t{2});
+        QVERIFY(study::organsWithLumps(s, {{"organ", 2.0}}).status().code() == core::StatusCode::NotFound);
+        s = scene();
+        s.structures[1].description.palpable = false;
+        QVERIFY(study::organsWithLumps(s).status().code() == core::StatusCode::Empty);
+    }
+
+    void whatIsFeltRisesSmoothlyOverTheLump()
+    {
+        meshio::LoadedScene s = scene();
+        QVERIFY(study::feelBuried(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as old files
+        s.scene.buried = meshio::BuriedTouch::Felt;
+        QVERIFY(study::feelBuried(s).isOk());
+        QVERIFY(s.structures[1].isFeltThrough && !s.structures[2].isFeltThrough);
+        const auto felt = study::hapticScene(s);
+        QVERIFY(felt->structures()[1].surface == nullptr && felt->structures()[2].surface != nullptr);
+
+        haptics::Palpator palpator;
+        palpator.setScene(felt.get());
+        const auto forceAt = [&](const Vec3& direction, double depth) {
+            palpator.reset();
+            (void)palpator.step(82.0 * direction, 1e-3);
+            return palpator.step((80.0 - depth) * direction, 1e-3).f_W.norm();
+        };
+        const Vec3 over = Vec3::UnitZ(), beside = Vec3::UnitX();
+        // The sphere's facets lie up to 0.02 mm below 80 mm: compared where the depth is the same.
+        const double light = forceAt(over, 2.0) / forceAt(beside, 2.0),
+                     deep = forceAt(over, 8.0) / forceAt(beside, 8.0);
+        const auto organs = study::organsWithLumps(s);
+        const auto map = study::feltSurface(s, organs.value()[0], {});
+        const auto& press = map.value().lumps[0].press;
+        QVERIFY2(std::abs(light / press[1].felt.estimate - 1.0) < 0.02, qPrintable(QString::number(light)));
+        QVERIFY2(std::abs(deep / press[3].felt.estimate - 1.0) < 0.02, qPrintable(QString::number(deep)));
+        // No step on the way in: 0.01 mm changes the force by no more than 0.01 mm of the stiffest slope.
+        palpator.reset();
+        (void)palpator.step(Vec3(0, 0, 82), 1e-3);
+        const double slope = study::greatestStiffness(felt->structures()[0]);
+        double before = 0.0;
+        for (double z = 80.0; z > 60.0; z -= 0.01) {
+            const double now = palpator.step(Vec3(0, 0, z), 1e-3).f_W.norm();
+            QVERIFY(std::abs(now - before) <= 0.01 * slope * 1.001);
+            before = now;
+        }
+    }
+
+    void aDeviceBoundsWhatLumpsAdd()
+    {
+        meshio::LoadedScene s = scene();
+        s.scene.buried = meshio::BuriedTouch::Felt;
+        QVERIFY(study::feelBuried(s).isOk());
+        const auto felt = study::hapticScene(s);
+        std::vector<haptics::HapticStructure> structures = felt->structures();
+        const double asked = study::greatestStiffness(structures[0]);
+        QVERIFY(asked > 0.3);
+        haptics::Tissue most = core::unbounded();
+        most.stiffness_N_per_mm = 0.25;
+        study::boundBy(most, structures);
+        QVERIFY(study::greatestStiffness(structures[0]) <= 0.25);
+        QVERIFY(study::greatestStiffness(structures[0]) > 0.249);
+        QVERIFY(structures[0].maps.felt[3].greatest() > 1.0);
+    }
+
+    void filesSayWhatIsInside()
+    {
+        test::Folder folder;
+        meshio::SceneFile file;
+        file.structures.resize(2);
+        file.structures[0].name = "liver";
+        file.structures[0].mesh = folder.path("liver.stl");
+        file.structures[0].felt_contact_radius_mm = 6.0;
+        file.structures[0].young_kPa = 7.0;
+        file.structures[1].name = "lump";
+        file.structures[1].mesh = folder.path("lump.stl");
+        file.structures[1].inside = "liver";
+        file.structures[1].young_ratio = 4.4;
+        file.buried = meshio::BuriedTouch::Felt;
+        const auto path = folder.path("s.palpate.json");
+        QVERIFY(meshio::writeScene(path, file).isOk());
+        const auto back = meshio::readScene(path);
+        QVERIFY2(back.isOk(), back.status().message().c_str());
+        QVERIFY(back.value().buried == meshio::BuriedTouch::Felt && back.value().structures[1].inside == "liver");
+        QVERIFY(back.value().structures[1].young_ratio == 4.4 && back.value().structures[0].young_kPa == 7.0);
+        QVERIFY(back.value().structures[0].felt_contact_radius_mm == 6.0);
+
+        const auto refused = [&](const char* named) {
+            (void)meshio::writeScene(path, file);
+            const core::Status status = meshio::readScene(path).status();
+            return !status.isOk() && status.message().find(named) != std::string::npos;
+        };
+        file.structures[1].layer = 1;
+        QVERIFY(refused("structures[1].layer"));
+        file.structures[1].layer = 0;
+        file.structures[1].inside = "spleen";
+        QVERIFY(refused("structures[1].inside"));
+        file.structures[1].inside = "liver";
+        file.structures[1].young_ratio = 2e4;
+        QVERIFY(refused("structures[1].young_ratio"));
+        file.structures[1].young_ratio = 4.4;
+        file.structures[0].felt_contact_radius_mm = 31.0;
+        QVERIFY(refused("structures[0].felt_contact_radius_mm"));
+    }
+
+    void theJsonSaysWhatTheDesignSays()
+    {
+        const meshio::LoadedScene s = scene();
+        const auto organs = study::organsWithLumps(s);
+        auto map = study::feltSurface(s, organs.value()[0], {});
+        const std::vector<study::FeltOrgan> felt{{organs.value()[0], std::move(map).value()}};
+        const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(study::feltJson(s, felt))).object();
+        const QJsonObject lump = all["lumps"].toArray().at(0).toObject();
+        QCOMPARE(lump["name"].toString(), QStringLiteral("lump"));
+        QCOMPARE(lump["inside"].toString(), QStringLiteral("organ"));
+        QVERIFY(std::abs(lump["young_ratio"].toDouble() - 3.0) < 1e-12);
+        QVERIFY(std::abs(lump["least_cover_mm"].toDouble() - 8.0) < 0.2);
+        const QJsonArray presses = lump["press"].toArray();
+        QCOMPARE(presses.size(), 4);
+        const QJsonObject last = presses.at(3).toObject();
+        QCOMPARE(last["press_mm"].toDouble(), 8.0);
+        QVERIFY(last["low"].toDouble() < last["ratio"].toDouble() &&
+                last["ratio"].toDouble() < last["high"].toDouble());
+        QVERIFY(last["area_over_7_mm2"].toDouble() >= last["area_over_14_mm2"].toDouble());
+        QVERIFY(last["area_over_28_mm2"].isDouble() && last["best_p_mm"].toArray().size() == 3);
+        QCOMPARE(last["verdict"].toString(), QStringLiteral("plainly"));
+        const auto vtp = study::feltVtp(felt);
+        QVERIFY(vtp.isOk());
+        for (const char* name : {"FeltRatio", "FeltRatioLow", "FeltRatioHigh", "Cover_mm", "Lump", "NotJudged"}) {
+            QVERIFY2(vtp.value().find("Name=\"" + std::string(name) + "\"") != std::string::npos, name);
+        }
+    }
+};
+
+PALPATE_TEST(BuriedLumps)
+#include "tst_BuriedLumps.moc"
