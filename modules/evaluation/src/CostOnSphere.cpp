@@ -93,6 +93,22 @@ void addMap(haptics::HapticStructure& on)
     on.maps.stiffness.corners = std::move(corners);
 }
 
+/// A lump below one side: 30 % stiffer there at the surface, twice as stiff when pressed deep.
+void addLump(haptics::HapticStructure& on)
+{
+    for (std::size_t j = 0; j < on.maps.felt.size(); ++j) {
+        auto corners = std::make_shared<std::vector<std::array<float, 3>>>(on.surface->triangleCount());
+        const double added = 0.3 + 0.7 * haptics::kFeltPress_mm[j] / haptics::kFeltPress_mm.back();
+        for (std::uint32_t i = 0; i < corners->size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double along = on.surface->vertex(on.surface->triangle(i)[k]).x() / kSphere_mm;
+                (*corners)[i][k] = static_cast<float>(1.0 + added * std::exp(-4.0 * (1.0 - along) * (1.0 - along)));
+            }
+        }
+        on.maps.felt[j].corners = std::move(corners);
+    }
+}
+
 } // namespace
 
 std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds)
@@ -135,6 +151,7 @@ std::vector<SizePoint> costOfTissue(int n, double seconds)
     add("with friction", {makeRough});
     add("with a law", {addLaw});
     add("with a map", {addMap});
+    add("with lumps below", {addLump});
     add("with all", {makeRough, addLaw, addMap});
     return inTurns(std::move(slides), surface.triangleCount());
 }
