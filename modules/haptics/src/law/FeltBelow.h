@@ -24,19 +24,26 @@ struct FeltBelow
                                       const ForceTable::Value& law) noexcept
     {
         constexpr std::size_t kCount = kFeltPress_mm.size();
+        constexpr auto kPerWidth = [] {
+            std::array<double, kCount - 1> inverse{};
+            for (std::size_t j = 0; j < inverse.size(); ++j) {
+                inverse[j] = 1.0 / (kFeltPress_mm[j + 1] - kFeltPress_mm[j]);
+            }
+            return inverse;
+        }();
         std::array<double, kCount> weights{}, energies{}; // B_j(d), W_j(d)
         double energy = 0.0, moment = 0.0;                // of the law at `from`
         for (std::size_t j = 0; j + 1 < kCount && depth_mm > kFeltPress_mm[j]; ++j) {
-            const double from = kFeltPress_mm[j], width = kFeltPress_mm[j + 1] - from;
+            const double from = kFeltPress_mm[j], perWidth = kPerWidth[j];
             const bool endsHere = depth_mm <= kFeltPress_mm[j + 1];
             const double to = endsHere ? depth_mm : kFeltPress_mm[j + 1];
             const double energyTo = endsHere ? law.energy_mJ : on.lawAt(to).energy_mJ, momentTo = on.momentAt(to);
             // The integral of F times what rises from 0 to 1 between the two.
-            const double rising = (momentTo - moment - from * (energyTo - energy)) / width;
+            const double rising = (momentTo - moment - from * (energyTo - energy)) * perWidth;
             energies[j] += energyTo - energy - rising;
             energies[j + 1] += rising;
             if (endsHere) {
-                weights[j + 1] = (depth_mm - from) / width;
+                weights[j + 1] = (depth_mm - from) * perWidth;
                 weights[j] = 1.0 - weights[j + 1];
             }
             energy = energyTo;
@@ -47,12 +54,15 @@ struct FeltBelow
             energies.back() += law.energy_mJ - energy;
         }
         FeltBelow felt;
+        double toSecond = 0.0, toThird = 0.0;
         for (std::size_t j = 0; j < kCount && (j == 0 || depth_mm > kFeltPress_mm[j - 1]); ++j) {
-            const MapValue s = foot.valueOf(on.maps.felt[j]);
+            const MapPlace::Rises s = foot.place().risesOf(on.maps.felt[j]);
             felt.scale += weights[j] * s.value;
             felt.energy_mJ += energies[j] * s.value;
-            felt.gradient += energies[j] * s.gradient;
+            toSecond += energies[j] * s.toSecond;
+            toThird += energies[j] * s.toThird;
         }
+        felt.gradient = foot.place().gradientOf(toSecond, toThird);
         return felt;
     }
 };

@@ -16,13 +16,12 @@ class Foot
         : m_touch(touch)
         , m_facet(internal::Facet::of(*touch.structure.surface, 0, touch.triangle))
         , m_nearest(internal::nearestOn(m_facet, touch.p_WG))
+        , m_place(touch.triangle, {m_facet.a, m_facet.b, m_facet.c}, m_nearest.q)
     {
     }
 
-    [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept
-    {
-        return MapValue::at(map, m_touch.triangle, {m_facet.a, m_facet.b, m_facet.c}, m_nearest.q);
-    }
+    [[nodiscard]] const MapPlace& place() const noexcept { return m_place; }
+    [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept { return m_place.valueOf(map); }
 
     /// The part of a vector along which the foot moves with the HIP, to first order: in the face, along the crease or
     /// the edge, nowhere in a corner.
@@ -32,6 +31,7 @@ class Foot
     const Touch& m_touch;
     internal::Facet m_facet;
     internal::Nearest m_nearest;
+    MapPlace m_place;
 };
 
 } // namespace palpate::haptics::law

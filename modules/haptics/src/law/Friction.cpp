@@ -12,7 +12,7 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
     const HapticStructure& on = m_layer.frictional[facet.structure];
     const std::array<Vec3, 3> corners{facet.a, facet.b, facet.c};
     const TissueMap& scale = on.maps.friction;
-    const double by = scale.isEmpty() ? 1.0 : law::MapValue::at(scale, facet.triangle, corners, foot).value;
+    const double by = scale.isEmpty() ? 1.0 : law::MapPlace(facet.triangle, corners, foot).risesOf(scale).value;
     double atRest = by * on.tissue.friction_static, sliding = by * on.tissue.friction_dynamic;
     double k = on.tissue.stiffness_N_per_mm;
     if (on.law != nullptr || !on.maps.stiffness.isEmpty()) {
@@ -21,7 +21,7 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
         if (!on.maps.stiffness.isEmpty()) {
             // A stiffness that varies pulls the foot along the surface by (W/F) |grad ln s|, times the push. Friction
             // of that size takes all the energy that leaving this pull out of the force could make.
-            const law::MapValue s = law::MapValue::at(on.maps.stiffness, facet.triangle, corners, foot);
+            const law::MapValue s = law::MapPlace(facet.triangle, corners, foot).valueOf(on.maps.stiffness);
             const double least = law.force_N > 0.0 ? law.energy_mJ / law.force_N * s.gradient.norm() / s.value : 0.0;
             atRest = std::max(atRest, least);
             sliding = std::max(sliding, least);
