@@ -90,7 +90,10 @@ QString PointedStructure::textOf(const Place& place) const
 {
     const QString name = readableName(m_model.structure(place.row).name);
     const QString number = m_maps.textAt(place.row, place.triangle, place.p_W);
-    return number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
+    const QString more = m_more ? m_more(place) : QString();
+    QStringList parts{name, number, more};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
 }
 
 void PointedStructure::show()
