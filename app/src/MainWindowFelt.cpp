@@ -8,6 +8,8 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 using namespace palpate;
 using namespace palpate::ui;
 
@@ -57,5 +59,7 @@ void MainWindow::showFelt(bool isShown)
             tabifyDockWidget(m_docks.back(), m_feltDock); // only now: a tab alone would leave its bar behind
         }
         m_feltDock->raise();
+        constexpr int kHeight_px = 200; // two lumps and what is said of one
+        resizeDocks({m_feltDock}, {std::max(kHeight_px, m_feltDock->height())}, Qt::Vertical);
     }
 }

@@ -313,12 +313,14 @@ void FeltOverlay::draw()
 void FeltOverlay::drawLegend(double greatest_percent, bool isHatched)
 {
     view::ColourLegend::Content content;
-    content.title = tr("What can be felt here\nwhen pressed %1 mm").arg(kPress_mm[m_press]).toStdString();
+    const double press_mm = kPress_mm[m_press];
+    const QString how = press_mm > 0.0 ? tr("pressed %1 mm").arg(press_mm) : tr("touched lightly");
+    content.title = tr("Felt when %1\n(estimate)").arg(how).toStdString();
     content.unknown = tr("not judged").toStdString();
     content.range.high = greatest_percent;
     content.range.hasUnknown = isHatched;
-    content.marks = {{0.0, tr("0 %: as without a lump").toStdString()},
-                     {buried::kTold_percent[0], tr("7 %: half of what a trained hand tells").toStdString()},
+    content.marks = {{0.0, tr("0 %: no lump").toStdString()},
+                     {buried::kTold_percent[0], tr("7 %: half of that").toStdString()},
                      {buried::kTold_percent[1], tr("14 %: a trained hand tells").toStdString()},
                      {buried::kTold_percent[2], tr("28 %: plainly felt").toStdString()}};
     if (greatest_percent > 1.15 * buried::kTold_percent[2]) {

@@ -67,9 +67,9 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
     auto* notice = new QLabel(tr("Estimate for research and rehearsal."), this);
     notice->setWordWrap(true);
     auto* left = new QVBoxLayout;
+    left->addWidget(notice);
     left->addWidget(m_status);
     left->addWidget(m_table, 1);
-    left->addWidget(notice);
     auto* all = new QHBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
     all->addLayout(left, 1);

@@ -74,7 +74,7 @@ QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::si
             break;
         }
     }
-    return QCoreApplication::translate("palpate::ui::FeltWords", "; %1 when pressed %2 mm")
+    return QCoreApplication::translate("palpate::ui::FeltWords", ";\n%1 when pressed %2 mm")
         .arg(feltChangeText(felt.press[deeper].ratio[vertex]), QLocale().toString(felt.press[deeper].press_mm));
 }
 

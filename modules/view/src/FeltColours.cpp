@@ -21,8 +21,8 @@ namespace {
 constexpr const char* kArray = "FeltLines";    // change [%], 1 where it is not judged
 constexpr const char* kAttribute = "feltLine"; // the same in the shader
 
-/// A line where the change passes a threshold: dark with a light core, so that it reads on every colour; one more core
-/// for each threshold would be too fine to see, so the lines grow wider instead.
+/// Lines where the change passes a threshold: the first dark, the others with a light core and wider, so that they read
+/// on every colour and are told apart. What is felt is opaque, the rest lets through what lies below.
 constexpr const char* kFragment = R"(//VTK::Color::Impl
   if (feltLineVSOutput.y > 0.001) {
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
@@ -41,7 +41,7 @@ constexpr const char* kFragment = R"(//VTK::Color::Impl
     vec3 line = mix(vec3(0.05, 0.06, 0.08), vec3(1.0), clamp(light, 0.0, 1.0));
     ambientColor = mix(ambientColor, 0.5 * line, ink);
     diffuseColor = mix(diffuseColor, 0.5 * line, ink);
-    opacity = max(max(opacity, 0.55), ink);
+    opacity = max(opacity, max(ink, mix(0.4, 0.92, clamp(feltLineVSOutput.x / 14.0, 0.0, 1.0))));
   }
 )";
 

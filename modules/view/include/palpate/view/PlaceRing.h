@@ -4,7 +4,6 @@
 #include <palpate/core/Types.h>
 
 #include <vtkActor.h>
-#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -26,8 +25,7 @@ class PlaceRing
     [[nodiscard]] bool isShown() const;
 
   private:
-    vtkSmartPointer<vtkPolyData> m_shape;
-    std::array<vtkSmartPointer<vtkActor>, 2> m_lines; ///< a dark one below a bright one
+    std::array<vtkSmartPointer<vtkActor>, 2> m_rings; ///< a dark one, and a bright one on it
 };
 
 } // namespace palpate::view
