@@ -77,7 +77,7 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
 
     connect(&overlay, &FeltOverlay::changed, this, &FeltPanel::fill);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &FeltPanel::showChosen);
-    connect(m_table, &QTableWidget::cellDoubleClicked, this, &FeltPanel::showBestPlace);
+    connect(m_table, &QTableWidget::cellActivated, this, &FeltPanel::showBestPlace); // a double click, or Enter
     fill();
 }
 

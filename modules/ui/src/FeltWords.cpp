@@ -60,7 +60,7 @@ QString whyNotJudged(std::uint8_t why)
         .arg(reasons.join(QStringLiteral(", ")));
 }
 
-/// "; +18 % when pressed 4 mm": where pressing harder makes the verdict better, else how much the hardest press makes.
+/// "; +17 % when pressed 4 mm": where pressing harder makes the verdict better, else how much the hardest press makes.
 QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
 {
     const buried::Verdict now = buried::verdictOf(felt.press[press].ratio[vertex]);

@@ -17,7 +17,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr int kSides = 64;
+constexpr int kCorners = 64;
 
 /// A flat ring between two radii. [mm]
 vtkSmartPointer<vtkPolyData> ring(const core::Vec3& p_W, const core::Vec3& n_W, double inner_mm, double outer_mm)
@@ -25,12 +25,12 @@ vtkSmartPointer<vtkPolyData> ring(const core::Vec3& p_W, const core::Vec3& n_W, 
     const core::Vec3 u = n_W.unitOrthogonal(), v = n_W.cross(u);
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> quads;
-    for (vtkIdType i = 0; i < kSides; ++i) {
-        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kSides;
+    for (vtkIdType i = 0; i < kCorners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kCorners;
         const core::Vec3 out = std::cos(angle) * u + std::sin(angle) * v;
         points->InsertNextPoint(core::Vec3(p_W + inner_mm * out).data());
         points->InsertNextPoint(core::Vec3(p_W + outer_mm * out).data());
-        const vtkIdType next = 2 * ((i + 1) % kSides);
+        const vtkIdType next = 2 * ((i + 1) % kCorners);
         const vtkIdType quad[4] = {2 * i, 2 * i + 1, next + 1, next};
         quads->InsertNextCell(4, quad);
     }

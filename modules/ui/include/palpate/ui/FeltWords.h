@@ -17,7 +17,7 @@ namespace palpate::ui {
 /// "from the tissues' stiffness"
 [[nodiscard]] QString ratioSourceText(study::RatioSource source);
 
-/// What is felt at a place: "lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; +18 % when
+/// What is felt at a place: "lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; +17 % when
 /// pressed 4 mm"; the last on a line of its own.
 /// @param vertex  of `felt.surface`; @param press  number in `felt.press`
 [[nodiscard]] QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press);

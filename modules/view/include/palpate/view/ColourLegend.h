@@ -32,10 +32,10 @@ class ColourLegend
         std::string title;   ///< what is coloured, by what and in which unit; lines
         std::string unknown; ///< what grey means
         ColourRange range;
+        std::string decimalPoint = "."; ///< of the numbers
         /// Ascending, at most kMostMarks: they stand beside the bar in place of its numbers, and what is unknown is
         /// hatched.
         std::vector<Mark> marks{};
-        std::string decimalPoint = "."; ///< of the numbers
     };
 
     ColourLegend();
