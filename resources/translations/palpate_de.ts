@@ -1885,7 +1885,7 @@ die Schleife laufen, wo Platz ist.</translation>
     </message>
     <message>
         <source>Lump</source>
-        <translation type="unfinished">Knoten</translation>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>Times as stiff</source>
@@ -1965,7 +1965,7 @@ die Schleife laufen, wo Platz ist.</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>lies open</source>

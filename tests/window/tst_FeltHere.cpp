@@ -248,12 +248,13 @@ class FeltHere : public QObject
 
     void looksWellInTheDark()
     {
-        ui::applyTheme(ui::Theme::Dark);
         showFelt();
         named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(2);
         QVERIFY(viewport().view().legend().texts()[0].find("pressed 4 mm") != std::string::npos);
+        m_desk->command("appearance-dark").trigger();
+        QVERIFY(ui::isDarkTheme());
         keep("dark");
-        ui::applyTheme(ui::Theme::Light);
+        m_desk->command("appearance-light").trigger();
     }
 
     void fitsASmallWindow()

@@ -29,7 +29,7 @@ constexpr const char* kContext = "palpate::ui::FeltWords";
 
 QString percent(double ratio)
 {
-    return QLocale().toString(100.0 * (ratio - 1.0), 'f', 0).replace(QStringLiteral("-0"), QStringLiteral("0"));
+    return QLocale().toString(static_cast<int>(std::lround(100.0 * (ratio - 1.0))));
 }
 
 QString saysOf(buried::Verdict verdict)
@@ -82,9 +82,8 @@ QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::si
 
 QString feltChangeText(double ratio)
 {
-    const QString number = percent(ratio);
-    const QString sign = number.startsWith(QLatin1Char('0')) || ratio < 1.0 ? QString() : QStringLiteral("+");
-    return QStringLiteral("%1%2 %").arg(sign, number);
+    const QString sign = std::lround(100.0 * (ratio - 1.0)) > 0 ? QStringLiteral("+") : QString();
+    return QStringLiteral("%1%2 %").arg(sign, percent(ratio));
 }
 
 QString verdictText(buried::Verdict verdict)

@@ -221,6 +221,12 @@ std::vector<std::string> ColourLegend::markTexts() const
     return texts;
 }
 
+/// Height of a bar with room for the words of its marks. [device px]
+double ColourLegend::markedHeight(double letter) const
+{
+    return kApart * letter * (static_cast<double>(m_marks.size()) + 1.0);
+}
+
 /// Puts the marks' words beside the bar at their numbers, apart where these lie close together.
 void ColourLegend::placeMarks(const Place& at)
 {
@@ -273,12 +279,17 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
     const double letter = letterSize_px(frame.text, TextUse::Usual, r);
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
     const double room = r * kBeside_px;
-    const double greyLow = r * (cubeTop_px + kAboveCube_px), greyHigh = greyLow + std::max(r * kGreyHeight_px, letter);
-    const double low = greyHigh + r * kAboveGrey_px;
+    const double greyHeight = std::max(r * kGreyHeight_px, letter);
+    double greyLow = r * (cubeTop_px + kAboveCube_px);
+    if (!m_marks.empty()) { // it is wide: in the corner, where it hides least, and no higher than its words need
+        const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
+        greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - markedHeight(letter));
+    }
+    const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
     const double above =
         renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
-    const double high =
-        low + std::clamp(above, std::max(r * kLeastHeight_px, 3.0 * letter), std::max(r * kBarHeight_px, 6.0 * letter));
+    const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : markedHeight(letter);
+    const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;

@@ -56,6 +56,7 @@ class ColourLegend
     {
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
+    [[nodiscard]] double markedHeight(double letter) const;
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
 
