@@ -56,6 +56,7 @@ MainWindow::MainWindow()
     m_recording = new RecordingControl(m_live, *m_recordingChip, *m_session, this);
     makeMessagesDock();
     makeEngineeringDock();
+    makeFelt();
     m_palpation = new PalpationController(*m_viewport, m_live, m_model, this);
     m_handControl = new HandControl(*m_viewport, m_live, m_model, *m_structures, *m_hand, this);
     m_playback = new Playback(*m_viewport, m_model, *m_session, *m_touch, this);
@@ -84,6 +85,7 @@ MainWindow::~MainWindow()
 {
     delete m_devices;    // it lets go of what the members below the children hold, and panels hear of that
     delete m_structures; // before the model that a name that is being written goes to
+    delete m_feltDock->findChild<FeltPanel*>(); // the same of a number
 }
 
 void MainWindow::makeDocks()
@@ -289,6 +291,7 @@ void MainWindow::connectTouch()
     connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
     new ViewKeys(*m_viewport, *m_palpation, this);
     auto* pointed = new PointedStructure(*m_viewport, m_model, *m_maps, this);
+    pointed->setMore([this](const PointedStructure::Place& place) { return m_felt->textAt(place.row, place.p_W); });
     connect(pointed, &PointedStructure::clicked, this, [this](int row, Qt::KeyboardModifiers modifiers) {
         m_structures->choose(row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt,
                              modifiers.testFlag(Qt::ControlModifier));

@@ -11,6 +11,8 @@
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/EngineeringPanel.h>
+#include <palpate/ui/FeltOverlay.h>
+#include <palpate/ui/FeltPanel.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
 #include <palpate/ui/HintLine.h>
@@ -89,6 +91,8 @@ class MainWindow : public QMainWindow
     void makeMessagesDock();
     void makeEngineeringDock();
     void showEngineering(bool isShown);
+    void makeFelt();
+    void showFelt(bool isShown);
     void finishShell();
     void makeMenus();
     void makeToolBar();
@@ -167,6 +171,7 @@ class MainWindow : public QMainWindow
     palpate::ui::HandPanel* m_hand = nullptr;
     palpate::ui::EngineeringPanel* m_engineering = nullptr;
     palpate::ui::MapDisplay* m_maps = nullptr;
+    palpate::ui::FeltOverlay* m_felt = nullptr;
     palpate::ui::HandControl* m_handControl = nullptr;
     palpate::ui::PalpationController* m_palpation = nullptr;
     palpate::ui::Playback* m_playback = nullptr;
@@ -186,6 +191,7 @@ class MainWindow : public QMainWindow
     QMenu* m_recentMenu = nullptr;
     std::vector<QDockWidget*> m_docks;
     QDockWidget* m_messagesDock = nullptr;    ///< the list of messages; it comes only when asked for
+    QDockWidget* m_feltDock = nullptr;        ///< comes with the colours of what can be felt
     QDockWidget* m_engineeringDock = nullptr; ///< hidden until asked for; then as it was left
 
     QAction* m_openAction = nullptr;
@@ -217,6 +223,7 @@ class MainWindow : public QMainWindow
     QAction* m_keysAction = nullptr;
     QAction* m_clutchAction = nullptr;
     QAction* m_engineeringAction = nullptr;
+    QAction* m_feltAction = nullptr;
     QAction* m_fitSceneAction = nullptr;
     QAction* m_fitOrganAction = nullptr;
     QAction* m_fitLumpAction = nullptr;

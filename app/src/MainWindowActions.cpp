@@ -75,6 +75,11 @@ void MainWindow::makeViewActions()
     m_showFindingsAction->setCheckable(true);
     m_showFindingsAction->setChecked(true);
     m_showFindingsAction->setEnabled(false);
+    m_feltAction = m_actions.add("felt", ActionGroup::View, tr("What can be felt here"),
+                                 tr("Colour organs by how much of the lumps below a hand feels, with a table"),
+                                 {QKeySequence(Qt::Key_B)});
+    m_feltAction->setCheckable(true);
+    m_feltAction->setEnabled(false);
     m_actions.addSeparator(ActionGroup::View);
     const auto addView = [this](const char* id, const QString& text, const QKeySequence& key, view::ViewFrom from) {
         connect(m_actions.add(id, ActionGroup::View, text, text, {key}), &QAction::triggered, this, [this, from] {

@@ -101,7 +101,7 @@ void MainWindow::showWhatPlays()
     m_measuresAction->setEnabled(hasRecording && !isRecording);
     for (QAction* action : {m_palpateAction, m_addAction, m_closeAction, m_filterAction, m_renameAction, m_removeAction,
                             m_saveAction, m_saveAsAction, m_findingAction, m_findingNoteAction, m_noteAction,
-                            m_fitAction, m_snapshotAction, m_importFindingsAction}) {
+                            m_fitAction, m_feltAction, m_snapshotAction, m_importFindingsAction}) {
         action->setEnabled(hasScene);
     }
     const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;

@@ -98,6 +98,7 @@ void MainWindow::finishShell()
         m_round.add(dock->widget());
     }
     m_round.add(m_engineeringDock->widget());
+    m_round.add(m_feltDock->widget());
     m_round.add(m_messagesDock->widget());
     m_round.add(&m_around->tour());
     new ViewVoice(*m_viewport, *m_touch, this);

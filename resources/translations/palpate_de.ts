@@ -20,7 +20,7 @@
         <translation>Koordinaten: LPS</translation>
     </message>
     <message>
-        <source>The files count to the patient's left, back and head, as DICOM does</source>
+        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
         <translation>Die Dateien zählen nach links, hinten und kopfwärts des Patienten, wie DICOM</translation>
     </message>
     <message>
@@ -28,7 +28,7 @@
         <translation>Koordinaten: RAS</translation>
     </message>
     <message>
-        <source>The files count to the patient's right, front and head, as older models of 3D Slicer do</source>
+        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
         <translation>Die Dateien zählen nach rechts, vorn und kopfwärts des Patienten, wie ältere Modelle von 3D Slicer</translation>
     </message>
     <message>
@@ -36,7 +36,7 @@
         <translation>Koordinaten: Y oben</translation>
     </message>
     <message>
-        <source>The files count to the patient's left, head and front, as modelling programs do</source>
+        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
         <translation>Die Dateien zählen nach links, kopfwärts und nach vorn, wie Modellierprogramme</translation>
     </message>
     <message>
@@ -48,7 +48,7 @@
         <translation>%1 angenommen</translation>
     </message>
     <message>
-        <source>The files' coordinates are %1.</source>
+        <source>The files&apos; coordinates are %1.</source>
         <translation>Die Koordinaten der Dateien sind %1.</translation>
     </message>
     <message>
@@ -56,7 +56,7 @@
         <translation>Nicht jede Datei sagt, an welchen Achsen sie liegt: %1 ist angenommen, links und rechts können vertauscht sein. Zum Angeben klicken.</translation>
     </message>
     <message>
-        <source>The surfaces are a recording's and stay as they were felt.</source>
+        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
         <translation>Die Oberflächen gehören zu einer Aufzeichnung und bleiben, wie sie getastet wurden.</translation>
     </message>
     <message>
@@ -425,7 +425,7 @@
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>Back to the recording's start</source>
+        <source>Back to the recording&apos;s start</source>
         <translation>Zurück zum Anfang der Aufzeichnung</translation>
     </message>
     <message>
@@ -945,27 +945,27 @@
         <translation>Aufzeichnen, was die Hand fühlt, in jedem Augenblick</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to everything</source>
+        <source>Zoom the hand&apos;s space to everything</source>
         <translation>Raum der Hand auf alles zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way goes through all that is shown</source>
+        <source>The device&apos;s whole way goes through all that is shown</source>
         <translation>Der ganze Weg des Geräts führt durch alles Gezeigte</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to the organ</source>
+        <source>Zoom the hand&apos;s space to the organ</source>
         <translation>Raum der Hand auf das Organ zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way goes through the organ that is touched or pointed at</source>
+        <source>The device&apos;s whole way goes through the organ that is touched or pointed at</source>
         <translation>Der ganze Weg des Geräts führt durch das Organ, das berührt wird oder unter dem Zeiger liegt</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to the lump</source>
+        <source>Zoom the hand&apos;s space to the lump</source>
         <translation>Raum der Hand auf den Knoten zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way is 10 mm, about what is touched, pointed at or found</source>
+        <source>The device&apos;s whole way is 10 mm, about what is touched, pointed at or found</source>
         <translation>Der ganze Weg des Geräts ist 10 mm, um das Berührte, das unter dem Zeiger oder den Befund</translation>
     </message>
     <message>
@@ -999,6 +999,22 @@
     <message>
         <source>Forces may stutter: %1: %2. %3</source>
         <translation>Kräfte können stocken: %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>What can be felt here</source>
+        <translation>Was hier tastbar ist</translation>
+    </message>
+    <message>
+        <source>Colour organs by how much of the lumps below a hand feels, with a table</source>
+        <translation>Organe danach färben, was eine Hand von den Knoten darunter spürt, mit einer Tabelle</translation>
+    </message>
+    <message>
+        <source>What can be felt</source>
+        <translation>Was tastbar ist</translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -1234,7 +1250,7 @@
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Share of the surface that was examined: within %1, the fingertip's radius</source>
+        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
         <translation>Anteil der untersuchten Oberfläche: innerhalb von %1, dem Radius der Fingerspitze</translation>
     </message>
     <message>
@@ -1506,7 +1522,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Tastet, was in der Mitte der Ansicht liegt, und fühlt die Kraft</translation>
     </message>
     <message>
-        <source>The open recording's motion, felt with the tissue as it is now</source>
+        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
         <translation>Die Bewegung der offenen Aufzeichnung, gefühlt mit dem Gewebe, wie es jetzt ist</translation>
     </message>
     <message>
@@ -1542,7 +1558,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1: kalibrieren</translation>
     </message>
     <message>
-        <source>The hand's device: %1</source>
+        <source>The hand&apos;s device: %1</source>
         <translation>Das Gerät der Hand: %1</translation>
     </message>
     <message>
@@ -1566,7 +1582,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>Replay with today's tissue</source>
+        <source>Replay with today&apos;s tissue</source>
         <translation>Wiedergabe mit dem heutigen Gewebe</translation>
     </message>
     <message>
@@ -1766,7 +1782,7 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>CPU der Servoschleife</translation>
     </message>
     <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere "Any" lets
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
 the loop go where there is room.</source>
         <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
 die Schleife laufen, wo Platz ist.</translation>
@@ -1790,6 +1806,267 @@ die Schleife laufen, wo Platz ist.</translation>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltOverlay</name>
+    <message>
+        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
+        <translation>Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
+    </message>
+    <message>
+        <source>What can be felt of %1</source>
+        <translation>Was an %1 tastbar ist</translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>pressed %1 mm</source>
+        <translation>%1 mm eingedrückt</translation>
+    </message>
+    <message>
+        <source>touched lightly</source>
+        <translation>leicht berührt</translation>
+    </message>
+    <message>
+        <source>Felt when %1
+(estimate)</source>
+        <translation>Tastbar, %1
+(Schätzung)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>0 %: no lump</source>
+        <translation>0 %: kein Knoten</translation>
+    </message>
+    <message>
+        <source>7 %: half of that</source>
+        <translation>7 %: die Hälfte davon</translation>
+    </message>
+    <message>
+        <source>14 %: a trained hand tells</source>
+        <translation>14 %: geübte Hand spürt es</translation>
+    </message>
+    <message>
+        <source>28 %: plainly felt</source>
+        <translation>28 %: deutlich tastbar</translation>
+    </message>
+    <message>
+        <source>%1 %: most here</source>
+        <translation>%1 %: am meisten hier</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltPanel</name>
+    <message>
+        <source>Liver malignancy, 4.4 (MR elastography, PMC2894569)</source>
+        <translation>Leber, bösartig, 4,4 (MR-Elastographie, PMC2894569)</translation>
+    </message>
+    <message>
+        <source>Benign liver lesion, 1.2 (MR elastography, PMC2894569)</source>
+        <translation>Leber, gutartig, 1,2 (MR-Elastographie, PMC2894569)</translation>
+    </message>
+    <message>
+        <source>Metastasis, 5 (number chosen)</source>
+        <translation>Metastase, 5 (Zahl gewählt)</translation>
+    </message>
+    <message>
+        <source>Cyst, 0.05 (number chosen)</source>
+        <translation>Zyste, 0,05 (Zahl gewählt)</translation>
+    </message>
+    <message>
+        <source>Estimate for research and rehearsal.</source>
+        <translation>Schätzung für Forschung und Übung.</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Times as stiff</source>
+        <translation>Wievielmal so steif</translation>
+    </message>
+    <message>
+        <source>Least cover</source>
+        <translation>Kleinste Deckung</translation>
+    </message>
+    <message>
+        <source>Pressed %1 mm</source>
+        <translation>%1 mm eingedrückt</translation>
+    </message>
+    <message>
+        <source>Touched lightly</source>
+        <translation>Leicht berührt</translation>
+    </message>
+    <message>
+        <source>Lumps and whether a hand finds them</source>
+        <translation>Knoten und ob eine Hand sie findet</translation>
+    </message>
+    <message>
+        <source>How deep the finger is pressed in</source>
+        <translation>Wie tief der Finger eingedrückt ist</translation>
+    </message>
+    <message>
+        <source>Coloured as pressed %1 mm</source>
+        <translation>Gefärbt wie %1 mm eingedrückt</translation>
+    </message>
+    <message>
+        <source>Coloured as touched lightly</source>
+        <translation>Gefärbt wie leicht berührt</translation>
+    </message>
+    <message>
+        <source>Show me the best place</source>
+        <translation>Die beste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>How many times as stiff as its organ the lump is</source>
+        <translation>Wievielmal so steif wie sein Organ der Knoten ist</translation>
+    </message>
+    <message>
+        <source>Where the lump&apos;s stiffness comes from</source>
+        <translation>Woher die Steifigkeit des Knotens kommt</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Wie eingegeben</translation>
+    </message>
+    <message>
+        <source>From the two Young&apos;s moduli</source>
+        <translation>Aus den beiden Elastizitätsmoduln</translation>
+    </message>
+    <message>
+        <source>From the tissues&apos; stiffness</source>
+        <translation>Aus der Steifigkeit der Gewebe</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the lump [kPa]</source>
+        <translation>Elastizitätsmodul des Knotens [kPa]</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the organ [kPa]</source>
+        <translation>Elastizitätsmodul des Organs [kPa]</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>zu</translation>
+    </message>
+    <message>
+        <source>Being computed…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>lies open</source>
+        <translation>liegt frei</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>Times as stiff as its organ:</source>
+        <translation>Wievielmal so steif wie sein Organ:</translation>
+    </message>
+    <message>
+        <source>%1, times as stiff as %2:</source>
+        <translation>%1, wievielmal so steif wie %2:</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Steifigkeit von %1</translation>
+    </message>
+    <message>
+        <source>No place over this lump can be judged.</source>
+        <translation>Keine Stelle über diesem Knoten lässt sich beurteilen.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltWords</name>
+    <message>
+        <source>not by hand</source>
+        <translation>nicht mit der Hand</translation>
+    </message>
+    <message>
+        <source>by a trained hand</source>
+        <translation>mit geübter Hand</translation>
+    </message>
+    <message>
+        <source>plainly</source>
+        <translation>deutlich</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>wie eingegeben</translation>
+    </message>
+    <message>
+        <source>from the moduli</source>
+        <translation>aus den Moduln</translation>
+    </message>
+    <message>
+        <source>from the tissues&apos; stiffness</source>
+        <translation>aus der Steifigkeit der Gewebe</translation>
+    </message>
+    <message>
+        <source>plainly felt</source>
+        <translation>deutlich tastbar</translation>
+    </message>
+    <message>
+        <source>a trained hand tells it</source>
+        <translation>eine geübte Hand spürt es</translation>
+    </message>
+    <message>
+        <source>below what a trained hand tells</source>
+        <translation>weniger, als eine geübte Hand spürt</translation>
+    </message>
+    <message>
+        <source>the surface bends too much</source>
+        <translation>die Oberfläche ist zu stark gekrümmt</translation>
+    </message>
+    <message>
+        <source>the organ is too thin</source>
+        <translation>das Organ ist zu dünn</translation>
+    </message>
+    <message>
+        <source>lumps reach into each other</source>
+        <translation>Knoten reichen ineinander</translation>
+    </message>
+    <message>
+        <source>not judged here: %1</source>
+        <translation>hier nicht beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>;
+%1 when pressed %2 mm</source>
+        <translation>;
+%1 bei %2 mm eingedrückt</translation>
+    </message>
+    <message>
+        <source>no lump is felt here</source>
+        <translation>hier ist kein Knoten tastbar</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
+        <translation>%1: %2 mm darunter, %3 (%4 … %5 %): %6</translation>
     </message>
 </context>
 <context>
@@ -1909,7 +2186,7 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::ForceBar</name>
     <message>
-        <source>Force of the model [N]; the bar ends at the device's limit of %1 N</source>
+        <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
         <translation>Kraft des Modells [N]; der Balken endet an der Grenze des Geräts von %1 N</translation>
     </message>
     <message>
@@ -1928,7 +2205,7 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::ForceTimeline</name>
     <message>
-        <source>Timeline of the recording's force</source>
+        <source>Timeline of the recording&apos;s force</source>
         <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
     </message>
     <message>
@@ -1991,15 +2268,15 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>10 mm um Befund %1</translation>
     </message>
     <message>
-        <source>Nothing is shown that the hand's space could be zoomed to.</source>
+        <source>Nothing is shown that the hand&apos;s space could be zoomed to.</source>
         <translation>Nichts wird gezeigt, worauf der Raum der Hand gezoomt werden könnte.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space. The hand stays where it touches; Centre brings it to the middle.</source>
+        <source>%1 fills the hand&apos;s space. The hand stays where it touches; Centre brings it to the middle.</source>
         <translation>%1 füllt den Raum der Hand. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space.</source>
+        <source>%1 fills the hand&apos;s space.</source>
         <translation>%1 füllt den Raum der Hand.</translation>
     </message>
 </context>
@@ -2010,7 +2287,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Innerhalb von %1 (von außen gefühlt): führen Sie die Hand erst zu sich heraus.</translation>
     </message>
     <message>
-        <source>As it lies: the device's millimetres are the scene's.</source>
+        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
         <translation>Wie sie liegt: die Millimeter des Geräts sind die der Szene.</translation>
     </message>
     <message>
@@ -2098,7 +2375,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Dieses Gerät kann Gewebe bis %1 N/mm darstellen.</translation>
     </message>
     <message>
-        <source>At the edge of the hand's space: bring the device back to its middle. The hand in the scene stays until then.</source>
+        <source>At the edge of the hand&apos;s space: bring the device back to its middle. The hand in the scene stays until then.</source>
         <translation>Am Rand des Raums der Hand: führen Sie das Gerät zurück in seine Mitte. Bis dahin bleibt die Hand in der Szene.</translation>
     </message>
     <message>
@@ -2106,7 +2383,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Angehoben: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space: 1 mm of the device is %2 mm of the scene.</source>
+        <source>%1 fills the hand&apos;s space: 1 mm of the device is %2 mm of the scene.</source>
         <translation>%1 füllt den Raum der Hand: 1 mm des Geräts ist %2 mm der Szene.</translation>
     </message>
     <message>
@@ -2118,7 +2395,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Alles</translation>
     </message>
     <message>
-        <source>The device's whole way then goes through all that is shown (W)</source>
+        <source>The device&apos;s whole way then goes through all that is shown (W)</source>
         <translation>Der ganze Weg des Geräts führt dann durch alles Gezeigte (W)</translation>
     </message>
     <message>
@@ -2126,7 +2403,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Organ</translation>
     </message>
     <message>
-        <source>The device's whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
+        <source>The device&apos;s whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
         <translation>Der ganze Weg des Geräts führt dann durch das berührte Organ; sonst durch das unter dem Zeiger oder das gewählte (O)</translation>
     </message>
     <message>
@@ -2134,21 +2411,21 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>The device's whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
+        <source>The device&apos;s whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
         <translation>Der ganze Weg des Geräts ist dann 10 mm: wo die Hand berührt, sonst unter dem Zeiger, sonst um den neuesten Befund (L)</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to</source>
+        <source>Zoom the hand&apos;s space to</source>
         <translation>Raum der Hand zoomen auf</translation>
     </message>
     <message>
-        <source>What fills the hand's space</source>
+        <source>What fills the hand&apos;s space</source>
         <translation>Was den Raum der Hand füllt</translation>
     </message>
     <message>
         <source>The picture: right is right in the view, however it is turned.
-The patient: right is to the patient's left, up is to the head.
-Nothing: the device's coordinates are the scene's, without scale, and the hand cannot be lifted.</source>
+The patient: right is to the patient&apos;s left, up is to the head.
+Nothing: the device&apos;s coordinates are the scene&apos;s, without scale, and the hand cannot be lifted.</source>
         <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
 Der Patient: rechts ist zur Linken des Patienten, oben zum Kopf.
 Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die Hand lässt sich nicht anheben.</translation>
@@ -2158,7 +2435,7 @@ Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die H
         <translation>Hand anheben</translation>
     </message>
     <message>
-        <source>Puts the middle of the device's way in the middle of what the hand's space is zoomed to</source>
+        <source>Puts the middle of the device&apos;s way in the middle of what the hand&apos;s space is zoomed to</source>
         <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
     </message>
 </context>
@@ -2354,7 +2631,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Texts as large as the system's</source>
+        <source>Texts as large as the system&apos;s</source>
         <translation>Schrift so groß wie die des Systems</translation>
     </message>
     <message>
@@ -2365,7 +2642,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
 <context>
     <name>palpate::ui::MapDisplay</name>
     <message>
-        <source>Young's modulus, kPa</source>
+        <source>Young&apos;s modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2373,7 +2650,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>friction, times the tissue's own</source>
+        <source>friction, times the tissue&apos;s own</source>
         <translation>Reibung, Vielfaches der des Gewebes</translation>
     </message>
     <message>
@@ -2456,7 +2733,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>In</translation>
     </message>
     <message>
-        <source>What the numbers are. Shear and Young's modulus differ by a factor of three: see what the scanner's manual says</source>
+        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
         <translation>Was die Zahlen sind. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei: siehe das Handbuch des Scanners</translation>
     </message>
     <message>
@@ -2464,7 +2741,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>bitte angeben…</translation>
     </message>
     <message>
-        <source>Times the tissue's own</source>
+        <source>Times the tissue&apos;s own</source>
         <translation>Vielfaches des Gewebewerts</translation>
     </message>
     <message>
@@ -2476,7 +2753,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>Young's modulus, kPa</source>
+        <source>Young&apos;s modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2548,7 +2825,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Eigene Farbe</translation>
     </message>
     <message>
-        <source>Say what the numbers of %1 are: shear and Young's modulus differ by a factor of three.</source>
+        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
         <translation>Geben Sie an, was die Zahlen von %1 sind: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
     </message>
     <message>
@@ -2556,7 +2833,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 variiert nach %2.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 places say nothing. The tissue's own is felt there.</source>
+        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
         <translation>%1: %2 von %3 Stellen haben keine Angabe. Dort wird der Wert des Gewebes gefühlt.</translation>
     </message>
     <message>
@@ -3254,7 +3531,7 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Größte Steifigkeit</translation>
     </message>
     <message>
-        <source>Young's modulus</source>
+        <source>Young&apos;s modulus</source>
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>

@@ -163,6 +163,18 @@ QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W)
                              : QStringLiteral("%1 %2 %3").arg(name, QLocale().toString(value, 'g', 3), unit).trimmed();
 }
 
+void MapDisplay::setCovered(bool isCovered)
+{
+    if (isCovered == m_isCovered) {
+        return;
+    }
+    if (isCovered && !m_shown.values.empty()) {
+        restore();
+    }
+    m_isCovered = isCovered;
+    refresh();
+}
+
 void MapDisplay::setGreatest(const haptics::Tissue& greatest)
 {
     m_greatest = greatest;
@@ -173,6 +185,9 @@ void MapDisplay::setGreatest(const haptics::Tissue& greatest)
 void MapDisplay::restore()
 {
     m_shown = {};
+    if (m_isCovered) {
+        return;
+    }
     if (m_row >= 0 && m_row < m_model.rowCount()) {
         m_viewport.view().setPicture(static_cast<std::size_t>(m_row),
                                      m_model.rows()[static_cast<std::size_t>(m_row)].picture);
@@ -183,7 +198,7 @@ void MapDisplay::restore()
 
 void MapDisplay::refresh()
 {
-    if (m_row < 0 || m_row >= m_model.rowCount()) {
+    if (m_isCovered || m_row < 0 || m_row >= m_model.rowCount()) {
         return;
     }
     const auto i = static_cast<std::size_t>(m_row);

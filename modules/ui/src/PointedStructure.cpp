@@ -90,7 +90,9 @@ QString PointedStructure::textOf(const Place& place) const
 {
     const QString name = readableName(m_model.structure(place.row).name);
     const QString number = m_maps.textAt(place.row, place.triangle, place.p_W);
-    return number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
+    const QString first = number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
+    const QString more = m_more ? m_more(place) : QString();
+    return more.isEmpty() ? first : first + QLatin1Char('\n') + more;
 }
 
 void PointedStructure::show()

@@ -261,8 +261,11 @@ void StructureModel::tell(int row, const meshio::SceneStructure& before, bool ha
     if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
         Q_EMIT edited(row, Change::Look);
     }
+    const bool hasOtherLump = before.inside != now.inside || before.young_ratio != now.young_ratio ||
+                              before.young_kPa != now.young_kPa ||
+                              before.felt_contact_radius_mm != now.felt_contact_radius_mm;
     if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer || hasOtherMaps ||
-        isRenamed) {
+        isRenamed || hasOtherLump) {
         Q_EMIT edited(row, Change::Touch);
     }
 }

@@ -2,6 +2,7 @@
 #include "palpate/view/ColourLegend.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -23,6 +24,8 @@ constexpr int kColourRows = 10; // of colours; between them it is even
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
 constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // letters
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
+constexpr double kApart = 1.35;   // letters from a mark's words to the next
+constexpr double kLead_px = 14.0; // from the bar to a mark's words
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
 /// A column of quads, coloured at its rows' ends.
@@ -77,6 +80,40 @@ vtkSmartPointer<vtkUnsignedCharArray> colourRows(int rows, Colour (*colourAt)(do
     return colours;
 }
 
+vtkSmartPointer<vtkActor2D> makeLines()
+{
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkPolyData> shape;
+    shape->SetPoints(points);
+    shape->SetLines(lines);
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    shape->GetCellData()->SetScalars(colours);
+    vtkNew<vtkCoordinate> pixels;
+    pixels->SetCoordinateSystemToViewport();
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    mapper->SetTransformCoordinate(pixels);
+    auto actor = vtkSmartPointer<vtkActor2D>::New();
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+    return actor;
+}
+
+/// @param from,to  device pixels
+void addLine(vtkActor2D& actor, const std::array<double, 2>& from, const std::array<double, 2>& to,
+             const Colour& colour)
+{
+    auto* shape = vtkPolyDataMapper2D::SafeDownCast(actor.GetMapper())->GetInput();
+    shape->GetLines()->InsertNextCell(2);
+    for (const auto& [x, y] : {from, to}) {
+        shape->GetLines()->InsertCellPoint(shape->GetPoints()->InsertNextPoint(x, y, 0.0));
+    }
+    vtkUnsignedCharArray::SafeDownCast(shape->GetCellData()->GetScalars())
+        ->InsertNextTuple3(std::round(255.0 * colour[0]), std::round(255.0 * colour[1]), std::round(255.0 * colour[2]));
+}
+
 std::string number(double value, const char* before, const std::string& decimalPoint)
 {
     return before + shortText(value, 3, decimalPoint);
@@ -88,6 +125,7 @@ ColourLegend::ColourLegend()
     : m_back(makeColumn(2, colourRows(2, [](double) { return kTextGround; })))
     , m_bar(makeColumn(kColourRows, colourRows(kColourRows, [](double t) { return surfaceColour(t); })))
     , m_grey(makeColumn(2, colourRows(2, [](double) { return kUnknownColour; })))
+    , m_lines(makeLines())
 {
     for (auto& text : m_texts) {
         text = vtkSmartPointer<vtkTextActor>::New();
@@ -96,6 +134,13 @@ ColourLegend::ColourLegend()
         text->VisibilityOff();
     }
     m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
+    for (auto& text : m_markTexts) {
+        text = vtkSmartPointer<vtkTextActor>::New();
+        text->GetTextProperty()->SetVerticalJustificationToCentered();
+        text->GetTextProperty()->SetColor(kTextInk[0], kTextInk[1], kTextInk[2]);
+        text->VisibilityOff();
+    }
+    m_lines->GetProperty()->SetLineWidth(1.5F);
 }
 
 void ColourLegend::addTo(vtkRenderer& renderer)
@@ -103,7 +148,11 @@ void ColourLegend::addTo(vtkRenderer& renderer)
     renderer.AddActor2D(m_back);
     renderer.AddActor2D(m_bar);
     renderer.AddActor2D(m_grey);
+    renderer.AddActor2D(m_lines);
     for (const auto& text : m_texts) {
+        renderer.AddActor2D(text);
+    }
+    for (const auto& text : m_markTexts) {
         renderer.AddActor2D(text);
     }
 }
@@ -126,6 +175,18 @@ void ColourLegend::show(const Content& content)
         text->VisibilityOn();
     }
     m_texts[4]->SetVisibility(m_hasUnknown);
+    m_range = range;
+    m_marks = content.marks;
+    m_marks.resize(std::min(m_marks.size(), kMostMarks));
+    for (std::size_t i = 0; i < m_markTexts.size(); ++i) {
+        const bool isThere = i < m_marks.size();
+        m_markTexts[i]->SetInput(isThere ? m_marks[i].text.c_str() : "");
+        m_markTexts[i]->SetVisibility(isThere);
+    }
+    for (std::size_t i = 1; i < 4; ++i) {
+        m_texts[i]->SetVisibility(m_marks.empty());
+    }
+    m_lines->SetVisibility(!m_marks.empty());
 }
 
 void ColourLegend::hide()
@@ -133,7 +194,11 @@ void ColourLegend::hide()
     m_back->VisibilityOff();
     m_bar->VisibilityOff();
     m_grey->VisibilityOff();
+    m_lines->VisibilityOff();
     for (const auto& text : m_texts) {
+        text->VisibilityOff();
+    }
+    for (const auto& text : m_markTexts) {
         text->VisibilityOff();
     }
 }
@@ -147,6 +212,64 @@ std::array<std::string, 5> ColourLegend::texts() const
     return texts;
 }
 
+std::vector<std::string> ColourLegend::markTexts() const
+{
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; isShown() && i < m_marks.size(); ++i) {
+        texts.push_back(m_marks[i].text);
+    }
+    return texts;
+}
+
+/// Height of a bar with room for the words of its marks. [device px]
+double ColourLegend::markedHeight(double letter) const
+{
+    return kApart * letter * (static_cast<double>(m_marks.size()) + 1.0);
+}
+
+/// Puts the marks' words beside the bar at their numbers, apart where these lie close together.
+void ColourLegend::placeMarks(const Place& at)
+{
+    const double apart = kApart * at.letter, width = m_range.high - m_range.low;
+    std::vector<double> tick, beside;
+    for (const Mark& mark : m_marks) {
+        const double share = width > 0.0 ? std::clamp((mark.value - m_range.low) / width, 0.0, 1.0) : 0.0;
+        tick.push_back(at.low + share * (at.high - at.low));
+        beside.push_back(beside.empty() ? tick.back() : std::max(tick.back(), beside.back() + apart));
+    }
+    for (std::size_t i = beside.size(); i-- > 0;) {
+        beside[i] = std::min(beside[i], i + 1 < beside.size() ? beside[i + 1] - apart : at.high);
+    }
+    const double end = at.right + kLead_px * at.pixelRatio;
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        addLine(*m_lines, {at.left, tick[i]}, {at.right, tick[i]}, kTextGround);
+        addLine(*m_lines, {at.right, tick[i]}, {end, beside[i]}, kTextInk);
+        m_markTexts[i]->SetPosition(end + 0.5 * kBeside_px * at.pixelRatio, beside[i]);
+    }
+}
+
+/// The lines of marks and hatch.
+void ColourLegend::placeLines(const Place& at)
+{
+    auto* shape = vtkPolyDataMapper2D::SafeDownCast(m_lines->GetMapper())->GetInput();
+    shape->GetPoints()->Reset();
+    shape->GetLines()->Reset();
+    shape->GetCellData()->GetScalars()->Reset();
+    placeMarks(at);
+    const double wide = at.right - at.left, high = at.greyHigh - at.greyLow;
+    for (const double share : {-0.5, 0.0, 0.5}) {
+        const double from = std::max(0.0, -share), to = std::min(1.0, 1.0 - share);
+        if (m_hasUnknown) {
+            addLine(*m_lines, {at.left + from * wide, at.greyLow + (1.0 - from - share) * high},
+                    {at.left + to * wide, at.greyLow + (1.0 - to - share) * high}, kTextGround);
+        }
+    }
+    shape->GetPoints()->Modified();
+    shape->GetLines()->Modified();
+    shape->GetCellData()->GetScalars()->Modified();
+    shape->Modified();
+}
+
 void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
 {
     if (!isShown()) {
@@ -156,12 +279,17 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
     const double letter = letterSize_px(frame.text, TextUse::Usual, r);
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
     const double room = r * kBeside_px;
-    const double greyLow = r * (cubeTop_px + kAboveCube_px), greyHigh = greyLow + std::max(r * kGreyHeight_px, letter);
-    const double low = greyHigh + r * kAboveGrey_px;
+    const double greyHeight = std::max(r * kGreyHeight_px, letter);
+    double greyLow = r * (cubeTop_px + kAboveCube_px);
+    if (!m_marks.empty()) { // it is wide: in the corner, where it hides least, and no higher than its words need
+        const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
+        greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - markedHeight(letter));
+    }
+    const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
     const double above =
         renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
-    const double high =
-        low + std::clamp(above, std::max(r * kLeastHeight_px, 3.0 * letter), std::max(r * kBarHeight_px, 6.0 * letter));
+    const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : markedHeight(letter);
+    const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;
@@ -179,6 +307,15 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
             end = std::max(end, text->GetPosition()[0] + size[0]);
             top = std::max(top, text->GetPosition()[1] + (text == m_texts[0] ? size[1] : 0.0));
         }
+    }
+    if (!m_marks.empty()) {
+        placeLines({left, right, low, high, greyLow, greyHigh, r, letter});
+    }
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        double size[2] = {0.0, 0.0};
+        setFont(*m_markTexts[i]->GetTextProperty(), frame.text, TextUse::Usual, r);
+        m_markTexts[i]->GetSize(&renderer, size);
+        end = std::max(end, m_markTexts[i]->GetPosition()[0] + size[0]);
     }
     m_back->GetProperty()->SetOpacity(frame.text.groundOpacity);
     placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});

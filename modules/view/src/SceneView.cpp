@@ -49,6 +49,7 @@ SceneView::SceneView()
     m_findings.addTo(*m_overlay);
     m_scaleBar.addTo(*m_overlay);
     m_legend.addTo(*m_overlay);
+    m_placeRing.addTo(*m_overlay);
 }
 
 SceneView::~SceneView()
@@ -87,6 +88,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_structures = std::move(structures);
     ++m_tissueRevision;
     m_legend.hide();
+    m_placeRing.hide();
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
     }

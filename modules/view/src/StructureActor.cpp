@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/StructureActor.h"
 
+#include "palpate/view/FeltColours.h"
+
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -43,6 +45,7 @@ void StructureActor::setPicture(vtkPolyData* surface)
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
     mapper->SetColorModeToDirectScalars();
+    drawFeltLines(*m_actor, *surface);
 }
 
 void StructureActor::setHighlighted(bool isOn)

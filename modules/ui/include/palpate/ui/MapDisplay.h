@@ -41,6 +41,8 @@ class MapDisplay : public QObject
     /// The number that is shown at a place: "stiffness felt 0.42 N/mm"; empty where this structure has no such colours.
     /// @param triangle  number in the structure's repaired mesh; @param p_W  on it [mm]
     [[nodiscard]] QString textAt(int row, std::size_t triangle, const core::Vec3& p_W) const;
+    /// Draws nothing while something else colours the structures; then what was chosen again.
+    void setCovered(bool isCovered);
     /// Says what the device holds.
     void setGreatest(const haptics::Tissue& greatest);
 
@@ -52,6 +54,7 @@ class MapDisplay : public QObject
     StructureModel& m_model;
     haptics::Tissue m_greatest = core::unbounded();
     int m_row = -1;
+    bool m_isCovered = false;
     QString m_what;
     SurfaceNumbers m_shown; ///< without values: none
 };

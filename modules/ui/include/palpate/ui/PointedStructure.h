@@ -8,7 +8,9 @@
 #include <QPointF>
 #include <QTimer>
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 class QLabel;
 
@@ -37,6 +39,8 @@ class PointedStructure : public QObject
 
     /// The nearest structure that is shown at a place of the view. @par Cost As `view::firstHit`.
     [[nodiscard]] std::optional<Place> at(const QPointF& place) const;
+    /// Says more of a place after the structure's name; an empty text says nothing.
+    void setMore(std::function<QString(const Place&)> more) { m_more = std::move(more); }
     /// "liver · stiffness felt 0.42 N/mm"
     [[nodiscard]] QString textOf(const Place& place) const;
 
@@ -50,6 +54,7 @@ class PointedStructure : public QObject
     VtkViewport& m_viewport;
     const StructureModel& m_model;
     const MapDisplay& m_maps;
+    std::function<QString(const Place&)> m_more;
     QTimer m_frame; ///< at most one look a frame
     QPointF m_place;
     QLabel* m_name = nullptr;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace palpate::view {
 
@@ -18,6 +19,13 @@ namespace palpate::view {
 class ColourLegend
 {
   public:
+    /// A number that means something, and what.
+    struct Mark
+    {
+        double value = 0.0;
+        std::string text;
+    };
+    static constexpr std::size_t kMostMarks = 5;
     /// What it says, UTF-8.
     struct Content
     {
@@ -25,6 +33,9 @@ class ColourLegend
         std::string unknown; ///< what grey means
         ColourRange range;
         std::string decimalPoint = "."; ///< of the numbers
+        /// Ascending, at most kMostMarks: they stand beside the bar in place of its numbers, and what is unknown is
+        /// hatched.
+        std::vector<Mark> marks{};
     };
 
     ColourLegend();
@@ -34,15 +45,30 @@ class ColourLegend
     [[nodiscard]] bool isShown() const { return m_bar->GetVisibility() != 0; }
     /// Its words from the top: title, largest, middle, least number, and what grey means where it is there.
     [[nodiscard]] std::array<std::string, 5> texts() const;
+    /// The marks' words, from the lowest.
+    [[nodiscard]] std::vector<std::string> markTexts() const;
     /// @param renderer  that it was added to; @param cubeTop_px  what is below it ends there, logical pixels
     void place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
 
   private:
+    /// Where the bar and what is below it stand. [device px]
+    struct Place
+    {
+        double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
+    };
+    [[nodiscard]] double markedHeight(double letter) const;
+    void placeMarks(const Place& at);
+    void placeLines(const Place& at);
+
     vtkSmartPointer<vtkActor2D> m_back; ///< behind it all, so that it reads on bright tissue
     vtkSmartPointer<vtkActor2D> m_bar;
     vtkSmartPointer<vtkActor2D> m_grey;
     std::array<vtkSmartPointer<vtkTextActor>, 5> m_texts;
     bool m_hasUnknown = false;
+    ColourRange m_range;
+    std::vector<Mark> m_marks;
+    std::array<vtkSmartPointer<vtkTextActor>, kMostMarks> m_markTexts;
+    vtkSmartPointer<vtkActor2D> m_lines; ///< from the marks to their words, and the hatch
 };
 
 } // namespace palpate::view

@@ -5,6 +5,7 @@
 #include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
 #include "palpate/view/OrientationCube.h"
+#include "palpate/view/PlaceRing.h"
 #include "palpate/view/ScaleBar.h"
 #include "palpate/view/StructureActor.h"
 #include "palpate/view/SurfacePicker.h"
@@ -66,6 +67,8 @@ class SceneView
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
+    /// Hidden with new structures.
+    [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
@@ -104,6 +107,7 @@ class SceneView
     OrientationCube m_cube;
     ScaleBar m_scaleBar;
     ColourLegend m_legend;
+    PlaceRing m_placeRing;
     TouchCursor m_cursor;
     FindingMarkers m_findings;
     /// What the hidden findings were found for.

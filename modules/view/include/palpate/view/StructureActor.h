@@ -28,8 +28,8 @@ class StructureActor
     explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {}, bool isClosed = false);
 
     void setAppearance(const Appearance& appearance);
-    /// Shows the same surface with other colours: those that `coloured` gave it, where it has some, instead of the
-    /// structure's own.
+    /// Shows the same surface with other colours: those that `coloured` or `feltColoured` gave it, where it has some,
+    /// instead of the structure's own.
     void setPicture(vtkPolyData* surface);
     /// Lights the structure up a little, in its own colour.
     void setHighlighted(bool isOn);

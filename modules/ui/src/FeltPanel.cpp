@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/FeltPanel.h"
+
+#include "palpate/ui/FeltWords.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr double kUsualOrgan_kPa = 6.9; // a healthy liver: three times its shear modulus of 2.3 kPa (PMC2894569)
+constexpr double kLeastRatio = 0.001, kLeast_kPa = 0.01, kMost_kPa = 1e6;
+
+QString cellText(const buried::FeltSurface::LumpPress& press)
+{
+    const QString verdict = verdictSign(press.verdict) + QLatin1Char(' ') + verdictText(press.verdict);
+    return press.best ? feltChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict;
+}
+
+QDoubleSpinBox* makeSpin(double least, double most, const QString& name, QWidget* parent)
+{
+    auto* spin = new QDoubleSpinBox(parent);
+    spin->setRange(least, most);
+    spin->setDecimals(3);
+    spin->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    spin->setKeyboardTracking(false); // what is typed counts when it is finished
+    spin->setAccessibleName(name);
+    return spin;
+}
+
+} // namespace
+
+const std::vector<FeltPanel::RatioPreset>& FeltPanel::ratioPresets()
+{
+    // Shear moduli of 10.1 and 2.7 against 2.3 kPa: PMC2894569. The others were chosen.
+    static const std::vector<RatioPreset> presets{
+        {QT_TR_NOOP("Liver malignancy, 4.4 (MR elastography, PMC2894569)"), 4.4},
+        {QT_TR_NOOP("Benign liver lesion, 1.2 (MR elastography, PMC2894569)"), 1.2},
+        {QT_TR_NOOP("Metastasis, 5 (number chosen)"), 5.0},
+        {QT_TR_NOOP("Cyst, 0.05 (number chosen)"), 0.05},
+    };
+    return presets;
+}
+
+FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* parent)
+    : QWidget(parent)
+    , m_overlay(overlay)
+    , m_model(model)
+    , m_status(new QLabel(this))
+    , m_table(new QTableWidget(this))
+{
+    m_status->setWordWrap(true);
+    m_status->setTextFormat(Qt::PlainText);
+    makeTable();
+    auto* notice = new QLabel(tr("Estimate for research and rehearsal."), this);
+    notice->setWordWrap(true);
+    auto* left = new QVBoxLayout;
+    left->addWidget(notice);
+    left->addWidget(m_status);
+    left->addWidget(m_table, 1);
+    auto* all = new QHBoxLayout(this);
+    all->setContentsMargins(8, 8, 8, 8);
+    all->addLayout(left, 1);
+    all->addWidget(makeChoices());
+
+    connect(&overlay, &FeltOverlay::changed, this, &FeltPanel::fill);
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, &FeltPanel::showChosen);
+    connect(m_table, &QTableWidget::cellActivated, this, &FeltPanel::showBestPlace); // a double click, or Enter
+    fill();
+}
+
+void FeltPanel::makeTable()
+{
+    QStringList titles{tr("Lump"), tr("Times as stiff"), tr("Least cover")};
+    for (const double press_mm : FeltOverlay::kPress_mm) {
+        titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(press_mm) : tr("Touched lightly"));
+    }
+    m_table->setObjectName(QStringLiteral("feltTable"));
+    m_table->setAccessibleName(tr("Lumps and whether a hand finds them"));
+    m_table->setColumnCount(static_cast<int>(titles.size()));
+    m_table->setHorizontalHeaderLabels(titles);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setTabKeyNavigation(false);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setMinimumHeight(4 * fontMetrics().height() + 16);
+}
+
+QWidget* FeltPanel::makeChoices()
+{
+    auto* choices = new QWidget(this);
+    auto* column = new QVBoxLayout(choices);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_press = new QComboBox(choices);
+    m_press->setAccessibleName(tr("How deep the finger is pressed in"));
+    for (const double press_mm : FeltOverlay::kPress_mm) {
+        m_press->addItem(press_mm > 0.0 ? tr("Coloured as pressed %1 mm").arg(press_mm)
+                                        : tr("Coloured as touched lightly"));
+    }
+    m_best = new QPushButton(tr("Show me the best place"), choices);
+    m_ratioLabel = new QLabel(choices);
+    m_ratioLabel->setTextFormat(Qt::PlainText);
+    m_ratio =
+        makeSpin(kLeastRatio, buried::kMostRatio, tr("How many times as stiff as its organ the lump is"), choices);
+    m_source = new QComboBox(choices);
+    m_source->setAccessibleName(tr("Where the lump's stiffness comes from"));
+    m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("From the tissues' stiffness")});
+    for (const RatioPreset& preset : ratioPresets()) {
+        m_source->addItem(tr(preset.name));
+    }
+    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_source->setMinimumContentsLength(22);
+    m_moduli = new QWidget(choices);
+    auto* moduli = new QHBoxLayout(m_moduli);
+    moduli->setContentsMargins(0, 0, 0, 0);
+    m_lump_kPa = makeSpin(kLeast_kPa, kMost_kPa, tr("Young's modulus of the lump [kPa]"), m_moduli);
+    m_organ_kPa = makeSpin(kLeast_kPa, kMost_kPa, tr("Young's modulus of the organ [kPa]"), m_moduli);
+    m_organ_kPa->setSuffix(tr(" kPa"));
+    moduli->addWidget(m_lump_kPa, 1);
+    moduli->addWidget(new QLabel(tr("by"), m_moduli));
+    moduli->addWidget(m_organ_kPa, 1);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_press, m_best, m_ratioLabel, m_ratio, m_source, m_moduli}) {
+        column->addWidget(widget);
+    }
+    column->addStretch(1);
+    connect(m_press, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            [this](int index) { m_overlay.setPress(static_cast<std::size_t>(index)); });
+    connect(m_best, &QPushButton::clicked, this, &FeltPanel::showBestPlace);
+    connect(m_ratio, &QDoubleSpinBox::valueChanged, this, [this](double ratio) { setRatio(ratio); });
+    connect(m_source, &QComboBox::activated, this, &FeltPanel::chooseSource);
+    for (QDoubleSpinBox* spin : {m_lump_kPa, m_organ_kPa}) {
+        connect(spin, &QDoubleSpinBox::valueChanged, this,
+                [this] { setModuli(m_lump_kPa->value(), m_organ_kPa->value()); });
+    }
+    return choices;
+}
+
+void FeltPanel::fill()
+{
+    const bool isBusy = !m_overlay.isUpToDate();
+    const QString notes = m_overlay.notes().join(QLatin1Char('\n'));
+    m_status->setText(isBusy && m_overlay.isBusy() ? tr("Being computed…") : notes);
+    m_status->setVisible(!m_status->text().isEmpty());
+    m_table->setEnabled(!isBusy); // what is there is out of date
+    if (!isBusy || m_overlay.organs().empty()) {
+        const std::optional<Row> before = chosen();
+        const QSignalBlocker blocker(m_table);
+        m_table->setRowCount(0);
+        m_rows.clear();
+        for (std::size_t i = 0; i < m_overlay.organs().size(); ++i) {
+            const study::FeltOrgan& organ = m_overlay.organs()[i].organ;
+            for (std::size_t k = 0; k < organ.felt.lumps.size(); ++k) {
+                const std::size_t lump = organ.organ.lumps[organ.felt.lumps[k].given].structure;
+                addRow({i, k, static_cast<int>(lump), static_cast<int>(organ.organ.organ)});
+            }
+        }
+        const auto same = std::find_if(m_rows.begin(), m_rows.end(),
+                                       [&](const Row& row) { return before && row.lumpRow == before->lumpRow; });
+        if (!m_rows.empty()) {
+            m_table->selectRow(same == m_rows.end() ? 0 : static_cast<int>(same - m_rows.begin()));
+        }
+    }
+    const QSignalBlocker blocker(m_press);
+    m_press->setCurrentIndex(static_cast<int>(m_overlay.press()));
+    showChosen();
+}
+
+void FeltPanel::addRow(const Row& row)
+{
+    const study::FeltOrgan& organ = m_overlay.organs()[row.organ].organ;
+    const buried::FeltSurface::Lump& lump = organ.felt.lumps[row.lump];
+    const QString in = readableName(m_model.structure(row.organRow).name);
+    const QString cover =
+        lump.leastCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.leastCover_mm, 'f', 1)) : tr("lies open");
+    QStringList cells{readableName(lump.name) + QLatin1Char('\n') + tr("in %1").arg(in),
+                      QLocale().toString(lump.ratio, 'g', 3) + QLatin1Char('\n') +
+                          ratioSourceText(organ.organ.lumps[lump.given].source),
+                      cover};
+    QStringList tips{QString(), QString(), QString()};
+    for (const buried::FeltSurface::LumpPress& press : lump.press) {
+        cells << cellText(press);
+        tips << (press.best
+                     ? tr("between %1 and %2").arg(feltChangeText(press.felt.low), feltChangeText(press.felt.high))
+                     : QString());
+    }
+    const int at = m_table->rowCount();
+    m_table->insertRow(at);
+    for (int column = 0; column < static_cast<int>(cells.size()); ++column) {
+        auto* item = new QTableWidgetItem(cells[column]);
+        item->setToolTip(tips[column]);
+        m_table->setItem(at, column, item);
+    }
+    m_rows.push_back(row);
+}
+
+std::optional<FeltPanel::Row> FeltPanel::chosen() const
+{
+    const QList<QTableWidgetItem*> items = m_table->selectedItems();
+    const int at = items.isEmpty() ? -1 : items.front()->row();
+    return at >= 0 && at < static_cast<int>(m_rows.size()) ? std::optional(m_rows[static_cast<std::size_t>(at)])
+                                                           : std::nullopt;
+}
+
+/// What is said of the chosen lump's stiffness.
+void FeltPanel::showChosen()
+{
+    const std::optional<Row> row = chosen();
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_ratio, m_source, m_moduli}) {
+        widget->setEnabled(row.has_value());
+    }
+    m_best->setEnabled(row.has_value() && m_overlay.isUpToDate());
+    m_moduli->setVisible(false);
+    if (!row || row->lumpRow >= m_model.rowCount() || row->organRow >= m_model.rowCount()) {
+        m_ratioLabel->setText(tr("Times as stiff as its organ:"));
+        return;
+    }
+    const meshio::SceneStructure &lump = m_model.structure(row->lumpRow), &organ = m_model.structure(row->organRow);
+    m_ratioLabel->setText(tr("%1, times as stiff as %2:").arg(readableName(lump.name), readableName(organ.name)));
+    const QSignalBlocker ratio(m_ratio), ofLump(m_lump_kPa), ofOrgan(m_organ_kPa);
+    int source = Tissues;
+    if (lump.young_ratio) {
+        source = Typed;
+        for (std::size_t i = 0; i < ratioPresets().size(); ++i) {
+            if (ratioPresets()[i].ratio == *lump.young_ratio) {
+                source = FirstPreset + static_cast<int>(i);
+            }
+        }
+        m_ratio->setValue(*lump.young_ratio);
+    } else if (lump.young_kPa && organ.young_kPa) {
+        source = Moduli;
+        m_lump_kPa->setValue(*lump.young_kPa);
+        m_organ_kPa->setValue(*organ.young_kPa);
+        m_ratio->setValue(*lump.young_kPa / *organ.young_kPa);
+    } else if (row->organ < m_overlay.organs().size() && m_overlay.isUpToDate()) {
+        m_ratio->setValue(m_overlay.organs()[row->organ].organ.felt.lumps[row->lump].ratio);
+    }
+    m_source->setCurrentIndex(source);
+    m_moduli->setVisible(source == Moduli);
+}
+
+/// @param ratio  nothing: as the tissues' stiffness says
+void FeltPanel::setRatio(std::optional<double> ratio)
+{
+    const std::optional<Row> row = chosen();
+    if (!row) {
+        return;
+    }
+    meshio::SceneStructure lump = m_model.structure(row->lumpRow);
+    lump.young_ratio = ratio;
+    if (!ratio) {
+        lump.young_kPa.reset();
+    }
+    m_model.editAll({{row->lumpRow, lump}}, tr("Stiffness of %1").arg(readableName(lump.name)));
+    showChosen();
+}
+
+void FeltPanel::setModuli(double lump_kPa, double organ_kPa)
+{
+    const std::optional<Row> row = chosen();
+    if (!row) {
+        return;
+    }
+    meshio::SceneStructure lump = m_model.structure(row->lumpRow), organ = m_model.structure(row->organRow);
+    lump.young_ratio.reset();
+    lump.young_kPa = lump_kPa;
+    organ.young_kPa = organ_kPa;
+    m_model.editAll({{row->lumpRow, lump}, {row->organRow, organ}}, tr("Stiffness of %1").arg(readableName(lump.name)));
+    showChosen();
+}
+
+void FeltPanel::chooseSource(int index)
+{
+    const std::optional<Row> row = chosen();
+    if (!row) {
+        return;
+    }
+    if (index >= FirstPreset) {
+        setRatio(ratioPresets()[static_cast<std::size_t>(index - FirstPreset)].ratio);
+    } else if (index == Typed) {
+        setRatio(m_ratio->value());
+        m_ratio->setFocus();
+    } else if (index == Tissues) {
+        setRatio(std::nullopt);
+    } else {
+        const double organ_kPa = m_model.structure(row->organRow).young_kPa.value_or(kUsualOrgan_kPa);
+        setModuli(m_model.structure(row->lumpRow).young_kPa.value_or(m_ratio->value() * organ_kPa), organ_kPa);
+    }
+}
+
+void FeltPanel::showBestPlace()
+{
+    const std::optional<Row> row = chosen();
+    if (row && m_overlay.isUpToDate() && !m_overlay.showBestPlace(row->organ, row->lump)) {
+        m_status->setText(tr("No place over this lump can be judged."));
+        m_status->show();
+    }
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/FeltWords.h"
+
+#include "palpate/ui/StructureModel.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <array>
+#include <cmath>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr const char* kContext = "palpate::ui::FeltWords";
+
+/// For the catalogues; the texts are those of buried::kVerdictNames and study::sourceText.
+[[maybe_unused]] constexpr std::array<const char*, 7> kTranslated{
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "not by hand"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "by a trained hand"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "plainly"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "not judged"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "as typed"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "from the moduli"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "from the tissues' stiffness"),
+};
+
+QString percent(double ratio)
+{
+    return QLocale().toString(static_cast<int>(std::lround(100.0 * (ratio - 1.0))));
+}
+
+QString saysOf(buried::Verdict verdict)
+{
+    switch (verdict) {
+    case buried::Verdict::Plainly:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "plainly felt");
+    case buried::Verdict::ByTrainedHand:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "a trained hand tells it");
+    default:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "below what a trained hand tells");
+    }
+}
+
+QString whyNotJudged(std::uint8_t why)
+{
+    QStringList reasons;
+    if ((why & buried::kCurved) != 0) {
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "the surface bends too much");
+    }
+    if ((why & buried::kThin) != 0) {
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "the organ is too thin");
+    }
+    if ((why & buried::kOverlapping) != 0) {
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "lumps reach into each other");
+    }
+    return QCoreApplication::translate("palpate::ui::FeltWords", "not judged here: %1")
+        .arg(reasons.join(QStringLiteral(", ")));
+}
+
+/// "; +17 % when pressed 4 mm": where pressing harder makes the verdict better, else how much the hardest press makes.
+QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
+{
+    const buried::Verdict now = buried::verdictOf(felt.press[press].ratio[vertex]);
+    if (press + 1 >= felt.press.size() || now == buried::Verdict::Plainly) {
+        return {};
+    }
+    std::size_t deeper = felt.press.size() - 1;
+    for (std::size_t i = press + 1; i < felt.press.size(); ++i) {
+        if (buried::verdictOf(felt.press[i].ratio[vertex]) > now) {
+            deeper = i;
+            break;
+        }
+    }
+    return QCoreApplication::translate("palpate::ui::FeltWords", ";\n%1 when pressed %2 mm")
+        .arg(feltChangeText(felt.press[deeper].ratio[vertex]), QLocale().toString(felt.press[deeper].press_mm));
+}
+
+} // namespace
+
+QString feltChangeText(double ratio)
+{
+    const QString sign = std::lround(100.0 * (ratio - 1.0)) > 0 ? QStringLiteral("+") : QString();
+    return QStringLiteral("%1%2 %").arg(sign, percent(ratio));
+}
+
+QString verdictText(buried::Verdict verdict)
+{
+    return QCoreApplication::translate(kContext, buried::kVerdictNames[static_cast<std::size_t>(verdict)].data());
+}
+
+QString verdictSign(buried::Verdict verdict)
+{
+    switch (verdict) {
+    case buried::Verdict::Plainly:
+        return QStringLiteral("●");
+    case buried::Verdict::ByTrainedHand:
+        return QStringLiteral("◐");
+    case buried::Verdict::NotByHand:
+        return QStringLiteral("○");
+    case buried::Verdict::NotJudged:
+        break;
+    }
+    return QStringLiteral("–");
+}
+
+QString ratioSourceText(study::RatioSource source)
+{
+    return QCoreApplication::translate(kContext, study::sourceText(source).data());
+}
+
+QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
+{
+    if (felt.notJudged[vertex] != 0) {
+        return whyNotJudged(felt.notJudged[vertex]);
+    }
+    if (felt.lump[vertex] == 0) {
+        return QCoreApplication::translate("palpate::ui::FeltWords", "no lump is felt here");
+    }
+    const buried::FeltSurface::Press& here = felt.press[press];
+    const QString name = readableName(felt.lumps[felt.lump[vertex] - 1U].name);
+    return QCoreApplication::translate("palpate::ui::FeltWords", "%1: %2 mm below, %3 (%4 … %5 %): %6")
+               .arg(name, QLocale().toString(felt.cover_mm[vertex], 'f', 0), feltChangeText(here.ratio[vertex]),
+                    percent(here.low[vertex]), percent(here.high[vertex]),
+                    saysOf(buried::verdictOf(here.ratio[vertex]))) +
+           whenPressed(felt, vertex, press);
+}
+
+} // namespace palpate::ui

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/view/FeltColours.h"
+
+#include "palpate/view/SurfaceColours.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkShader.h>
+#include <vtkShaderProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace palpate::view {
+
+namespace {
+
+constexpr const char* kArray = "FeltLines";    // change [%], 1 where it is not judged
+constexpr const char* kAttribute = "feltLine"; // the same in the shader
+
+/// Lines where the change passes a threshold: the first dark, the others with a light core and wider, so that they read
+/// on every colour and are told apart. What is felt is opaque, the rest lets through what lies below.
+constexpr const char* kFragment = R"(//VTK::Color::Impl
+  if (feltLineVSOutput.y > 0.001) {
+    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
+    vec3 hatch = stripe < 3.0 ? vec3(0.36) : vec3(0.74);
+    ambientColor = ambientIntensity * hatch;
+    diffuseColor = diffuseIntensity * hatch;
+    opacity = max(opacity, 0.55);
+  } else {
+    float perPixel = max(fwidth(feltLineVSOutput.x), 1e-6);
+    float far7 = abs(feltLineVSOutput.x - 7.0) / perPixel;
+    float far14 = abs(feltLineVSOutput.x - 14.0) / perPixel;
+    float far28 = abs(feltLineVSOutput.x - 28.0) / perPixel;
+    float dark = max(max(1.9 - far7, 2.4 - far14), 3.4 - far28);
+    float light = max(1.2 - far14, 2.2 - far28);
+    float ink = clamp(dark, 0.0, 1.0);
+    vec3 line = mix(vec3(0.05, 0.06, 0.08), vec3(1.0), clamp(light, 0.0, 1.0));
+    ambientColor = mix(ambientColor, 0.5 * line, ink);
+    diffuseColor = mix(diffuseColor, 0.5 * line, ink);
+    opacity = max(opacity, max(ink, mix(0.4, 0.92, clamp(feltLineVSOutput.x / 14.0, 0.0, 1.0))));
+  }
+)";
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> feltColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
+                                          const FeltColours& colours)
+{
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->ShallowCopy(&picture);
+    auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    bytes->SetName("Colours");
+    bytes->SetNumberOfComponents(3);
+    bytes->SetNumberOfTuples(picture.GetNumberOfPoints());
+    auto lines = vtkSmartPointer<vtkFloatArray>::New();
+    lines->SetName(kArray);
+    lines->SetNumberOfComponents(2);
+    lines->SetNumberOfTuples(picture.GetNumberOfPoints());
+    vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) { // a vertex has several points where a feature edge runs through it
+            const auto point = static_cast<vtkIdType>(points->GetComponent(static_cast<vtkIdType>(3 * t + c), 0));
+            const std::size_t v = mesh.triangles[t][c];
+            const float change = colours.change_percent[v];
+            const Colour colour = surfaceColour(double{change} / colours.greatest_percent);
+            bytes->SetTuple3(point, std::round(255.0 * colour[0]), std::round(255.0 * colour[1]),
+                             std::round(255.0 * colour[2]));
+            lines->SetTuple2(point, change, colours.isNotJudged[v] != 0 ? 1.0 : 0.0);
+        }
+    }
+    data->GetPointData()->SetScalars(bytes);
+    data->GetPointData()->AddArray(lines);
+    return data;
+}
+
+void drawFeltLines(vtkActor& actor, vtkPolyData& picture)
+{
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
+    vtkShaderProperty* shader = actor.GetShaderProperty();
+    if (picture.GetPointData()->GetArray(kArray) == nullptr) {
+        mapper->RemoveVertexAttributeMapping(kAttribute);
+        shader->ClearAllShaderReplacements();
+        return;
+    }
+    shader->AddVertexShaderReplacement(
+        "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n  in vec2 feltLine;\n  out vec2 feltLineVSOutput;\n", false);
+    shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
+                                       "//VTK::Normal::Impl\n  feltLineVSOutput = feltLine;\n", false);
+    shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+                                         "//VTK::Normal::Dec\n  in vec2 feltLineVSOutput;\n", false);
+    mapper->MapDataArrayToVertexAttribute(kAttribute, kArray, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kFragment, false);
+}
+
+} // namespace palpate::view

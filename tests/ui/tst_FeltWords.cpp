@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
+
+#include <palpate/ui/FeltPanel.h>
+#include <palpate/ui/FeltWords.h>
+
+#include <QLocale>
+#include <QTest>
+
+#include <limits>
+
+using namespace palpate;
+using buried::FeltSurface;
+
+/// What is said of a place, of hand-made numbers.
+class FeltWords : public QObject
+{
+    Q_OBJECT
+
+    /// Four vertices: a lump that hands find when they press, one that is not felt, one that is not judged, a cyst.
+    static FeltSurface made()
+    {
+        constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+        FeltSurface felt;
+        felt.lumps = {{"lump_a", 0, 3.0, 6.0, {}}, {"cyst", 1, 0.05, 4.0, {}}};
+        felt.press = {{0.0, {1.05F, 1.0F, 1.4F, 0.8F}, {1.08F, 1.0F, 1.5F, 0.85F}, {1.14F, 1.0F, 1.6F, 0.9F}},
+                      {2.0, {1.07F, 1.0F, 1.4F, 0.7F}, {1.12F, 1.0F, 1.5F, 0.77F}, {1.2F, 1.0F, 1.6F, 0.8F}},
+                      {8.0, {1.3F, 1.0F, 1.4F, 0.6F}, {1.48F, 1.0F, 1.5F, 0.6F}, {1.7F, 1.0F, 1.6F, 0.7F}}};
+        felt.cover_mm = {6.1F, kNone, 3.0F, 4.0F};
+        felt.lump = {1, 0, 1, 2};
+        felt.notJudged = {0, 0, buried::kCurved | buried::kThin, 0};
+        return felt;
+    }
+    static QString said(std::size_t vertex, std::size_t press)
+    {
+        return ui::feltPlaceText(made(), vertex, press).simplified();
+    }
+
+  private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void changesHaveTheirSign()
+    {
+        QCOMPARE(ui::feltChangeText(1.084), QStringLiteral("+8 %"));
+        QCOMPARE(ui::feltChangeText(1.004), QStringLiteral("0 %"));
+        QCOMPARE(ui::feltChangeText(0.996), QStringLiteral("0 %"));
+        QCOMPARE(ui::feltChangeText(0.85), QStringLiteral("-15 %"));
+        QCOMPARE(ui::feltChangeText(2.04), QStringLiteral("+104 %"));
+    }
+
+    void aPlaceIsSaidInWords()
+    {
+        QCOMPARE(said(0, 0), QStringLiteral("lump a: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; "
+                                            "+48 % when pressed 8 mm"));
+        QCOMPARE(said(0, 2), QStringLiteral("lump a: 6 mm below, +48 % (30 … 70 %): plainly felt"));
+        QCOMPARE(said(1, 0), QStringLiteral("no lump is felt here"));
+        QCOMPARE(said(3, 0),
+                 QStringLiteral("cyst: 4 mm below, -15 % (-20 … -10 %): a trained hand tells it; -23 % when "
+                                "pressed 2 mm")); // a change of 30 %: told plainly
+    }
+
+    void whatIsNotJudgedHasNoNumber()
+    {
+        QCOMPARE(said(2, 0), QStringLiteral("not judged here: the surface bends too much, the organ is too thin"));
+    }
+
+    void presetsAreWhatTheirNamesSay()
+    {
+        for (const ui::FeltPanel::RatioPreset& preset : ui::FeltPanel::ratioPresets()) {
+            QVERIFY2(QString::fromUtf8(preset.name).contains(QStringLiteral(", %1 (").arg(preset.ratio)), preset.name);
+        }
+    }
+};
+
+PALPATE_TEST(FeltWords)
+#include "tst_FeltWords.moc"

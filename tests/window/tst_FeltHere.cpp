@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/study/FeltFile.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/ui/FeltOverlay.h>
+#include <palpate/ui/FeltPanel.h>
+#include <palpate/ui/Theme.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include <vtkMapper.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+using namespace palpate;
+using core::Vec3;
+using ui::FeltOverlay;
+using ui::FeltPanel;
+
+/// What can be felt of the phantom's lumps, in the whole window: colours, legend, words under the pointer, the table.
+class FeltHere : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+    FeltOverlay& felt() { return *m_desk->window().findChild<FeltOverlay*>(); }
+    QTableWidget& table() { return *m_desk->window().findChild<QTableWidget*>(QStringLiteral("feltTable")); }
+    ui::VtkViewport& viewport() { return m_desk->window().viewport(); }
+    QString cell(int row, int column) { return table().item(row, column)->text(); }
+
+    template<class Widget>
+    Widget& named(const QString& name)
+    {
+        for (Widget* one : m_desk->window().findChildren<Widget*>()) {
+            if (one->accessibleName() == name) {
+                return *one;
+            }
+        }
+        qFatal("no such widget");
+    }
+
+    void showFelt(QSize size = {1280, 800})
+    {
+        QVERIFY(m_desk->show(size));
+        QVERIFY(m_desk->openPhantom());
+        viewport().setFocus();
+        m_desk->pressKeyOf("felt");
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+    }
+
+    void keep(const char* name)
+    {
+        if (const QByteArray to = qgetenv("PALPATE_FELT_PICTURES"); !to.isEmpty()) {
+            QTest::qWait(600);
+            QVERIFY(m_desk->picture().save(QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")));
+        }
+    }
+
+    /// What is said beside the pointer in the middle of the view.
+    QString saidInTheMiddle()
+    {
+        const QPointF middle(0.5 * viewport().width(), 0.5 * viewport().height());
+        Q_EMIT viewport().hovered(middle);
+        auto* label = viewport().findChild<QLabel*>(QStringLiteral("pointed"));
+        (void)QTest::qWaitFor([&] { return label->isVisible(); }, 5000);
+        return label->text();
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    void costsNothingUntilItIsWanted()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(!m_desk->command("felt").isEnabled()); // without a scene
+        QVERIFY(m_desk->openPhantom());
+        QTest::qWait(500);
+        QVERIFY(!felt().isBusy() && felt().organs().empty());
+        QVERIFY(!viewport().view().legend().isShown());
+    }
+
+    void coloursTheOrganWithALegend()
+    {
+        showFelt();
+        const auto marks = viewport().view().legend().markTexts();
+        QCOMPARE(marks.size(), std::size_t(4));
+        QVERIFY(marks[1].find("7 %") == 0 && marks[2].find("14 %") == 0 && marks[3].find("28 %") == 0);
+        vtkActor* liver = viewport().view().structure(0).picture.actor();
+        const auto arrays = [&] {
+            return vtkPolyData::SafeDownCast(liver->GetMapper()->GetInputDataObject(0, 0))->GetPointData();
+        };
+        QVERIFY(arrays()->GetScalars() != nullptr);
+        keep("lightly");
+        named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(3);
+        keep("pressed");
+        m_desk->pressKeyOf("felt");
+        QVERIFY(arrays()->GetScalars() == nullptr);
+        QVERIFY(!viewport().view().legend().isShown());
+        QVERIFY(!felt().isBusy());
+    }
+
+    void theTableSaysWhatTheCommandSays()
+    {
+        showFelt();
+        const auto scene = study::openScene(
+            std::filesystem::path(PALPATE_SOURCE_DIR) / "data/phantom/phantom.palpate.json", meshio::ReadOptions());
+        QVERIFY(scene.isOk());
+        const auto organs = study::organsWithLumps(scene.value());
+        QVERIFY(organs.isOk());
+        buried::FeltOptions how;
+        how.radius_mm = organs.value().front().radius_mm;
+        const auto expected = study::feltSurface(scene.value(), organs.value().front(), how);
+        QVERIFY(expected.isOk());
+        QCOMPARE(table().rowCount(), static_cast<int>(expected.value().lumps.size()));
+        for (int row = 0; row < table().rowCount(); ++row) {
+            const buried::FeltSurface::Lump& lump = expected.value().lumps[static_cast<std::size_t>(row)];
+            QVERIFY(cell(row, FeltPanel::Lump).startsWith(QString::fromStdString(lump.name)));
+            QVERIFY(cell(row, FeltPanel::Ratio).contains(QStringLiteral("from the tissues' stiffness")));
+            for (int press = 0; press < 4; ++press) {
+                const auto& at = lump.press[static_cast<std::size_t>(press)];
+                const QString verdict =
+                    QString::fromStdString(std::string(buried::kVerdictNames[static_cast<std::size_t>(at.verdict)]));
+                const QString change = QStringLiteral("+%1 %").arg(std::lround(100.0 * (at.felt.estimate - 1.0)));
+                const QString said = cell(row, FeltPanel::FirstPress + press);
+                QVERIFY2(said.startsWith(change) && said.endsWith(verdict), qPrintable(said));
+            }
+        }
+    }
+
+    void thePointerSaysItAndTheBestPlaceIsShown()
+    {
+        showFelt();
+        const int lump12 = cell(0, FeltPanel::Lump).startsWith(QStringLiteral("lump 12")) ? 0 : 1;
+        table().selectRow(lump12);
+        QVERIFY(felt().showBestPlace(0, static_cast<std::size_t>(lump12)));
+        QVERIFY(viewport().view().placeRing().isShown());
+        QTest::qWait(2 * ui::CameraFlight::kTime_ms);
+        const QString said = saidInTheMiddle();
+        QVERIFY2(said.simplified().contains(
+                     QStringLiteral("lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; "
+                                    "+17 % when pressed 4 mm")),
+                 qPrintable(said));
+        keep("best-place");
+    }
+
+    void anotherRatioMakesItAnewAndIsUndone()
+    {
+        showFelt();
+        const QString before = cell(0, FeltPanel::FirstPress);
+        auto& ratio = named<QDoubleSpinBox>(QStringLiteral("How many times as stiff as its organ the lump is"));
+        QCOMPARE(ratio.value(), 3.0);
+        QSignalSpy changed(&felt(), &FeltOverlay::changed);
+        ratio.setValue(100.0);
+        QVERIFY(!felt().isUpToDate()); // at once: nothing old is shown
+        QVERIFY(!viewport().view().legend().isShown());
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        QVERIFY(cell(0, FeltPanel::FirstPress) != before);
+        QVERIFY(cell(0, FeltPanel::Ratio).startsWith(QStringLiteral("100\nas typed")));
+        QVERIFY(viewport().view().legend().isShown());
+        QVERIFY(m_desk->window().isWindowModified());
+        m_desk->command("save").trigger();
+        const auto saved = meshio::readScene(m_desk->folder() / "phantom/phantom.palpate.json");
+        QVERIFY(saved.isOk());
+        QVERIFY(saved.value().structures[1].young_ratio == 100.0);
+        m_desk->command("undo").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        QCOMPARE(cell(0, FeltPanel::FirstPress), before);
+        QCOMPARE(ratio.value(), 3.0);
+        m_desk->command("save").trigger();
+    }
+
+    void presetsAndModuliAreTaken()
+    {
+        showFelt();
+        auto& source = named<QComboBox>(QStringLiteral("Where the lump's stiffness comes from"));
+        const auto choose = [&](int index) {
+            source.setCurrentIndex(index);
+            Q_EMIT source.activated(index);
+            QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        };
+        choose(source.findText(QStringLiteral("Liver malignancy"), Qt::MatchStartsWith));
+        QVERIFY(cell(0, FeltPanel::Ratio).startsWith(QStringLiteral("4.4\n")));
+        choose(source.findText(QStringLiteral("From the two"), Qt::MatchStartsWith));
+        named<QDoubleSpinBox>(QStringLiteral("Young's modulus of the lump [kPa]")).setValue(20.0);
+        named<QDoubleSpinBox>(QStringLiteral("Young's modulus of the organ [kPa]")).setValue(5.0);
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("4\nfrom the moduli"));
+        choose(source.findText(QStringLiteral("From the tissues"), Qt::MatchStartsWith));
+        QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("3\nfrom the tissues' stiffness"));
+    }
+
+    void aStructureThatGoesIsNotFelt()
+    {
+        showFelt();
+        QCOMPARE(table().rowCount(), 2);
+        auto* list = m_desk->window().findChild<ui::StructurePanel*>();
+        list->select(2);
+        m_desk->command("remove").trigger();
+        QVERIFY(!felt().isUpToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        QCOMPARE(table().rowCount(), 1);
+        m_desk->command("undo").trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(table().rowCount(), 2, 60000);
+    }
+
+    void isCancelled()
+    {
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->openPhantom());
+        viewport().setFocus();
+        QSignalSpy cancelled(&felt(), &FeltOverlay::cancelled);
+        m_desk->pressKeyOf("felt");
+        QVERIFY(felt().isBusy());
+        for (auto* button : m_desk->window().findChildren<QToolButton*>()) {
+            if (button->text() == QStringLiteral("Cancel")) {
+                button->click();
+            }
+        }
+        QCOMPARE(cancelled.count(), 1);
+        QVERIFY(!felt().isBusy());
+        QTest::qWait(500);
+        QVERIFY(felt().organs().empty());
+        QVERIFY(!m_desk->command("felt").isChecked());
+        QVERIFY(!viewport().view().legend().isShown());
+        m_desk->pressKeyOf("felt"); // and again
+        QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
+        QVERIFY(!felt().organs().empty());
+    }
+
+    void looksWellInTheDark()
+    {
+        showFelt();
+        named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(2);
+        QVERIFY(viewport().view().legend().texts()[0].find("pressed 4 mm") != std::string::npos);
+        m_desk->command("appearance-dark").trigger();
+        QVERIFY(ui::isDarkTheme());
+        keep("dark");
+        m_desk->command("appearance-light").trigger();
+    }
+
+    void fitsASmallWindow()
+    {
+        showFelt({1024, 700});
+        QVERIFY2(m_desk->window().width() <= 1024 && m_desk->window().height() <= 700,
+                 qPrintable(QStringLiteral("%1 x %2").arg(m_desk->window().width()).arg(m_desk->window().height())));
+        keep("small");
+    }
+};
+
+PALPATE_TEST(FeltHere)
+#include "tst_FeltHere.moc"
