@@ -373,10 +373,6 @@
         <translation>Rad</translation>
     </message>
     <message>
-        <source>camera: zoom · palpate: depth in mm (with Ctrl: zoom)</source>
-        <translation>Kamera: zoomen · Tasten: Tiefe in mm (mit Strg: zoomen)</translation>
-    </message>
-    <message>
         <source>double-click</source>
         <translation>Doppelklick</translation>
     </message>
@@ -761,10 +757,6 @@
         <translation>Was Zeiger oder Gerät tut</translation>
     </message>
     <message>
-        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm]; the wheel sets it (P switches)</source>
-        <translation>Was der Zeiger tut: er dreht die Ansicht, oder er drückt so weit entlang der Blickrichtung [mm]; das Rad stellt es ein (P schaltet um)</translation>
-    </message>
-    <message>
         <source>Stop the recording first: it holds the surfaces as they lie now.</source>
         <translation>Beenden Sie erst die Aufzeichnung: sie hält die Oberflächen, wie sie jetzt liegen.</translation>
     </message>
@@ -999,6 +991,22 @@
     <message>
         <source>Forces may stutter: %1: %2. %3</source>
         <translation>Kräfte können stocken: %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
+        <translation>Kamera: zoomen · Tasten: Tiefe in mm oder Kraft in N (mit Strg: zoomen)</translation>
+    </message>
+    <message>
+        <source>Press by effort</source>
+        <translation>Mit Kraft drücken</translation>
+    </message>
+    <message>
+        <source>Effort in, depth out: the force rises while the button is held, or is a pen's pressure, and a stiff place gives way less; off: the wheel says how deep</source>
+        <translation>Kraft hinein, Tiefe heraus: die Kraft wächst, solange die Taste gehalten wird, oder ist der Druck eines Stifts, und eine steife Stelle gibt weniger nach; aus: das Rad sagt, wie tief</translation>
+    </message>
+    <message>
+        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm] or with this force [N]; the wheel sets it (P switches)</source>
+        <translation>Was der Zeiger tut: er dreht die Ansicht, oder er drückt so weit entlang der Blickrichtung [mm] oder mit dieser Kraft [N]; das Rad stellt es ein (P schaltet um)</translation>
     </message>
 </context>
 <context>
@@ -1766,7 +1774,7 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>CPU der Servoschleife</translation>
     </message>
     <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere "Any" lets
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
 the loop go where there is room.</source>
         <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
 die Schleife laufen, wo Platz ist.</translation>
@@ -2160,6 +2168,44 @@ Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die H
     <message>
         <source>Puts the middle of the device's way in the middle of what the hand's space is zoomed to</source>
         <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
+    </message>
+    <message>
+        <source>Depth: the wheel says how deep</source>
+        <translation>Tiefe: das Rad sagt, wie tief</translation>
+    </message>
+    <message>
+        <source>Effort: the longer, the harder</source>
+        <translation>Kraft: je länger, desto stärker</translation>
+    </message>
+    <message>
+        <source>What a press sets</source>
+        <translation>Was ein Druck vorgibt</translation>
+    </message>
+    <message>
+        <source>Depth: the same depth everywhere, and a stiff place pushes back harder.
+Effort: the same force everywhere, and a stiff place gives way less. The force rises by 1 N a second while the button is held; a pen gives it by its pressure. (E)</source>
+        <translation>Tiefe: überall gleich tief, und eine steife Stelle drückt stärker zurück.
+Kraft: überall gleich stark, und eine steife Stelle gibt weniger nach. Die Kraft wächst um 1 N je Sekunde, solange die Taste gehalten wird; ein Stift gibt sie durch seinen Druck vor. (E)</translation>
+    </message>
+    <message>
+        <source>A press sets</source>
+        <translation>Ein Druck gibt vor</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Greatest effort</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>The press gets no harder than this, and a pen's full pressure is this; the wheel changes it by 0.5 N</source>
+        <translation>Stärker wird der Druck nicht, und der volle Druck eines Stifts ist so stark; das Rad ändert es um 0,5 N</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
     </message>
 </context>
 <context>
@@ -2657,6 +2703,18 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>pressing %1 of %2 mm</source>
         <translation>drückt %1 von %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 N is the hardest press.</source>
+        <translation>%1 N ist der stärkste Druck.</translation>
+    </message>
+    <message>
+        <source>presses up to %1 N</source>
+        <translation>drückt bis %1 N</translation>
+    </message>
+    <message>
+        <source>pressing with %1 of %2 N, %3 mm</source>
+        <translation>drückt mit %1 von %2 N, %3 mm</translation>
     </message>
 </context>
 <context>
