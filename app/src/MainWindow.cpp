@@ -312,6 +312,17 @@ void MainWindow::connectTouch()
         m_maps->setGreatest(m_live.greatestTissue());
     });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
+    const auto takePress = [this](const HandSettings& settings) {
+        m_effortAction->setEnabled(m_live.usesPointer());
+        if (m_live.usesPointer()) {
+            m_palpation->setPress(settings);
+            m_effortAction->setChecked(settings.isByEffort);
+        }
+    };
+    connect(m_handControl, &HandControl::settingsTaken, this, takePress);
+    takePress(m_hand->settings());
+    connect(m_effortAction, &QAction::toggled, m_handControl, &HandControl::setByEffort);
+    connect(m_palpation, &PalpationController::effortTurned, m_handControl, &HandControl::setEffort);
     connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
     connect(m_fitSceneAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Scene); });
     connect(m_fitOrganAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Organ); });

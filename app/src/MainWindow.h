@@ -213,6 +213,7 @@ class MainWindow : public QMainWindow
     QAction* m_measuresAction = nullptr;
     QAction* m_embedAction = nullptr;
     QAction* m_palpateAction = nullptr;
+    QAction* m_effortAction = nullptr;
     QAction* m_recordAction = nullptr;
     QAction* m_playAction = nullptr;
     QAction* m_restartAction = nullptr;

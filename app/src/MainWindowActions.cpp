@@ -102,7 +102,8 @@ void MainWindow::makeViewActions()
     m_actions.addGesture(ActionGroup::InView, tr("click"), tr("camera: select the structure (with Ctrl: one more)"));
     m_actions.addGesture(ActionGroup::InView, tr("right drag"), tr("camera: zoom · palpate: rotate"));
     m_actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
-    m_actions.addGesture(ActionGroup::InView, tr("wheel"), tr("camera: zoom · palpate: depth in mm (with Ctrl: zoom)"));
+    m_actions.addGesture(ActionGroup::InView, tr("wheel"),
+                         tr("camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)"));
     m_actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
     ViewKeys::describe(m_actions);
     connect(m_actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
@@ -123,6 +124,11 @@ void MainWindow::makeSessionActions()
         tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"),
         {QKeySequence(Qt::Key_P)}, Symbol::Hand);
     m_palpateAction->setCheckable(true);
+    m_effortAction = m_actions.add("effort", ActionGroup::Session, tr("Press by effort"),
+                                   tr("Effort in, depth out: the force rises while the button is held, or is a pen's "
+                                      "pressure, and a stiff place gives way less; off: the wheel says how deep"),
+                                   {QKeySequence(Qt::Key_E)});
+    m_effortAction->setCheckable(true);
     m_clutchAction =
         m_actions.add("clutch", ActionGroup::Session, tr("Lift the hand"),
                       tr("Move the device without the hand in the scene, as a mouse is lifted; again to go on"),

@@ -62,7 +62,7 @@ void MainWindow::showMode()
     const bool isSlidOff = m_palpation != nullptr && m_palpation->isSlidOff();
     m_depthChip->say(handText(), isSlidOff ? Chip::Tone::Warning : Chip::Tone::Quiet);
     m_depthChip->setToolTip(tr("What the pointer does: it turns the view, or it presses this far along the line of "
-                               "sight [mm]; the wheel sets it (P switches)"));
+                               "sight [mm] or with this force [N]; the wheel sets it (P switches)"));
 }
 
 void MainWindow::showStatus()

@@ -71,6 +71,8 @@ class Hand : public QObject
         settings.rate_kHz = 4;
         settings.cpu = 1;
         settings.isLeftHanded = true;
+        settings.isByEffort = true;
+        settings.effort_N = 7.5;
         settings.buttons = {ButtonUse::Nothing, ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing};
         settings.save(store, QStringLiteral("touch"));
         const HandSettings back = HandSettings::load(store, QStringLiteral("touch"));
@@ -78,11 +80,15 @@ class Hand : public QObject
         QCOMPARE(back.scale, 0.25);
         QCOMPARE(back.rate_kHz, 4);
         QCOMPARE(back.cpu, 1);
+        QVERIFY(back.isByEffort && !HandSettings().isByEffort);
+        QCOMPARE(back.effort_N, 7.5);
         QVERIFY(back.buttons == settings.buttons);
         QVERIFY(!HandSettings::load(store, QStringLiteral("omega")).isLeftHanded);
         store.setValue(QStringLiteral("devices/touch/fill"), 77);
         store.setValue(QStringLiteral("devices/touch/scale"), QStringLiteral("nan"));
         store.setValue(QStringLiteral("devices/touch/rate_kHz"), 3);
+        store.setValue(QStringLiteral("devices/touch/effort_N"), 900);
+        QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).effort_N, ui::Effort::kUsual_N);
         store.setValue(QStringLiteral("devices/touch/cpu"), QStringLiteral("all"));
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).cpu, -1);
         QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);

@@ -132,6 +132,22 @@ class PointerHand : public QObject
         touch.hand.turnDepth(-1000);
         QCOMPARE(touch.hand.settings().depth_mm, 0.0);
     }
+    void anAimStandsForTheDepthThatIsSet()
+    {
+        Touch touch;
+        touch.press(0.0);
+        touch.hand.setAim(7.0);
+        (void)touch.tick(1.0);
+        QVERIFY(std::abs(touch.hip(2.0).z() + 7.0) < 1e-9);
+        QCOMPARE(touch.hand.settings().depth_mm, 4.0);
+        touch.hand.setAim(-50.0); // no farther out than it hovers
+        QCOMPARE(touch.hand.state(2.0).depth_mm, -touch.hand.settings().hover_mm);
+        touch.hand.setAim(1e9);
+        QCOMPARE(touch.hand.state(2.0).depth_mm, touch.hand.settings().deepest_mm);
+        touch.hand.setAim(std::nullopt);
+        (void)touch.tick(3.0);
+        QVERIFY(std::abs(touch.hip(60.0).z() + 4.0) < 1e-9);
+    }
     void dragSlidesAtTheSameDepth()
     {
         Touch touch;

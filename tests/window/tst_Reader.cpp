@@ -241,15 +241,15 @@ class Reader : public QObject
     void theEnergyIsHeardAsItIsShown()
     {
         window().chooseDevice("simulated");
-        the<QDockWidget>("device").raise();
+        m_desk->command("engineering").trigger();
         QTest::qWait(300);
-        auto* bar = the<ui::HandPanel>().findChild<QWidget*>(QStringLiteral("energy"));
+        auto* bar = the<ui::EngineeringPanel>().findChild<QWidget*>(QStringLiteral("energy"));
         QVERIFY(bar != nullptr && valueOf(*bar) != nullptr);
-        const QString shown = labelThatSays(the<ui::HandPanel>(), bar->accessibleName());
+        const QString shown = labelThatSays(the<ui::EngineeringPanel>(), QStringLiteral("Energy"));
         const QString value = heard(*bar, QAccessible::Value);
         QVERIFY2(value.endsWith(QStringLiteral(" mJ")) && shown.contains(value), qPrintable(value + " / " + shown));
+        m_desk->command("engineering").trigger();
         window().chooseDevice("mouse");
-        the<QDockWidget>("touch").raise();
     }
 
     void allThatIsActedOnHasAName()

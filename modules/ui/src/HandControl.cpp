@@ -48,6 +48,27 @@ void HandControl::takeDevice()
     takeLoop();
     takeScene();
     showStatus();
+    Q_EMIT settingsTaken(m_panel.settings());
+}
+
+void HandControl::setByEffort(bool isByEffort)
+{
+    HandSettings settings = m_panel.settings();
+    if (m_live.usesPointer() && settings.isByEffort != isByEffort) {
+        settings.isByEffort = isByEffort;
+        m_panel.setSettings(settings);
+        keep();
+    }
+}
+
+void HandControl::setEffort(double most_N)
+{
+    HandSettings settings = m_panel.settings();
+    if (m_live.usesPointer() && settings.effort_N != most_N) {
+        settings.effort_N = most_N;
+        m_panel.setSettings(settings);
+        keep();
+    }
 }
 
 void HandControl::useCpu(int cpu)
@@ -197,6 +218,7 @@ void HandControl::keep()
     m_panel.settings().save(store, QString::fromStdString(m_live.deviceInfo().id));
     lay();
     showStatus();
+    Q_EMIT settingsTaken(m_panel.settings());
 }
 
 void HandControl::lay()

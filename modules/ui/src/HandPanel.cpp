@@ -65,6 +65,7 @@ HandPanel::HandPanel(QWidget* parent)
     , m_clutched(new QLabel(this))
 {
     m_mapping = makeMapping();
+    m_press = makePress();
     QFont bold = font();
     bold.setBold(true);
     m_name->setFont(bold);
@@ -81,7 +82,7 @@ HandPanel::HandPanel(QWidget* parent)
     layout->setContentsMargins(14, 8, 14, 10);
     layout->setSpacing(6);
     for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_force), static_cast<QWidget*>(m_held),
-                          static_cast<QWidget*>(m_clutched), m_mapping}) {
+                          static_cast<QWidget*>(m_clutched), m_press, m_mapping}) {
         layout->addWidget(part);
     }
     layout->addStretch(1);
@@ -174,19 +175,50 @@ QWidget* HandPanel::makeMapping()
     return mapping;
 }
 
+QWidget* HandPanel::makePress()
+{
+    auto* press = new QWidget(this);
+    auto* form = new QFormLayout(press);
+    form->setContentsMargins(0, 4, 0, 4);
+    form->setVerticalSpacing(6);
+    m_pressBy = new QComboBox(press);
+    m_pressBy->addItems({tr("Depth: the wheel says how deep"), tr("Effort: the longer, the harder")});
+    m_pressBy->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // wide texts, narrow panels
+    m_pressBy->setAccessibleName(tr("What a press sets"));
+    m_pressBy->setToolTip(tr("Depth: the same depth everywhere, and a stiff place pushes back harder.\n"
+                             "Effort: the same force everywhere, and a stiff place gives way less. The force rises by "
+                             "1 N a second while the button is held; a pen gives it by its pressure. (E)"));
+    form->addRow(tr("A press sets"), m_pressBy);
+    m_effort = new QDoubleSpinBox(press);
+    m_effort->setRange(Effort::kLeast_N, Effort::kMost_N);
+    m_effort->setDecimals(1);
+    m_effort->setSingleStep(Effort::kNotch_N);
+    m_effort->setSuffix(tr(" N"));
+    m_effort->setKeyboardTracking(false);
+    m_effort->setAccessibleName(tr("Greatest effort"));
+    m_effort->setToolTip(tr("The press gets no harder than this, and a pen's full pressure is this; the wheel changes "
+                            "it by 0.5 N"));
+    form->addRow(tr("At most"), m_effort);
+    connect(m_pressBy, &QComboBox::activated, this, &HandPanel::edit);
+    connect(m_effort, &QDoubleSpinBox::valueChanged, this, &HandPanel::edit);
+    return press;
+}
+
 void HandPanel::setDevice(const device::DeviceInfo& info, const HandSettings& settings)
 {
     m_limit_N = info.actuatedAxes > 0 ? info.maxForce_N : 0.0;
     m_name->setText(QString::fromStdString(info.name));
-    showWhatApplies(servo::edgeOf(info) > 0.0);
+    showWhatApplies(info);
     m_force->setVisible(m_limit_N > 0.0);
     setSettings(settings);
 }
 
-/// A hand without a workspace of its own (pointer, simulated hand) lies as the scene does and has no buttons.
-void HandPanel::showWhatApplies(bool hasWorkspace)
+/// A hand without a workspace of its own (pointer, simulated hand) lies as the scene does and has no buttons; only the
+/// pointer's force or depth is chosen here.
+void HandPanel::showWhatApplies(const device::DeviceInfo& info)
 {
-    m_mapping->setVisible(hasWorkspace);
+    m_mapping->setVisible(servo::edgeOf(info) > 0.0);
+    m_press->setVisible(info.id == "mouse");
 }
 
 void HandPanel::setSettings(const HandSettings& settings)
@@ -195,6 +227,9 @@ void HandPanel::setSettings(const HandSettings& settings)
     m_isShowing = true;
     m_turn->setCurrentIndex(static_cast<int>(m_settings.turn));
     m_leftHanded->setChecked(m_settings.isLeftHanded);
+    m_pressBy->setCurrentIndex(m_settings.isByEffort ? 1 : 0);
+    m_effort->setValue(m_settings.effort_N);
+    m_effort->setEnabled(m_settings.isByEffort);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_buttons[i]->setCurrentIndex(static_cast<int>(m_settings.buttons[i]));
     }
@@ -209,6 +244,9 @@ void HandPanel::edit()
     }
     m_settings.turn = static_cast<MapTurn>(m_turn->currentIndex());
     m_settings.isLeftHanded = m_leftHanded->isChecked();
+    m_settings.isByEffort = m_pressBy->currentIndex() == 1;
+    m_settings.effort_N = m_effort->value();
+    m_effort->setEnabled(m_settings.isByEffort);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_settings.buttons[i] = static_cast<ButtonUse>(m_buttons[i]->currentIndex());
     }

@@ -39,6 +39,9 @@ HandSettings HandSettings::load(QSettings& store, const QString& id)
     out.cpu = store.value(key(id, "cpu"), out.cpu).toInt(&isNumber);
     out.cpu = isNumber && out.cpu >= 0 ? out.cpu : -1;
     out.isLeftHanded = store.value(key(id, "leftHanded"), false).toBool();
+    out.isByEffort = store.value(key(id, "byEffort"), false).toBool();
+    const double effort_N = store.value(key(id, "effort_N"), out.effort_N).toDouble();
+    out.effort_N = effort_N >= Effort::kLeast_N && effort_N <= Effort::kMost_N ? effort_N : Effort::kUsual_N;
     for (int i = 0; i < kButtons; ++i) {
         ButtonUse& use = out.buttons[static_cast<std::size_t>(i)];
         use = static_cast<ButtonUse>(
@@ -55,6 +58,8 @@ void HandSettings::save(QSettings& store, const QString& id) const
     store.setValue(key(id, "rate_kHz"), rate_kHz);
     store.setValue(key(id, "cpu"), cpu);
     store.setValue(key(id, "leftHanded"), isLeftHanded);
+    store.setValue(key(id, "byEffort"), isByEffort);
+    store.setValue(key(id, "effort_N"), effort_N);
     for (int i = 0; i < kButtons; ++i) {
         store.setValue(key(id, "button") + QString::number(i), static_cast<int>(buttons[static_cast<std::size_t>(i)]));
     }

@@ -205,7 +205,8 @@ void LiveTouch::stop()
 
 void LiveTouch::handOverScene()
 {
-    m_session.setScene(m_model.hapticScene(greatestTissue(), m_fingertip_mm), m_model.sources());
+    m_scene = m_model.hapticScene(greatestTissue(), m_fingertip_mm);
+    m_session.setScene(m_scene, m_model.sources());
     tellRefused();
 }
 

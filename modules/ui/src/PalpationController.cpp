@@ -3,6 +3,7 @@
 
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
+#include <palpate/study/EffortDepth.h>
 #include <palpate/study/FeltMap.h>
 
 #include <QLocale>
@@ -66,9 +67,14 @@ void PalpationController::connectPointer()
             run();
         }
     });
+    connect(&m_viewport, &VtkViewport::penPressed, this, [this](double pressure) { m_effort.setPen(pressure); });
     connect(&m_viewport, &VtkViewport::depthTurned, this, [this](double notches) {
-        tellDepth(m_hand.turnDepth(notches), notches > 0.0);
-        run();
+        if (m_isByEffort) {
+            turnEffort(notches);
+        } else {
+            tellDepth(m_hand.turnDepth(notches), notches > 0.0);
+            run();
+        }
     });
 }
 
@@ -85,6 +91,46 @@ void PalpationController::tellDepth(bool isWithin, bool isDeeper)
             tr("%1 mm is the deepest press: the scene is no larger.").arg(QLocale().toString(depth_mm(), 'f', 0)));
     }
     refreshText();
+}
+
+void PalpationController::setPress(const HandSettings& settings)
+{
+    if (m_isByEffort != settings.isByEffort) {
+        letGo(); // what is held was pressed the other way
+        m_hand.setAim(std::nullopt);
+    }
+    m_isByEffort = settings.isByEffort;
+    m_effort.setMost(settings.effort_N);
+    refreshText();
+}
+
+void PalpationController::turnEffort(double notches)
+{
+    const bool isWithin = m_effort.turn(notches);
+    Q_EMIT effortTurned(m_effort.most_N());
+    if (!isWithin && notches > 0.0) {
+        Q_EMIT said(tr("%1 N is the hardest press.").arg(QLocale().toString(m_effort.most_N(), 'f', 0)));
+    }
+    refreshText();
+}
+
+/// Lets a press by effort go as deep as what is in its way gives way to the force.
+void PalpationController::sinkByEffort(double now_s)
+{
+    if (!m_isByEffort || !isPressing()) {
+        return; // lifted off, the hand comes back from where it is
+    }
+    const double hover_mm = m_hand.settings().hover_mm;
+    const view::Ray press{*m_hand.hoverPoint(), m_hand.direction()};
+    std::vector<study::PressedSurface> inTheWay;
+    if (m_live.scene() != nullptr) {
+        inTheWay = surfacesInTheWay(*m_live.scene(), press);
+    }
+    // With nothing in the way, as off a rim, there is nothing to push against: the hand stays at the surface's height.
+    m_hand.setAim(inTheWay.empty() ? 0.0
+                                   : study::wayOfPress_mm(inTheWay, m_effort.force_N(now_s),
+                                                          hover_mm + m_hand.settings().deepest_mm) -
+                                         hover_mm);
 }
 
 bool PalpationController::takeByKeys()
@@ -139,7 +185,9 @@ void PalpationController::togglePress()
 
 void PalpationController::stepDepth(int steps)
 {
-    if (m_live.usesPointer()) {
+    if (m_live.usesPointer() && m_isByEffort) {
+        turnEffort(steps);
+    } else if (m_live.usesPointer()) {
         tellDepth(m_hand.stepDepth(steps), steps > 0);
         run();
     }
@@ -159,6 +207,17 @@ QString PalpationController::text() const
     };
     if (!m_isPalpating || !m_live.usesPointer()) {
         return tr("camera");
+    }
+    if (m_isByEffort) {
+        const QString most = QLocale().toString(m_effort.most_N(), 'f', 1);
+        if (!isPressing()) {
+            return tr("presses up to %1 N").arg(most);
+        }
+        const double force_N = m_effort.force_N(seconds(core::monotonicNow_ns()));
+        const QString pressed = number(std::max(0.0, m_pressed_mm));
+        return m_isSlidOff
+                   ? tr("pressing %1 mm, slid off the edge").arg(pressed)
+                   : tr("pressing with %1 of %2 N, %3 mm").arg(QLocale().toString(force_N, 'f', 1), most, pressed);
     }
     if (!isPressing()) {
         return tr("presses %1 mm").arg(number(depth_mm()));
@@ -207,6 +266,7 @@ bool PalpationController::letGo()
     const double now_s = seconds(core::monotonicNow_ns());
     const bool wasPressing = m_hand.phase(now_s) == PointerHand::Phase::Pressing;
     m_hand.release(now_s);
+    m_effort.end();
     m_live.pointer().setState(m_hand.state(now_s)); // at once: the next step may wait for a picture
     run();
     m_pressed_mm = 0.0;
@@ -233,8 +293,11 @@ void PalpationController::pressAt(const QPointF& place)
 
 void PalpationController::press()
 {
+    const double now_s = seconds(core::monotonicNow_ns());
     m_hand.press();
-    m_live.pointer().setState(m_hand.state(seconds(core::monotonicNow_ns())));
+    m_effort.begin(now_s + m_hand.settings().pressTime_s);
+    sinkByEffort(now_s);
+    m_live.pointer().setState(m_hand.state(now_s));
     run();
 }
 
@@ -266,6 +329,7 @@ void PalpationController::step()
         return;
     }
     const double now_s = seconds(now_ns);
+    sinkByEffort(now_s);
     m_live.pointer().setState(m_hand.state(now_s));
     const PointerHand::Phase phase = m_hand.phase(now_s);
     const bool isNew = m_live.fetch(m_tick);

@@ -40,7 +40,7 @@ void PointerHand::pointAt(const Vec3& eye_W, const Vec3& d_W, const std::optiona
         const Vec3 step = *place - *m_surface_W;
         const double along = step.dot(m_d_W);
         const double across = (step - along * m_d_W).norm();
-        if (std::abs(along) > 3.0 * across + m_settings.depth_mm) {
+        if (std::abs(along) > 3.0 * across + std::max(0.0, m_aim_mm.value_or(m_settings.depth_mm))) {
             place.reset();
         }
     }
@@ -119,6 +119,14 @@ bool PointerHand::stepDepth(int steps)
     return setDepth(m_settings.depth_mm + steps * m_settings.step_mm);
 }
 
+void PointerHand::setAim(std::optional<double> depth_mm)
+{
+    m_aim_mm = depth_mm;
+    if (m_aim_mm) {
+        m_aim_mm = std::clamp(*m_aim_mm, -m_settings.hover_mm, m_settings.deepest_mm);
+    }
+}
+
 double PointerHand::pressedDepth_mm(const Vec3& p_W) const
 {
     return m_surface_W ? (p_W - *m_surface_W).dot(m_d_W) : 0.0;
@@ -149,7 +157,7 @@ device::PointerState PointerHand::state(double now_s) const
     state.buttons = now == Phase::Pressing ? 1 : 0;
     state.p_D = m_surface_W.value_or(Vec3::Zero());
     state.d_D = m_d_W;
-    state.depth_mm = m_settings.depth_mm;
+    state.depth_mm = m_aim_mm.value_or(m_settings.depth_mm);
     state.hover_mm = m_settings.hover_mm;
     state.pressTime_s = m_settings.pressTime_s;
     state.gentle_mm = m_settings.gentle_mm;

@@ -10,6 +10,8 @@
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QPointingDevice>
+#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <vtkCommand.h>
@@ -337,6 +339,19 @@ void VtkViewport::mouseDoubleClickEvent(QMouseEvent* event)
         return;
     }
     mousePressEvent(event);
+}
+
+void VtkViewport::tabletEvent(QTabletEvent* event)
+{
+    const bool tells = event->pointingDevice()->capabilities().testFlag(QInputDevice::Capability::Pressure);
+    if (m_mode == Mode::Palpate && tells) {
+        if (event->type() == QEvent::TabletRelease) {
+            Q_EMIT penPressed(0.0);
+        } else if (event->buttons().testFlag(Qt::LeftButton)) {
+            Q_EMIT penPressed(event->pressure());
+        }
+    }
+    event->ignore(); // for the rest a pen is a mouse, as Qt makes it when this is ignored
 }
 
 void VtkViewport::wheelEvent(QWheelEvent* event)

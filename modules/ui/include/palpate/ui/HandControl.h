@@ -40,12 +40,19 @@ class HandControl : public QObject
     /// a lump is where the hand touches, else the finding or surface under the pointer, else the newest finding. A hand
     /// in contact stays where it is and only the scale changes; any other begins anew in the middle.
     void fit(MapFill fill);
+    /// How the pointer presses: by effort, or as deep as the wheel says. Kept; nothing while another device is the
+    /// hand.
+    void setByEffort(bool isByEffort);
+    /// The force of such a press at most [N]. Kept as the above.
+    void setEffort(double most_N);
     /// Places that a lump may be, the newest last.
     void setFindings(std::vector<core::Vec3> places) { m_findings = std::move(places); }
 
   Q_SIGNALS:
     /// What was done, or why it was not.
     void said(const QString& line);
+    /// The hand's settings are others, or those of another device.
+    void settingsTaken(const palpate::ui::HandSettings& settings);
 
   private:
     struct Filled

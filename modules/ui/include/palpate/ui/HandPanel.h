@@ -54,10 +54,11 @@ class HandPanel : public QWidget
 
   private:
     void edit();
-    void showWhatApplies(bool hasWorkspace);
+    void showWhatApplies(const device::DeviceInfo& info);
 
     QWidget* makeFits();
     QWidget* makeMapping();
+    QWidget* makePress();
 
     HandSettings m_settings;
     QLabel* m_name = nullptr;
@@ -65,6 +66,9 @@ class HandPanel : public QWidget
     QLabel* m_held = nullptr;
     QLabel* m_clutched = nullptr;
     QWidget* m_mapping = nullptr;
+    QWidget* m_press = nullptr;
+    QComboBox* m_pressBy = nullptr;
+    QDoubleSpinBox* m_effort = nullptr;
     QLabel* m_reach = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     QComboBox* m_turn = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Effort.h"
+
 #include <palpate/device/HapticDevice.h>
 #include <palpate/servo/WorkspaceMap.h>
 
@@ -43,11 +45,13 @@ struct HandSettings
     static constexpr int kButtons = 4;
 
     MapTurn turn = MapTurn::Camera;
-    MapFill fill = MapFill::Scene; ///< organ and lump are this moment's choice: kept as the scene
-    double scale = 1.0;            ///< with MapFill::Scale
-    int rate_kHz = 1;              ///< of the servo loop: 1, 2 or 4
-    int cpu = -1;                  ///< that the servo loop runs on alone; -1: on any
-    bool isLeftHanded = false;     ///< the first two buttons change places: the thumb's is on the other side
+    MapFill fill = MapFill::Scene;      ///< organ and lump are this moment's choice: kept as the scene
+    double scale = 1.0;                 ///< with MapFill::Scale
+    int rate_kHz = 1;                   ///< of the servo loop: 1, 2 or 4
+    int cpu = -1;                       ///< that the servo loop runs on alone; -1: on any
+    bool isByEffort = false;            ///< of the pointer: a press has a force, and the depth follows
+    double effort_N = Effort::kUsual_N; ///< that force at most
+    bool isLeftHanded = false;          ///< the first two buttons change places: the thumb's is on the other side
     std::array<ButtonUse, kButtons> buttons{ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing,
                                             ButtonUse::Nothing};
 

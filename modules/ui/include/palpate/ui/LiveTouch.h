@@ -50,6 +50,8 @@ class LiveTouch : public QObject
     [[nodiscard]] const servo::MapSettings& map() const noexcept { return m_map; }
     /// Touches with a ball of this radius from the next tick on; 0 = a point. [mm]
     void setFingertip(double radius_mm);
+    /// What can be touched, as handed over last; null before that.
+    [[nodiscard]] const std::shared_ptr<const haptics::HapticScene>& scene() const noexcept { return m_scene; }
     [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
 
     /// @return true when a tick newer than the last one fetched was written to `tick`.
@@ -101,6 +103,7 @@ class LiveTouch : public QObject
     std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
     study::LiveSession m_session;
+    std::shared_ptr<const haptics::HapticScene> m_scene;
     QTimer m_meter;
     QTimer m_handOver; ///< gathers changes of one event into one new scene
     double m_fingertip_mm = 0.0;

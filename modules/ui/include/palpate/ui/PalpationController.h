@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/HandSettings.h"
 #include "palpate/ui/LiveTouch.h"
 #include "palpate/ui/PointerHand.h"
 #include "palpate/ui/TouchPanel.h"
@@ -29,8 +30,12 @@ class PalpationController : public QObject
     bool letGo();
     /// Sizes depths for a new scene.
     void setSceneSize(double diagonal_mm);
+    /// How the pointer presses: as deep as is set, or by effort, where the depth follows from what is pressed.
+    void setPress(const HandSettings& settings);
+    [[nodiscard]] bool isByEffort() const noexcept { return m_isByEffort; }
     [[nodiscard]] double depth_mm() const noexcept { return m_hand.settings().depth_mm; }
-    /// What the hand in the view does, in a few words: "camera", "presses 4.0 mm", "pressing 12 of 27 mm".
+    /// What the hand in the view does, in a few words: "camera", "presses 4.0 mm", "pressing 12 of 27 mm", "pressing
+    /// 2.3 of 5.0 N".
     [[nodiscard]] QString text() const;
     /// It presses, and the surface has given way to the side: less is felt than is pressed.
     [[nodiscard]] bool isSlidOff() const noexcept { return m_isSlidOff; }
@@ -57,6 +62,8 @@ class PalpationController : public QObject
     void touched(const palpate::ui::TouchReading& reading);
     void handGone();
     void depthChanged(double depth_mm);
+    /// The wheel or a key changed the force of a press at most.
+    void effortTurned(double most_N);
     /// `text` is another one.
     void textChanged();
     /// A key for the hand was pressed while the pointer moves the camera.
@@ -68,6 +75,8 @@ class PalpationController : public QObject
     void connectPointer();
     [[nodiscard]] bool takeByKeys();
     [[nodiscard]] bool isPressing() const;
+    void turnEffort(double notches);
+    void sinkByEffort(double now_s);
     void tellDepth(bool isWithin, bool isDeeper);
     void judgePress(const servo::TickRecord& tick, TouchReading& reading);
     void refreshText();
@@ -87,6 +96,8 @@ class PalpationController : public QObject
     view::TouchState m_shown;
     std::int64_t m_shown_ns = 0;
     bool m_isPalpating = false;
+    Effort m_effort;
+    bool m_isByEffort = false;
     bool m_isByKeys = false;
     bool m_isSlidOff = false;
     double m_pressed_mm = 0.0; ///< how far the hand is in, along the line of sight

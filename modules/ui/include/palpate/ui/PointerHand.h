@@ -62,6 +62,9 @@ class PointerHand
     bool turnDepth(double notches);
     /// Changes the depth by `step_mm` as often as said, wherever it is; otherwise as `turnDepth`.
     bool stepDepth(int steps);
+    /// A press goes in as deep as this instead of to the depth that is set; nothing: as set. Within `deepest_mm`, from
+    /// where it hovers. [mm]
+    void setAim(std::optional<double> depth_mm);
 
     [[nodiscard]] Phase phase(double now_s) const;
     /// Where the hand hovers; nothing while away. [mm]
@@ -83,6 +86,7 @@ class PointerHand
     PointerHandSettings m_settings;
     std::optional<Vec3> m_surface_W; ///< what the depth is counted from
     Vec3 m_d_W = Vec3::UnitZ();
+    std::optional<double> m_aim_mm; ///< stands for the depth that is set
     bool m_isDown = false;
     double m_release_s = -1.0; ///< when it was released; < 0: it hovers
 };

@@ -60,6 +60,8 @@ class VtkViewport : public QOpenGLWidget
     void pointerLeft();
     /// @param steps  notches of the wheel, away from the user > 0
     void depthTurned(double steps);
+    /// A pen that tells its pressure is down, or was just lifted. @param pressure  0 … 1
+    void penPressed(double pressure);
     /// The space bar went down or up: palpate while it is held.
     void spaceHeld(bool isDown);
     /// In both modes: the pointer moved with no button down.
@@ -79,6 +81,7 @@ class VtkViewport : public QOpenGLWidget
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
