@@ -2454,12 +2454,12 @@ Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die H
         <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
     </message>
     <message>
-        <source>Depth: the wheel says how deep</source>
-        <translation>Tiefe: das Rad sagt, wie tief</translation>
+        <source>Depth (wheel)</source>
+        <translation>Tiefe (Rad)</translation>
     </message>
     <message>
-        <source>Effort: the longer, the harder</source>
-        <translation>Kraft: je länger, desto stärker</translation>
+        <source>Effort (hold)</source>
+        <translation>Kraft (halten)</translation>
     </message>
     <message>
         <source>What a press sets</source>

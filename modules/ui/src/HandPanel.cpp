@@ -182,7 +182,7 @@ QWidget* HandPanel::makePress()
     form->setContentsMargins(0, 4, 0, 4);
     form->setVerticalSpacing(6);
     m_pressBy = new QComboBox(press);
-    m_pressBy->addItems({tr("Depth: the wheel says how deep"), tr("Effort: the longer, the harder")});
+    m_pressBy->addItems({tr("Depth (wheel)"), tr("Effort (hold)")});
     m_pressBy->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // wide texts, narrow panels
     m_pressBy->setAccessibleName(tr("What a press sets"));
     m_pressBy->setToolTip(tr("Depth: the same depth everywhere, and a stiff place pushes back harder.\n"
