@@ -111,7 +111,7 @@ class Report : public QObject
             QVERIFY2(settings.count(name) == 1, name);
         }
         QVERIFY(!m_evaluation.sizes.empty());
-        QCOMPARE(m_evaluation.tissues.size(), std::size_t(5)); // plain, friction, a law, a map, all
+        QCOMPARE(m_evaluation.tissues.size(), std::size_t(6)); // plain, friction, a law, a map, lumps, all
         for (const SizePoint& p : m_evaluation.tissues) {
             QVERIFY(p.ticks > 1000 && p.time_us.p50 > 0.0);
         }
