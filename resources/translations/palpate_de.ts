@@ -65,13 +65,6 @@
     </message>
 </context>
 <context>
-    <name>DeskStyle</name>
-    <message>
-        <source>Panels that share a place</source>
-        <translation>Felder, die einen Platz teilen</translation>
-    </message>
-</context>
-<context>
     <name>FeltLayers</name>
     <message>
         <source>%1 N, %2 mm in</source>

@@ -2,6 +2,7 @@
 #include "Desk.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/EngineeringPanel.h>
 #include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/TouchChart.h>
 
@@ -18,6 +19,7 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTabBar>
 #include <QTreeView>
 
 #include <algorithm>
@@ -47,7 +49,11 @@ long countOf(const QObject* object, QAccessible::Event kind)
 /// Whether a person acts on it or comes to it by Tab.
 bool isForActing(const QWidget* widget)
 {
-    const bool isPart = widget->focusProxy() != nullptr || qobject_cast<const QScrollBar*>(widget) != nullptr;
+    // Qt's own: a tab bar that lost its panels and waits for others, and the button in a field that empties it.
+    const auto* tabs = qobject_cast<const QTabBar*>(widget);
+    const bool isQts = (tabs != nullptr && tabs->currentIndex() < 0) ||
+                       qobject_cast<const QLineEdit*>(widget->parentWidget()) != nullptr;
+    const bool isPart = isQts || widget->focusProxy() != nullptr || qobject_cast<const QScrollBar*>(widget) != nullptr;
     return !isPart &&
            (widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(widget) != nullptr ||
             qobject_cast<const QAbstractSlider*>(widget) != nullptr);

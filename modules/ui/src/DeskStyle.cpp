@@ -3,8 +3,6 @@
 
 #include "palpate/ui/Theme.h"
 
-#include <QCoreApplication>
-#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
 #include <QTabBar>
@@ -45,9 +43,6 @@ void DeskStyle::polish(QWidget* widget)
     if (auto* tabs = qobject_cast<QTabBar*>(widget)) {
         tabs->setElideMode(Qt::ElideNone);
         tabs->setUsesScrollButtons(true);
-        if (qobject_cast<QMainWindow*>(tabs->parentWidget()) != nullptr && tabs->accessibleName().isEmpty()) {
-            tabs->setAccessibleName(QCoreApplication::translate("DeskStyle", "Panels that share a place"));
-        }
     }
 }
 
