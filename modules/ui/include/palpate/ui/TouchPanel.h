@@ -47,6 +47,7 @@ class TouchPanel : public QWidget
   Q_SIGNALS:
     /// `reading` is another one.
     void changed();
+
   protected:
     void changeEvent(QEvent* event) override;
 
