@@ -2,13 +2,13 @@
 // Times frames of the 3D view with and without findings (view/FindingMarkers.h). Needs a display: on a server
 // `xvfb-run -a bench_view`.
 //
-//   bench_view [FINDINGS …]
+//   bench_view [--rounds N] [FINDINGS …]
 //
 // A translucent organ of 81,920 triangles with two lumps of 20,480, 1280 x 800, the camera 1° further each frame, so
 // that markers are placed anew and hidden ones found anew as while a person turns the view. Numbers of findings (0, 10,
-// 200 and 1000 unless told) are drawn in turns, 20 frames each, 15 rounds. A row a number: median frame [ms], the part
-// of it before drawing, and median, lowest and highest ratio to the first number's frames of the same round. Wanted:
-// 200 within 10 % of none.
+// 200 and 1000 unless told) are drawn in turns, 20 frames each, 15 rounds unless told. A row a number: median frame
+// [ms], the part of it before drawing, and median, lowest and highest ratio to the first number's frames of the same
+// round. Wanted: 200 within 10 % of none.
 #include "Shapes.h"
 
 #include <palpate/view/SceneView.h>
@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 using namespace palpate;
@@ -31,7 +32,6 @@ using core::Vec3;
 namespace {
 
 constexpr int kFrames = 20;
-constexpr int kRounds = 15;
 constexpr double kRadius_mm = 80.0;
 
 view::ViewStructure ball(int n, double radius_mm, const Vec3& at, double opacity)
@@ -95,8 +95,13 @@ Times frames(view::SceneView& scene, vtkRenderWindow& window)
 int main(int argc, char** argv)
 {
     std::vector<int> counts;
+    int rounds = 15;
     for (int i = 1; i < argc; ++i) {
-        counts.push_back(std::atoi(argv[i]));
+        if (std::string_view(argv[i]) == "--rounds" && i + 1 < argc) {
+            rounds = std::max(1, std::atoi(argv[++i]));
+        } else {
+            counts.push_back(std::atoi(argv[i]));
+        }
     }
     if (counts.empty()) {
         counts = {0, 10, 200, 1000};
@@ -114,7 +119,7 @@ int main(int argc, char** argv)
     scene.look(view::ViewFrom::Front);
 
     std::vector<std::vector<double>> whole(counts.size()), prepare(counts.size()), ratios(counts.size());
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < counts.size(); ++i) {
             scene.findings().set(marks(counts[i]));
             const Times times = frames(scene, *window);
