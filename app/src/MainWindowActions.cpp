@@ -15,6 +15,12 @@
 using namespace palpate;
 using namespace palpate::ui;
 
+namespace {
+
+constexpr auto kDent = "view/dent"; // setting
+
+} // namespace
+
 void MainWindow::makeActions()
 {
     makeFileAndEditActions();
@@ -80,6 +86,16 @@ void MainWindow::makeViewActions()
                                  {QKeySequence(Qt::Key_B)});
     m_feltAction->setCheckable(true);
     m_feltAction->setEnabled(false);
+    QAction* dent = m_actions.add("dent", ActionGroup::View, tr("Dent under the finger"),
+                                  tr("Draw soft tissue bent where it is pressed, with a fine grid on it"));
+    dent->setCheckable(true);
+    dent->setChecked(QSettings().value(kDent, true).toBool());
+    m_viewport->view().setBending(dent->isChecked());
+    connect(dent, &QAction::toggled, this, [this](bool isOn) {
+        m_viewport->view().setBending(isOn);
+        m_viewport->update();
+        QSettings().setValue(kDent, isOn);
+    });
     m_actions.addSeparator(ActionGroup::View);
     const auto addView = [this](const char* id, const QString& text, const QKeySequence& key, view::ViewFrom from) {
         connect(m_actions.add(id, ActionGroup::View, text, text, {key}), &QAction::triggered, this, [this, from] {

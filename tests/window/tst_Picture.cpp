@@ -102,6 +102,34 @@ class Picture : public QObject
         QVERIFY(shown().isInContact && !cursor.arrow().circle()->GetVisibility());
         QVERIFY(cursor.arrow().shaft()->GetVisibility() && sees(cursor.labels().boxes()));
     }
+    /// The dent is drawn under the finger, or not, as the menu says.
+    void tissueBendsUnderTheFinger()
+    {
+        viewport().view().look(view::ViewFrom::Front);
+        press(overLump(), 20);
+        QAction* dent = m_desk->window().findChild<QAction*>(QStringLiteral("dent"));
+        QVERIFY(dent != nullptr && dent->isChecked() && shown().bends);
+        const auto ball_W = [this] {
+            viewport().grabFramebuffer();
+            const double* centre = viewport().view().cursor().ball()->GetCenter();
+            return Vec3(centre[0], centre[1], centre[2]);
+        };
+        keep("dent");
+        QVERIFY((ball_W() - shown().p_WH).norm() < 0.2 * (shown().p_WG - shown().p_WH).norm());
+        const QImage bent = viewport().grabFramebuffer();
+        dent->trigger();
+        QVERIFY((ball_W() - shown().p_WG).norm() < 1e-3);
+        const QImage straight = viewport().grabFramebuffer();
+        const QPoint beside = viewport().placeOf(shown().p_WG).toPoint() + QPoint(30, 30);
+        int changed = 0;
+        for (int dy = -8; dy <= 8; ++dy) {
+            for (int dx = -8; dx <= 8; ++dx) {
+                changed += bent.pixel(beside + QPoint(dx, dy)) != straight.pixel(beside + QPoint(dx, dy)) ? 1 : 0;
+            }
+        }
+        QVERIFY2(changed > 30, qPrintable(QString::number(changed)));
+        dent->trigger();
+    }
     void pressedAtTheBorder()
     {
         viewport().view().look(view::ViewFrom::Front);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FeltLayers.h"
 
+#include <palpate/view/Dimple.h>
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -129,6 +131,7 @@ view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W
     }
     if (state.isInContact && tissue != nullptr) {
         showFriction(tick, *tissue, state);
+        state.bends = tissue->stiffness_N_per_mm <= view::Dimple::kRigid_N_per_mm;
     }
     return state;
 }

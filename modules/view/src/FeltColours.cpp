@@ -83,7 +83,10 @@ void drawFeltLines(vtkActor& actor, vtkPolyData& picture)
     vtkShaderProperty* shader = actor.GetShaderProperty();
     if (picture.GetPointData()->GetArray(kArray) == nullptr) {
         mapper->RemoveVertexAttributeMapping(kAttribute);
-        shader->ClearAllShaderReplacements();
+        shader->ClearVertexShaderReplacement("//VTK::Normal::Dec", true);
+        shader->ClearVertexShaderReplacement("//VTK::Normal::Impl", true);
+        shader->ClearFragmentShaderReplacement("//VTK::Normal::Dec", true);
+        shader->ClearFragmentShaderReplacement("//VTK::Color::Impl", true);
         return;
     }
     shader->AddVertexShaderReplacement(

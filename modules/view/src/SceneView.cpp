@@ -217,10 +217,20 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
     });
 }
 
+void SceneView::bendTissue(const ViewFrame& frame)
+{
+    const Dimple dimple = m_bends ? Dimple::of(m_cursor.state()) : Dimple();
+    m_cursor.setInDent(m_bends);
+    for (ViewStructure& one : m_structures) {
+        one.picture.bend(dimple, frame);
+    }
+}
+
 void SceneView::prepareFrame(double pixelRatio)
 {
     ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     frame.text = m_text;
+    bendTissue(frame);
     m_cursor.place(frame);
     findHiddenFindings(frame);
     m_findings.place(frame);

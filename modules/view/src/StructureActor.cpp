@@ -48,6 +48,19 @@ void StructureActor::setPicture(vtkPolyData* surface)
     drawFeltLines(*m_actor, *surface);
 }
 
+void StructureActor::bend(const Dimple& dimple, const ViewFrame& frame)
+{
+    const double* b = m_actor->GetMapper()->GetBounds();
+    const bool isReached = dimple.reaches({Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])});
+    if (isReached != m_isBent) {
+        m_isBent = isReached;
+        isReached ? startBending(*m_actor) : stopBending(*m_actor);
+    }
+    if (isReached) {
+        view::bend(*m_actor, dimple, frame);
+    }
+}
+
 void StructureActor::setHighlighted(bool isOn)
 {
     const double ambient = isOn ? kHighlight : kAmbient;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/TouchCursor.h"
 
+#include "palpate/view/Dimple.h"
+
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -168,7 +170,8 @@ void TouchCursor::place(const ViewFrame& frame)
     }
     const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
     const double ball_mm = std::max(0.5 * kBall_px * pixel_mm, m_state.fingertip_mm);
-    placeBall(*m_ball, m_state.p_WG, ball_mm);
+    const Vec3 ball_W = m_state.p_WG + sunk_W();
+    placeBall(*m_ball, ball_W, ball_mm);
     const Colour colour = ballColour();
     m_ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     // A fingertip larger than the cursor must not hide the tissue it presses.
@@ -180,7 +183,7 @@ void TouchCursor::place(const ViewFrame& frame)
         placeLabels(frame, false);
         return;
     }
-    placeBall(*m_rim, m_state.p_WG, ball_mm + 1.4 * pixel_mm);
+    placeBall(*m_rim, ball_W, ball_mm + 1.4 * pixel_mm);
     placeBillboard(*m_outline, m_state.p_WG, frame);
     placeBillboard(*m_outlineDark, m_state.p_WG, frame);
     m_springDark.place(m_state.p_WH, m_state.p_WG, frame);
@@ -190,6 +193,13 @@ void TouchCursor::place(const ViewFrame& frame)
     const double share = m_state.f_W.norm() / m_limit_N;
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
     placeLabels(frame, true);
+}
+
+/// From the surface at rest to the bottom of the dent.
+Vec3 TouchCursor::sunk_W() const
+{
+    const Dimple dimple = Dimple::of(m_state);
+    return m_isInDent ? Vec3(-dimple.depth_mm * dimple.n_W) : Vec3::Zero();
 }
 
 double TouchCursor::patchRadius_mm(const ViewFrame& frame) const
@@ -213,7 +223,7 @@ void TouchCursor::placeContact(const ViewFrame& frame, bool isTouching)
         if (isShown) {
             n_W.normalize();
             // A fingertip's god-object is its centre.
-            layOn(*flat, m_state.p_WG - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
+            layOn(*flat, m_state.p_WG + sunk_W() - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
         }
     }
 }

@@ -90,6 +90,8 @@ class SceneView
     /// Fits clipping, cursor, scale and cube to the camera. Before each frame.
     /// @param pixelRatio  device pixels of one logical pixel
     void prepareFrame(double pixelRatio);
+    /// Draws the tissue with a dent under the hand, where the touch says that it bends: see `Dimple`.
+    void setBending(bool isOn) { m_bends = isOn; }
     /// Smooth edges; cheap on a graphics card, felt on none.
     void setSmoothEdges(bool isOn) { m_solid->SetUseFXAA(isOn); }
     /// Sorts translucent surfaces by depth peeling; else a single translucent structure is drawn once, which takes half
@@ -100,6 +102,7 @@ class SceneView
 
   private:
     [[nodiscard]] double aspect() const;
+    void bendTissue(const ViewFrame& frame);
     void findHiddenFindings(const ViewFrame& frame);
 
     vtkSmartPointer<vtkRenderer> m_solid;
@@ -125,6 +128,7 @@ class SceneView
     TextStyle m_text;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
+    bool m_bends = true;
 };
 
 } // namespace palpate::view

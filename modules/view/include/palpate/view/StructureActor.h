@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/view/ColourMap.h"
+#include "palpate/view/Dimple.h"
 
 #include <vtkActor.h>
 #include <vtkPolyData.h>
@@ -31,6 +32,8 @@ class StructureActor
     /// Shows the same surface with other colours: those that `coloured` or `feltColoured` gave it, where it has some,
     /// instead of the structure's own.
     void setPicture(vtkPolyData* surface);
+    /// Draws it bent from the next frame on, where the dent reaches it.
+    void bend(const Dimple& dimple, const ViewFrame& frame);
     /// Lights the structure up a little, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
@@ -40,6 +43,7 @@ class StructureActor
     vtkSmartPointer<vtkActor> m_actor;
     Appearance m_appearance;
     bool m_isClosed = false;
+    bool m_isBent = false;
 };
 
 } // namespace palpate::view

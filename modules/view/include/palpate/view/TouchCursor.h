@@ -21,6 +21,7 @@ struct TouchState
     bool isInContact = false;
     bool isPresent = false;    ///< false: no hand, nothing is drawn
     bool hasCrosshair = false; ///< the hand is moved by keys: no pointer shows where it is
+    bool bends = false;        ///< the tissue is drawn with a dent under the hand: it is none of bone's kind
 
     /// Where friction holds the god-object: a disc about where it would stand without.
     struct FrictionDisc
@@ -61,6 +62,8 @@ class TouchCursor
     /// @param state  drawn from the next `place` on
     void setState(const TouchState& state) { m_state = state; }
     [[nodiscard]] const TouchState& state() const noexcept { return m_state; }
+    /// Draws ball and contact disc at the bottom of the dent, where the tissue bends; else on the surface at rest.
+    void setInDent(bool isOn) { m_isInDent = isOn; }
     /// The force that gets the brightest colour: what the device can give. [N] > 0
     void setForceLimit(double force_N);
 
@@ -87,6 +90,7 @@ class TouchCursor
     void placeContact(const ViewFrame& frame, bool isTouching);
     void placeCrosshair(const ViewFrame& frame, bool isThere);
     void placeLabels(const ViewFrame& frame, bool isTouching);
+    [[nodiscard]] Vec3 sunk_W() const;
     [[nodiscard]] double patchRadius_mm(const ViewFrame& frame) const;
     void placeFriction(bool isTouching);
     void placeInner(const ViewFrame& frame, bool isTouching);
@@ -114,6 +118,7 @@ class TouchCursor
     std::array<InnerMark, TouchState::kMostInner> m_inner;
     TouchState m_state;
     double m_limit_N = 10.0;
+    bool m_isInDent = false;
 };
 
 } // namespace palpate::view
