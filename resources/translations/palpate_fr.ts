@@ -194,7 +194,7 @@
     </message>
     <message>
         <source>Findings and measures</source>
-        <translation>Points repérés et mesures</translation>
+        <translation>Points et mesures</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1805,7 +1805,7 @@ laisse la boucle aller où il y a de la place.</translation>
     </message>
     <message>
         <source>%1 of %2, %3 left out</source>
-        <translation>%1 sur %2, %3 sautées</translation>
+        <translation>%1 sur %2, sautés : %3</translation>
     </message>
     <message>
         <source>%1 mJ</source>
