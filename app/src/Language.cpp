@@ -50,7 +50,8 @@ void install(const QString& name, const QString& folder)
 const QList<Language>& languages()
 {
     static const QList<Language> all{{QStringLiteral("en"), QStringLiteral("English")},
-                                     {QStringLiteral("de"), QStringLiteral("Deutsch (Entwurf)")}};
+                                     {QStringLiteral("de"), QStringLiteral("Deutsch (Entwurf)")},
+                                     {QStringLiteral("fr"), QStringLiteral("Français (ébauche)")}};
     return all;
 }
 

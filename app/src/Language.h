@@ -14,7 +14,7 @@ namespace palpate::app {
 /// A language that the window can speak.
 struct Language
 {
-    QString code;   ///< as locales have it: "en", "de"
+    QString code;   ///< as locales have it: "en", "de", "fr"
     QString native; ///< its name in itself
 };
 

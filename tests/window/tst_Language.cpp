@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
+#include "Language.h"
 #include "TestRunner.h"
 
 #include <QAbstractButton>
@@ -42,7 +43,8 @@ QString untranslated(QString text)
 
 } // namespace
 
-/// Every text of the window goes through the translation, and has room when it is a third longer. On a real display.
+/// Every text of the window goes through the translation, and has room when it is a third longer and in each language
+/// that is offered. On a real display.
 class Language : public QObject
 {
     Q_OBJECT
@@ -68,6 +70,28 @@ class Language : public QObject
                 found << where + QStringLiteral(": ") + line;
             }
         }
+    }
+
+    /// Notes what is seen and wider than its widget.
+    static QStringList cutTexts(const QWidget& window)
+    {
+        QStringList found;
+        for (const QWidget* widget : window.findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<const QLabel*>(widget);
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            if (!widget->isVisible() || (label == nullptr && button == nullptr)) {
+                continue;
+            }
+            const QString text = label != nullptr ? label->text() : button->text();
+            const bool isWrapped = label != nullptr && label->wordWrap();
+            if (!text.isEmpty() && !isWrapped && widget->width() < widget->minimumSizeHint().width()) {
+                found << QStringLiteral("%1 of %2: %3")
+                             .arg(widget->width())
+                             .arg(widget->minimumSizeHint().width())
+                             .arg(text);
+            }
+        }
+        return found;
     }
 
   private Q_SLOTS:
@@ -116,22 +140,32 @@ class Language : public QObject
     void noTextIsCut()
     {
         m_desk->picture().save(QString::fromStdString(m_desk->folder() / "pseudo.png"));
-        QStringList found;
-        for (const QWidget* widget : m_desk->window().findChildren<QWidget*>()) {
-            const auto* label = qobject_cast<const QLabel*>(widget);
-            const auto* button = qobject_cast<const QAbstractButton*>(widget);
-            if (!widget->isVisible() || (label == nullptr && button == nullptr)) {
-                continue;
-            }
-            const QString text = label != nullptr ? label->text() : button->text();
-            const bool isWrapped = label != nullptr && label->wordWrap();
-            if (!text.isEmpty() && !isWrapped && widget->width() < widget->minimumSizeHint().width()) {
-                found << QStringLiteral("%1 of %2: %3")
-                             .arg(widget->width())
-                             .arg(widget->minimumSizeHint().width())
-                             .arg(text);
+        const QStringList found = cutTexts(m_desk->window());
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    }
+
+    void noTextIsCutIn_data()
+    {
+        QTest::addColumn<QString>("code");
+        for (const app::Language& language : app::languages()) {
+            if (language.code != QLatin1String("en")) {
+                QTest::newRow(qPrintable(language.code)) << language.code;
             }
         }
+    }
+    void noTextIsCutIn()
+    {
+        QFETCH(QString, code);
+        QCoreApplication::removeTranslator(&m_pseudo);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
+        QCoreApplication::installTranslator(&translator);
+        QVERIFY(m_desk->show({1280, 800}));
+        QVERIFY(m_desk->openPhantom());
+        QTest::qWait(500);
+        const QStringList found = cutTexts(m_desk->window());
+        QCOMPARE(m_desk->window().size(), QSize(1280, 800));
+        m_desk->close();
         QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
     }
 };

@@ -1,0 +1,3860 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>CoordinatesChoice</name>
+    <message>
+        <source>RAS</source>
+        <translation>RAS</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y haut</translation>
+    </message>
+    <message>
+        <source>LPS</source>
+        <translation>LPS</translation>
+    </message>
+    <message>
+        <source>Coordinates: LPS</source>
+        <translation>Coordonnées&#x202f;: LPS</translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
+        <translation>Les axes des fichiers vont vers la gauche, le dos et la tête du patient, comme en DICOM</translation>
+    </message>
+    <message>
+        <source>Coordinates: RAS</source>
+        <translation>Coordonnées&#x202f;: RAS</translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
+        <translation>Les axes des fichiers vont vers la droite, l’avant et la tête du patient, comme les anciens modèles de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>Coordinates: Y up</source>
+        <translation>Coordonnées&#x202f;: Y haut</translation>
+    </message>
+    <message>
+        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
+        <translation>Les axes des fichiers vont vers la gauche, la tête et l’avant du patient, comme dans les modeleurs</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> et </translation>
+    </message>
+    <message>
+        <source>%1 assumed</source>
+        <translation>%1 supposé</translation>
+    </message>
+    <message>
+        <source>The files&apos; coordinates are %1.</source>
+        <translation>Les coordonnées des fichiers sont %1.</translation>
+    </message>
+    <message>
+        <source>Not every file says along which axes it lies: %1 is assumed, and left and right may be exchanged. Click to say it.</source>
+        <translation>Certains fichiers ne disent pas selon quels axes ils sont placés&#x202f;: %1 est supposé, gauche et droite peuvent être inversées. Cliquer pour l’indiquer.</translation>
+    </message>
+    <message>
+        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
+        <translation>Les surfaces sont d’un enregistrement et restent telles que palpées.</translation>
+    </message>
+    <message>
+        <source>Coordinates: %1</source>
+        <translation>Coordonnées&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>FeltLayers</name>
+    <message>
+        <source>%1 N, %2 mm in</source>
+        <translation>%1&#xa0;N, prof. %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>holds %1 N</source>
+        <translation>adhère %1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>slides %1 N</source>
+        <translation>glisse %1&#xa0;N</translation>
+    </message>
+</context>
+<context>
+    <name>FindingType</name>
+    <message>
+        <source>lump</source>
+        <translation>nodule</translation>
+    </message>
+    <message>
+        <source>hard area</source>
+        <translation>zone dure</translation>
+    </message>
+    <message>
+        <source>soft area</source>
+        <translation>zone molle</translation>
+    </message>
+    <message>
+        <source>landmark</source>
+        <translation>repère</translation>
+    </message>
+    <message>
+        <source>keep away</source>
+        <translation>à éviter</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>autre</translation>
+    </message>
+</context>
+<context>
+    <name>FindingsDesk</name>
+    <message>
+        <source>Nothing is touched: press on the place first, then mark it (M).</source>
+        <translation>Rien n’est touché&#x202f;: appuyer d’abord à l’endroit voulu, puis le marquer (M).</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Point %1</translation>
+    </message>
+    <message>
+        <source>%1 marked: %2</source>
+        <translation>%1 marqué&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>%1 marked on %2 with %3 N</source>
+        <translation>%1 marqué sur %2 avec %3&#xa0;N</translation>
+    </message>
+    <message>
+        <source>Note %1</source>
+        <translation>Note %1</translation>
+    </message>
+    <message>
+        <source>No finding yet: press on a place and mark it (M).</source>
+        <translation>Aucun point repéré&#x202f;: appuyer à un endroit et le marquer (M).</translation>
+    </message>
+    <message>
+        <source>%1 keeps no view.</source>
+        <translation>%1 n’a pas de vue.</translation>
+    </message>
+    <message>
+        <source>%1 was not marked in a recording.</source>
+        <translation>%1 n’a pas été marqué dans un enregistrement.</translation>
+    </message>
+    <message>
+        <source>A recording is being made: stop it (R) to play.</source>
+        <translation>Un enregistrement est en cours&#x202f;: l’arrêter (R) pour lire.</translation>
+    </message>
+    <message>
+        <source>%1: the recording of %2 is not there any more.</source>
+        <translation>%1&#x202f;: l’enregistrement de %2 n’est plus là.</translation>
+    </message>
+    <message>
+        <source>%1: this is another recording than the one in which %2 was marked.</source>
+        <translation>%1&#x202f;: cet enregistrement n’est pas celui où %2 a été marqué.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) written to %1</source>
+        <translation>
+            <numerusform>%n point repéré écrit dans %1</numerusform>
+            <numerusform>%n points repérés écrits dans %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n finding(s)</source>
+        <translation>
+            <numerusform>Importer %n point repéré</numerusform>
+            <numerusform>Importer %n points repérés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) taken from %1</source>
+        <translation>
+            <numerusform>%n point repéré repris de %1</numerusform>
+            <numerusform>%n points repérés repris de %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Palpate[*]</source>
+        <translation>Palpate[*]</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>Findings and measures</source>
+        <translation>Points et mesures</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Séance</translation>
+    </message>
+    <message>
+        <source>Progress of opening</source>
+        <translation>Progression de l’ouverture</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
+        <source>Stop opening; what was open stays</source>
+        <translation>Arrêter&#x202f;; ce qui était ouvert le reste</translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.</source>
+        <translation>Recherche, formation et répétition du geste planifié. Pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Annuler&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rétablir&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Open what was recorded</source>
+        <translation>Ouvrir ce qui a été enregistré</translation>
+    </message>
+    <message>
+        <source>The phantom was not found beside the program.</source>
+        <translation>Le fantôme est introuvable à côté du programme.</translation>
+    </message>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation>Ouverture interrompue.</translation>
+    </message>
+    <message>
+        <source>Reading what varies over %1…</source>
+        <translation>Lecture de ce qui varie sur %1…</translation>
+    </message>
+    <message>
+        <source>The map of %1 is felt.</source>
+        <translation>La carte de %1 se sent.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open meshes, a scene or a recording</source>
+        <translation>Ouvrir des maillages, une scène ou un enregistrement</translation>
+    </message>
+    <message>
+        <source>Add to the scene…</source>
+        <translation>Ajouter à la scène…</translation>
+    </message>
+    <message>
+        <source>Open more meshes or a scene beside what is open</source>
+        <translation>Ouvrir d’autres maillages ou une scène en plus</translation>
+    </message>
+    <message>
+        <source>Close the scene</source>
+        <translation>Fermer la scène</translation>
+    </message>
+    <message>
+        <source>Close what is open</source>
+        <translation>Fermer ce qui est ouvert</translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation>Enregistrer la scène</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue</source>
+        <translation>Enregistrer la scène avec ses tissus</translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation>Enregistrer la scène sous…</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue to another file</source>
+        <translation>Enregistrer la scène avec ses tissus dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Photo</translation>
+    </message>
+    <message>
+        <source>Save a picture of the view</source>
+        <translation>Enregistrer une image de la vue</translation>
+    </message>
+    <message>
+        <source>Import findings…</source>
+        <translation>Importer des points…</translation>
+    </message>
+    <message>
+        <source>Take the points of a 3D Slicer markups file (.mrk.json) as findings</source>
+        <translation>Reprendre les points d’un fichier 3D Slicer (.mrk.json) comme points repérés</translation>
+    </message>
+    <message>
+        <source>Export findings…</source>
+        <translation>Exporter les points…</translation>
+    </message>
+    <message>
+        <source>Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
+        <translation>Écrire points repérés et notes en tableau (CSV) ou en annotations 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>End Palpate</source>
+        <translation>Quitter Palpate</translation>
+    </message>
+    <message>
+        <source>Undo the newest change</source>
+        <translation>Annuler le dernier changement</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Refaire</translation>
+    </message>
+    <message>
+        <source>Find a structure…</source>
+        <translation>Chercher une structure…</translation>
+    </message>
+    <message>
+        <source>List only structures with these words in their names</source>
+        <translation>Ne lister que les structures dont le nom contient ces mots</translation>
+    </message>
+    <message>
+        <source>Rename the structure…</source>
+        <translation>Renommer la structure…</translation>
+    </message>
+    <message>
+        <source>Write another name for the selected structure</source>
+        <translation>Donner un autre nom à la structure choisie</translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation>Retirer de la scène</translation>
+    </message>
+    <message>
+        <source>Take the selected structures out of the scene; their files stay</source>
+        <translation>Retirer de la scène les structures choisies&#x202f;; leurs fichiers restent</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Cadrer le tout dans la vue</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Points repérés</translation>
+    </message>
+    <message>
+        <source>Show the places marked as findings</source>
+        <translation>Afficher les endroits marqués comme points repérés</translation>
+    </message>
+    <message>
+        <source>What can be felt here</source>
+        <translation>Ce qui est palpable ici</translation>
+    </message>
+    <message>
+        <source>Colour organs by how much of the lumps below a hand feels, with a table</source>
+        <translation>Colorer les organes selon ce qu’une main sent des nodules en dessous, avec un tableau</translation>
+    </message>
+    <message>
+        <source>From the front (A)</source>
+        <translation>De face (A)</translation>
+    </message>
+    <message>
+        <source>From the back (P)</source>
+        <translation>De dos (P)</translation>
+    </message>
+    <message>
+        <source>From the left (L)</source>
+        <translation>De la gauche (L)</translation>
+    </message>
+    <message>
+        <source>From the right (R)</source>
+        <translation>De la droite (R)</translation>
+    </message>
+    <message>
+        <source>From the head (S)</source>
+        <translation>De la tête (S)</translation>
+    </message>
+    <message>
+        <source>From the feet (I)</source>
+        <translation>Des pieds (I)</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Oblique</translation>
+    </message>
+    <message>
+        <source>hold Space</source>
+        <translation>tenir Espace</translation>
+    </message>
+    <message>
+        <source>palpate while it is held</source>
+        <translation>palper tant qu’elle est tenue</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>glisser</translation>
+    </message>
+    <message>
+        <source>camera: rotate · palpate: press and slide</source>
+        <translation>caméra&#x202f;: tourner · palper&#x202f;: appuyer et glisser</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>camera: select the structure (with Ctrl: one more)</source>
+        <translation>caméra&#x202f;: choisir la structure (avec Ctrl&#x202f;: une de plus)</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>glisser droit</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: rotate</source>
+        <translation>caméra&#x202f;: zoomer · palper&#x202f;: tourner</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>glisser milieu</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>déplacer</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
+        <translation>caméra&#x202f;: zoomer · palper&#x202f;: profondeur en mm, ou effort en N (avec Ctrl&#x202f;: zoomer)</translation>
+    </message>
+    <message>
+        <source>double-click</source>
+        <translation>double-clic</translation>
+    </message>
+    <message>
+        <source>centre the view on the point</source>
+        <translation>centrer la vue sur le point</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Lâcher</translation>
+    </message>
+    <message>
+        <source>let go, then back to the camera</source>
+        <translation>lâcher, puis revenir à la caméra</translation>
+    </message>
+    <message>
+        <source>Ctrl+E  Ctrl+H</source>
+        <translation>Ctrl+E  Ctrl+H</translation>
+    </message>
+    <message>
+        <source>show or hide, feel or not</source>
+        <translation>afficher ou masquer, sentir ou non</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>lettres</translation>
+    </message>
+    <message>
+        <source>go to the structure that begins so</source>
+        <translation>aller à la structure qui commence ainsi</translation>
+    </message>
+    <message>
+        <source>F2  Del</source>
+        <translation>F2  Suppr</translation>
+    </message>
+    <message>
+        <source>rename, remove from the scene</source>
+        <translation>renommer, retirer de la scène</translation>
+    </message>
+    <message>
+        <source>Ctrl+↓  ↑</source>
+        <translation>Ctrl+↓  ↑</translation>
+    </message>
+    <message>
+        <source>felt a layer deeper, farther out</source>
+        <translation>senti une couche dessous, dessus</translation>
+    </message>
+    <message>
+        <source>Enter  F2  Del</source>
+        <translation>Entrée  F2  Suppr</translation>
+    </message>
+    <message>
+        <source>in the findings: go there, edit, delete</source>
+        <translation>points repérés&#x202f;: y aller, modifier, supprimer</translation>
+    </message>
+    <message>
+        <source>Shift+Enter</source>
+        <translation>Maj+Entrée</translation>
+    </message>
+    <message>
+        <source>in the findings: play where it was marked</source>
+        <translation>points repérés&#x202f;: lire au moment du marquage</translation>
+    </message>
+    <message>
+        <source>Palpate</source>
+        <translation>Palper</translation>
+    </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera</source>
+        <translation>Palper au pointeur&#x202f;: glisser pour appuyer, molette pour la profondeur&#x202f;; sinon le pointeur déplace la caméra</translation>
+    </message>
+    <message>
+        <source>Press by effort</source>
+        <translation>Appuyer par effort</translation>
+    </message>
+    <message>
+        <source>Effort in, depth out: the force rises while the button is held, or is a pen&apos;s pressure, and a stiff place gives way less; off: the wheel says how deep</source>
+        <translation>On donne l’effort, la profondeur suit&#x202f;: la force croît tant que le bouton est tenu, ou est la pression d’un stylet, et un endroit raide cède moins&#x202f;; désactivé&#x202f;: la molette règle la profondeur</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Lever la main</translation>
+    </message>
+    <message>
+        <source>Move the device without the hand in the scene, as a mouse is lifted; again to go on</source>
+        <translation>Déplacer l’appareil sans la main dans la scène, comme on lève une souris&#x202f;; encore une fois pour continuer</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Record what the hand feels, at every moment</source>
+        <translation>Enregistrer ce que sent la main, à chaque instant</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Play or pause the recording</source>
+        <translation>Lire ou suspendre l’enregistrement</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>Back to the recording&apos;s start</source>
+        <translation>Retour au début de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation>Marquer un point</translation>
+    </message>
+    <message>
+        <source>Mark the place that is touched, in the scene and in the recording</source>
+        <translation>Marquer l’endroit touché, dans la scène et dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Mark a finding and write…</source>
+        <translation>Marquer un point et écrire…</translation>
+    </message>
+    <message>
+        <source>Mark the place that is touched and write about it</source>
+        <translation>Marquer l’endroit touché et écrire une note à son sujet</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Note…</translation>
+    </message>
+    <message>
+        <source>Write a note without a place</source>
+        <translation>Écrire une note sans endroit</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Point suivant</translation>
+    </message>
+    <message>
+        <source>Go to the next finding, in the view from which it was marked</source>
+        <translation>Aller au point repéré suivant, dans la vue d’où il a été marqué</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Point précédent</translation>
+    </message>
+    <message>
+        <source>Go to the finding before</source>
+        <translation>Aller au point repéré précédent</translation>
+    </message>
+    <message>
+        <source>Results…</source>
+        <translation>Résultats…</translation>
+    </message>
+    <message>
+        <source>Forces, coverage and findings of the recording, and exports</source>
+        <translation>Forces, couverture et points repérés de l’enregistrement, et exports</translation>
+    </message>
+    <message>
+        <source>Keep the surfaces inside recordings</source>
+        <translation>Garder les surfaces dans les enregistrements</translation>
+    </message>
+    <message>
+        <source>One file then holds the whole session; it grows by what the meshes take</source>
+        <translation>Un seul fichier contient alors toute la séance&#x202f;; il grossit de la taille des maillages</translation>
+    </message>
+    <message>
+        <source>Zoom the hand&apos;s space to everything</source>
+        <translation>Zoomer l’espace de la main sur tout</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way goes through all that is shown</source>
+        <translation>Toute la course de l’appareil parcourt tout ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>Zoom the hand&apos;s space to the organ</source>
+        <translation>Zoomer l’espace de la main sur l’organe</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way goes through the organ that is touched or pointed at</source>
+        <translation>Toute la course de l’appareil parcourt l’organe touché ou pointé</translation>
+    </message>
+    <message>
+        <source>Zoom the hand&apos;s space to the lump</source>
+        <translation>Zoomer l’espace de la main sur le nodule</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way is 10 mm, about what is touched, pointed at or found</source>
+        <translation>Toute la course de l’appareil vaut 10&#xa0;mm, autour de ce qui est touché, pointé ou repéré</translation>
+    </message>
+    <message>
+        <source>All keys</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>Show all keys</source>
+        <translation>Afficher les raccourcis</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Taille du texte</translation>
+    </message>
+    <message>
+        <source>&amp;Session</source>
+        <translation>&amp;Séance</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aid&amp;e</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>What the pointer or the device does</source>
+        <translation>Ce que fait le pointeur ou l’appareil</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>How touch runs</source>
+        <translation>Marche du toucher</translation>
+    </message>
+    <message>
+        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm] or with this force [N]; the wheel sets it (P switches)</source>
+        <translation>Ce que fait le pointeur&#x202f;: il tourne la vue, ou il appuie de tant le long du regard [mm] ou avec cette force [N]&#x202f;; la molette le règle (P change)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>A&amp;ppareil</translation>
+    </message>
+    <message>
+        <source>P palpate, drag to press, wheel for depth</source>
+        <translation>P palpe, glisser pour appuyer, molette pour la profondeur</translation>
+    </message>
+    <message>
+        <source>Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand</source>
+        <translation>Toucher avec l’appareil&#x202f;; O ou L zoome son espace sur l’organe ou le nodule, C lève la main</translation>
+    </message>
+    <message>
+        <source>Feel again</source>
+        <translation>Sentir à nouveau</translation>
+    </message>
+    <message>
+        <source>What can be felt</source>
+        <translation>Ce qui est palpable</translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation>«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
+    </message>
+    <message>
+        <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
+        <translation>Cette anatomie mesure %1&#xa0;mm&#x202f;: ses nombres sont sans doute des mètres.</translation>
+    </message>
+    <message>
+        <source>Read as metres</source>
+        <translation>Lire en mètres</translation>
+    </message>
+    <message>
+        <source>Stop the recording first: it holds the surfaces as they lie now.</source>
+        <translation>Arrêtez d’abord l’enregistrement&#x202f;: il contient les surfaces telles que placées.</translation>
+    </message>
+    <message>
+        <source>1 note on these files</source>
+        <translation>1 remarque sur ces fichiers</translation>
+    </message>
+    <message>
+        <source>%1 notes on these files</source>
+        <translation>%1 remarques sur ces fichiers</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 (F4 lists them)</source>
+        <translation>%1  ·  %2 (F4 les liste)</translation>
+    </message>
+    <message>
+        <source>Read again with coordinates %1: tissue and findings are kept, undo starts anew.</source>
+        <translation>Relu avec les coordonnées %1&#x202f;: tissus et points repérés sont gardés, l’annulation repart de zéro.</translation>
+    </message>
+    <message>
+        <source>As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).</source>
+        <translation>Comme à l’enregistrement, le bout du doigt est une boule de %1&#xa0;mm de rayon (Séance › Bout du doigt).</translation>
+    </message>
+    <message>
+        <source>As recorded, the fingertip is a point (Session › Fingertip).</source>
+        <translation>Comme à l’enregistrement, le bout du doigt est un point (Séance › Bout du doigt).</translation>
+    </message>
+    <message>
+        <source>%1 can be played, but the meshes that it was made on are not where they were. Open them to see what was touched.</source>
+        <translation>%1 peut être lu, mais les maillages d’origine ne sont plus à leur place. Ouvrez-les pour voir ce qui a été touché.</translation>
+    </message>
+    <message>
+        <source>The scene was changed elsewhere</source>
+        <translation>La scène a été modifiée ailleurs</translation>
+    </message>
+    <message>
+        <source>%1 was saved by another window or program since it was opened here. To save it would replace what was saved there.</source>
+        <translation>%1 a été enregistré par une autre fenêtre ou un autre programme depuis son ouverture ici. L’enregistrer d’ici remplacerait ce travail.</translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation>Enregistrer quand même</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Palpate scene (*.palpate.json)</source>
+        <translation>Scène Palpate (*.palpate.json)</translation>
+    </message>
+    <message>
+        <source>Scene saved to %1</source>
+        <translation>Scène enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>Save the changes to this scene?</source>
+        <translation>Enregistrer les changements de cette scène&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Unsaved scene</source>
+        <translation>Scène non enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1[*] – Palpate</source>
+        <translation>%1[*] – Palpate</translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly and left unsaved changes of a scene.</source>
+        <translation>Palpate s’est arrêté brutalement et a laissé des changements non enregistrés.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>These changes were already restored in another window.</source>
+        <translation>Ces changements ont déjà été récupérés dans une autre fenêtre.</translation>
+    </message>
+    <message>
+        <source>Open anatomy</source>
+        <translation>Ouvrir une anatomie</translation>
+    </message>
+    <message>
+        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
+        <translation>Anatomie, scènes et enregistrements (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 fichiers</translation>
+    </message>
+    <message>
+        <source>Add %1 to the open scene?</source>
+        <translation>Ajouter %1 à la scène ouverte&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Open instead</source>
+        <translation>Ouvrir seul</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json)</source>
+        <translation>Annotations 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export findings</source>
+        <translation>Exporter les points</translation>
+    </message>
+    <message>
+        <source>Import findings</source>
+        <translation>Importer des points</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
+        <translation>Annotations 3D Slicer (*.mrk.json *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1; %2 more of that kind: Felt in the panel has each.</source>
+        <translation>%1&#x202f;; %2 de plus de ce type&#x202f;: «&#x202f;Senti&#x202f;» dans le panneau les donne tous.</translation>
+    </message>
+    <message>
+        <source>Feel what is inside below what is around it</source>
+        <translation>Sentir ce qui est dedans sous ce qui l’entoure</translation>
+    </message>
+    <message>
+        <source>All in one layer</source>
+        <translation>Tout en une couche</translation>
+    </message>
+    <message>
+        <source>Feel all in one layer</source>
+        <translation>Tout sentir en une couche</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, but this scene has all in one layer: it is not felt through %2.</source>
+        <translation>%1 est dans %2, mais cette scène est en une seule couche&#x202f;: impossible à sentir à travers %2.</translation>
+    </message>
+    <message>
+        <source>Feel it below</source>
+        <translation>Sentir dessous</translation>
+    </message>
+    <message>
+        <source>Add to the scene</source>
+        <translation>Ajouter à la scène</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Add %1 structures</source>
+        <translation>Ajouter %1 structures</translation>
+    </message>
+    <message>
+        <source>%1 was added to the scene.</source>
+        <translation>Ajout à la scène&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 structures were added to the scene.</source>
+        <translation>%1 structures ont été ajoutées à la scène.</translation>
+    </message>
+    <message>
+        <source>What was added lies in or around other structures, but the layers that were set are kept.</source>
+        <translation>L’ajout se trouve dans ou autour d’autres structures, mais les couches réglées sont gardées.</translation>
+    </message>
+    <message>
+        <source>Tissue by names</source>
+        <translation>Tissus selon les noms</translation>
+    </message>
+    <message>
+        <source>%1 got its tissue by its name.</source>
+        <translation>%1&#x202f;: tissu choisi d’après le nom.</translation>
+    </message>
+    <message>
+        <source>%1 structures got tissue by their names.</source>
+        <translation>%1 structures ont reçu leur tissu d’après leur nom.</translation>
+    </message>
+    <message>
+        <source>Tissue as before</source>
+        <translation>Tissus comme avant</translation>
+    </message>
+    <message>
+        <source>Recorded to %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement %1</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1</source>
+        <translation>Image enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
+        <translation>%1&#x202f;: l’image n’a pas pu être écrite. Le dossier est-il accessible en écriture, et le disque non plein&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Next panel</source>
+        <translation>Panneau suivant</translation>
+    </message>
+    <message>
+        <source>The keys go to the next panel, and on to the view</source>
+        <translation>Le clavier passe au panneau suivant, puis à la vue</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Panneau précédent</translation>
+    </message>
+    <message>
+        <source>The keys go to the panel before</source>
+        <translation>Le clavier passe au panneau précédent</translation>
+    </message>
+    <message>
+        <source>Hide or show all panels</source>
+        <translation>Masquer ou afficher les panneaux</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Show or hide the list of all messages since the start, with all notes on files</source>
+        <translation>Afficher ou masquer la liste de tous les messages depuis le début, avec toutes les remarques sur les fichiers</translation>
+    </message>
+    <message>
+        <source>Engineering</source>
+        <translation>Technique</translation>
+    </message>
+    <message>
+        <source>Show or hide solver, servo loop and device in numbers</source>
+        <translation>Afficher ou masquer en chiffres le solveur, la boucle et l’appareil</translation>
+    </message>
+    <message>
+        <source>Single-letter keys</source>
+        <translation>Touches à une lettre</translation>
+    </message>
+    <message>
+        <source>Commands by one letter; off: letters do nothing, for speech input and for hands that touch keys by chance</source>
+        <translation>Commandes à une lettre&#x202f;; sinon les lettres ne font rien, pour la saisie vocale et les mains qui touchent le clavier par mégarde</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1&#x202f;: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Forces may stutter: %1: %2. %3</source>
+        <translation>La force peut saccader&#x202f;: %1&#x202f;: %2. %3</translation>
+    </message>
+    <message>
+        <source>Touching with the %1</source>
+        <translation>Toucher avec&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Turning the view</source>
+        <translation>Rotation de la vue</translation>
+    </message>
+</context>
+<context>
+    <name>MeasuresDialog</name>
+    <message>
+        <source>Data table (CSV)</source>
+        <translation>Tableau (CSV)</translation>
+    </message>
+    <message>
+        <source>Data table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>Path and map for 3D Slicer</source>
+        <translation>Trajet et carte pour 3D Slicer</translation>
+    </message>
+    <message>
+        <source>VTK poly data (*.vtp)</source>
+        <translation>VTK poly data (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Results (JSON)</source>
+        <translation>Résultats (JSON)</translation>
+    </message>
+    <message>
+        <source>Results (*.json)</source>
+        <translation>Résultats (*.json)</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Résultats de %1</translation>
+    </message>
+    <message>
+        <source>Results of the session</source>
+        <translation>Résultats de la séance</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <source>What became of the newest export</source>
+        <translation>Ce qu’est devenu le dernier export</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’export</translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation>Annuler l’export</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy all tables, to be pasted into a spreadsheet (Ctrl+C)</source>
+        <translation>Copier tous les tableaux, à coller dans un tableur (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Every moment with its time, places, forces, depth and events</source>
+        <translation>Chaque instant avec temps, lieux, forces, profondeur et événements</translation>
+    </message>
+    <message>
+        <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
+        <translation>Le trajet de la main et, à côté, la surface touchée avec temps passé et force maximale</translation>
+    </message>
+    <message>
+        <source>The tables above, and more, for a program</source>
+        <translation>Les tableaux ci-dessus, et plus, pour un programme</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a spreadsheet.</source>
+        <translation>Copié&#x202f;: à coller dans un tableur.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 is there already. Choose it by its whole name to replace it.</source>
+        <translation>Rien n’a été écrit&#x202f;: %1 existe déjà. Choisissez-le par son nom complet pour le remplacer.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 ends in %2. A name for %3 ends in %4.</source>
+        <translation>Rien n’a été écrit&#x202f;: %1 finit par %2. Un nom pour %3 finit par %4.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Written to %1 and %2.</source>
+        <translation>Écrit dans %1 et %2.</translation>
+    </message>
+    <message>
+        <source>The path is written to %1; the map is not: %2</source>
+        <translation>Le trajet est écrit dans %1&#x202f;; la carte ne l’est pas&#x202f;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingControl</name>
+    <message>
+        <source>Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was felt in them; moments that were lost, because the disk was slow: they were felt and are not in it</source>
+        <translation>Durée de l’enregistrement [min:s]&#x202f;; instants de 1&#xa0;ms en retard, l’ordinateur étant occupé&#x202f;: rien n’y a été senti&#x202f;; instants perdus, le disque étant lent&#x202f;: ils ont été sentis et n’y sont pas</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>A recording is running. End it and close?</source>
+        <translation>Un enregistrement est en cours. L’arrêter et fermer&#x202f;?</translation>
+    </message>
+    <message>
+        <source>What was felt until now is kept in %1.</source>
+        <translation>Ce qui a été senti jusqu’ici est gardé dans %1.</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>Finir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Go on recording</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>● recording %1, the disk does not answer</source>
+        <translation>● enregistre %1, le disque ne répond pas</translation>
+    </message>
+    <message>
+        <source>● recording %1, %2</source>
+        <translation>● enregistre %1, %2</translation>
+    </message>
+    <message>
+        <source>recording failed at %1</source>
+        <translation>échec de l’enregistrement à %1</translation>
+    </message>
+    <message>
+        <source>%1 ended by itself</source>
+        <translation>%1 s’est arrêté seul</translation>
+    </message>
+</context>
+<context>
+    <name>ResultTables</name>
+    <message>
+        <source>Session</source>
+        <translation>Séance</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation>En contact</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Path of the hand</source>
+        <translation>Trajet de la main</translation>
+    </message>
+    <message>
+        <source>Path on the surface</source>
+        <translation>Trajet en surface</translation>
+    </message>
+    <message>
+        <source>Moments late</source>
+        <translation>Instants en retard</translation>
+    </message>
+    <message>
+        <source>Moments lost</source>
+        <translation>Instants perdus</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>Force and depth</source>
+        <translation>Force et profondeur</translation>
+    </message>
+    <message>
+        <source>Time spent [s]</source>
+        <translation>Temps passé [s]</translation>
+    </message>
+    <message>
+        <source>Mean [N]</source>
+        <translation>Moyenne [N]</translation>
+    </message>
+    <message>
+        <source>Median [N]</source>
+        <translation>Médiane [N]</translation>
+    </message>
+    <message>
+        <source>Nearly highest [N]</source>
+        <translation>Presque max. [N]</translation>
+    </message>
+    <message>
+        <source>Peak [N]</source>
+        <translation>Maximum [N]</translation>
+    </message>
+    <message>
+        <source>Deepest [mm]</source>
+        <translation>Plus profond [mm]</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>Appuis</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Search and press</source>
+        <translation>Recherche et appui</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Main</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phases</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Pressing</source>
+        <translation>Appui</translation>
+    </message>
+    <message>
+        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
+        <translation>Part de la surface examinée&#x202f;: à moins de %1, le rayon du bout du doigt</translation>
+    </message>
+    <message>
+        <source>Share of the surface that was examined: within %1</source>
+        <translation>Part de la surface examinée&#x202f;: à moins de %1</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Area [cm²]</source>
+        <translation>Aire [cm²]</translation>
+    </message>
+    <message>
+        <source>Examined [%]</source>
+        <translation>Examiné [%]</translation>
+    </message>
+    <message>
+        <source>Longest time at one place [s]</source>
+        <translation>Temps le plus long à un endroit [s]</translation>
+    </message>
+    <message>
+        <source>its mesh is not there</source>
+        <translation>son maillage est absent</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Points repérés</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Marqué</translation>
+    </message>
+    <message>
+        <source>First touched</source>
+        <translation>Premier toucher</translation>
+    </message>
+    <message>
+        <source>Times returned</source>
+        <translation>Retours</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Écrite</translation>
+    </message>
+    <message>
+        <source>Findings, layer by layer</source>
+        <translation>Points repérés par couche</translation>
+    </message>
+    <message>
+        <source>Felt when marked</source>
+        <translation>Senti au marquage</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Force [N]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Profondeur [mm]</translation>
+    </message>
+    <message>
+        <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
+        <translation>Presque max.&#x202f;: la force sous laquelle sont restés 95&#x202f;% du contact. Mesures de recherche, pas un diagnostic.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneDocument</name>
+    <message>
+        <source>Mark %1</source>
+        <translation>Marquer %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Fingertip</name>
+    <message>
+        <source>Ball of %1 mm radius</source>
+        <translation>Boule de %1&#xa0;mm de rayon</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Fingertip</source>
+        <translation>Bout du doigt</translation>
+    </message>
+    <message>
+        <source>What touches: a point feels every facet, a ball slides over small pits as a finger does</source>
+        <translation>Ce qui touche&#x202f;: un point sent chaque facette, une boule glisse sur les petits creux comme un doigt</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Help</name>
+    <message>
+        <source>Documents</source>
+        <translation>Documents</translation>
+    </message>
+    <message>
+        <source>Open the folder of documents: keys, recordings, measures, glossary, devices</source>
+        <translation>Ouvrir le dossier des documents&#x202f;: raccourcis, enregistrements, mesures, glossaire, appareils</translation>
+    </message>
+    <message>
+        <source>About Palpate</source>
+        <translation>À propos de Palpate</translation>
+    </message>
+    <message>
+        <source>Version, build and licences, to copy for a report</source>
+        <translation>Version, build et licences, à copier pour un rapport</translation>
+    </message>
+    <message>
+        <source>The documents were not found beside the program.</source>
+        <translation>Les documents n’ont pas été trouvés à côté du programme.</translation>
+    </message>
+    <message>
+        <source>Nothing here opens folders; the documents are in %1</source>
+        <translation>Rien ici n’ouvre les dossiers&#x202f;; les documents sont dans %1</translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.
+
+Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
+        <translation>Recherche, formation et répétition du geste planifié. Pas un dispositif médical.
+
+Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL 3), VTK (BSD à 3 clauses), Eigen (MPL 2.0), SQLite (domaine public), hidapi (BSD) et CLI11 (BSD à 3 clauses).</translation>
+    </message>
+    <message>
+        <source>Copy for a report</source>
+        <translation>Copier pour un rapport</translation>
+    </message>
+    <message>
+        <source>Copied: version, build and system.</source>
+        <translation>Copié&#x202f;: version, build et système.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Language</name>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Palpate speaks another language when it is started again.</source>
+        <translation>Palpate changera de langue au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ShowAround</name>
+    <message>
+        <source>Show me around</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Four notes on the window, on the practice liver when nothing is open</source>
+        <translation>Quatre notes sur la fenêtre, sur le foie d’exercice si rien n’est ouvert</translation>
+    </message>
+    <message>
+        <source>This is a practice liver with lumps inside.</source>
+        <translation>Voici un foie d’exercice qui contient des nodules.</translation>
+    </message>
+    <message>
+        <source>Shown on what is open; nothing of it is changed.</source>
+        <translation>Montré sur ce qui est ouvert&#x202f;; rien n’en est modifié.</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>The list has every structure. The eye shows or hides it, the hand lets you feel it or not; below stands the tissue that it is felt as.</source>
+        <translation>La liste contient toutes les structures. L’œil en affiche ou masque une, la main la rend palpable ou non&#x202f;; en dessous figure le tissu comme lequel elle est sentie.</translation>
+    </message>
+    <message>
+        <source>Press to feel</source>
+        <translation>Appuyer pour sentir</translation>
+    </message>
+    <message>
+        <source>Press P, then drag on the anatomy: you press and slide, the wheel goes deeper. By keys: Ctrl and the arrows move the place, Enter presses, Page down goes deeper. Esc lets go.</source>
+        <translation>Taper P, puis glisser sur l’anatomie&#x202f;: on appuie et on glisse, la molette va plus profond. Au clavier&#x202f;: Ctrl et les flèches déplacent l’endroit, Entrée appuie, Page suivante va plus profond. Échap lâche.</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>The force in newtons, which structure is touched, how deep in millimetres, and the last ten seconds. What is stiffer than its surroundings pushes back more at the same depth.</source>
+        <translation>La force en newtons, la structure touchée, la profondeur en millimètres, et les dix dernières secondes. Ce qui est plus raide que son entourage repousse plus fort à la même profondeur.</translation>
+    </message>
+    <message>
+        <source>Record and findings</source>
+        <translation>Enregistrement et points repérés</translation>
+    </message>
+    <message>
+        <source>R records what you feel, and again ends it. M marks the place you touch as a finding: it stands here with force and depth; F2 names it. File › Export findings… writes them out.</source>
+        <translation>R enregistre ce que vous sentez, et y met fin. M marque l’endroit touché comme point repéré&#x202f;: il figure ici avec force et profondeur&#x202f;; F2 le nomme. Fichier › Exporter les points repérés… les écrit.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ActionList</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ChipRow</name>
+    <message>
+        <source>What else there is to say</source>
+        <translation>Ce qu’il y a d’autre à dire</translation>
+    </message>
+    <message>
+        <source>What there is no room for in this row</source>
+        <translation>Ce qui ne tient pas dans cette ligne</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::DeviceChoice</name>
+    <message>
+        <source>Mouse</source>
+        <translation>Souris</translation>
+    </message>
+    <message>
+        <source>The pointer over the view; it feels nothing, the force is shown</source>
+        <translation>Le pointeur sur la vue&#x202f;; il ne sent rien, la force est affichée</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Main simulée</translation>
+    </message>
+    <message>
+        <source>Palpates what is in the middle of the view, and feels the force</source>
+        <translation>Palpe ce qui est au milieu de la vue, et sent la force</translation>
+    </message>
+    <message>
+        <source>Replay with today&apos;s tissue</source>
+        <translation>Rejouer avec le tissu d’aujourd’hui</translation>
+    </message>
+    <message>
+        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
+        <translation>Le mouvement de l’enregistrement ouvert, senti avec les tissus actuels</translation>
+    </message>
+    <message>
+        <source>%1 (skipped)</source>
+        <translation>%1 (ignoré)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse moves the view</source>
+        <translation>SpaceMouse déplace la vue</translation>
+    </message>
+    <message>
+        <source>The puck turns and shifts the anatomy while another device is the hand</source>
+        <translation>Le palet tourne et déplace l’anatomie pendant qu’un autre appareil est la main</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>Takes the pose that the device is in now as its calibration pose</source>
+        <translation>Prend la position actuelle de l’appareil comme position d’étalonnage</translation>
+    </message>
+    <message>
+        <source>What is plugged in…</source>
+        <translation>Ce qui est branché…</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>souris</translation>
+    </message>
+    <message>
+        <source>simulated hand</source>
+        <translation>main simulée</translation>
+    </message>
+    <message>
+        <source>recording, felt anew</source>
+        <translation>enregistrement, senti de nouveau</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 perdu</translation>
+    </message>
+    <message>
+        <source>%1: calibrate</source>
+        <translation>%1&#x202f;: étalonner</translation>
+    </message>
+    <message>
+        <source>The hand&apos;s device: %1</source>
+        <translation>L’appareil de la main&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>It feels nothing: the force is shown, up to %1 N.</source>
+        <translation>Il ne rend rien au toucher&#x202f;: la force est affichée, jusqu’à %1&#xa0;N.</translation>
+    </message>
+    <message>
+        <source>Up to %1 N and %2 N/mm</source>
+        <translation>Jusqu’à %1&#xa0;N et %2&#xa0;N/mm</translation>
+    </message>
+    <message>
+        <source>%1: it would need %2.</source>
+        <translation>%1&#x202f;: il faudrait %2.</translation>
+    </message>
+    <message>
+        <source>No haptic device and no 6-axis mouse is plugged in.</source>
+        <translation>Aucun appareil haptique ni souris à 6 axes n’est branché.</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::EnergyBar</name>
+    <message>
+        <source>Energy observer</source>
+        <translation>Bilan d’énergie</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1&#xa0;mJ</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::EngineeringPanel</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1&#xa0;µs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>half below %1, 99 % below %2</source>
+        <translation>la moitié sous %1, 99&#x202f;% sous %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 refused, lost %3 times</source>
+        <translation>%1, %2 refusés, perdu %3 fois</translation>
+    </message>
+    <message>
+        <source>Click for the details (View › Engineering).</source>
+        <translation>Cliquer pour les détails (Affichage › Technique).</translation>
+    </message>
+    <message>
+        <source>computer too busy</source>
+        <translation>ordinateur surchargé</translation>
+    </message>
+    <message>
+        <source>Touch is computed %1 times a second instead of %2: forces may stutter. Close other programs.</source>
+        <translation>Le toucher est calculé %1 fois par seconde au lieu de %2&#x202f;: la force peut saccader. Fermez d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>force may stutter</source>
+        <translation>la force peut saccader</translation>
+    </message>
+    <message>
+        <source>The system does not give touch its time first: other programs may make the force stutter. The list of messages (F4) says how to permit it.</source>
+        <translation>Le système ne sert pas le toucher en premier&#x202f;: d’autres programmes peuvent faire saccader la force. La liste des messages (F4) dit comment le permettre.</translation>
+    </message>
+    <message>
+        <source>running well</source>
+        <translation>marche bien</translation>
+    </message>
+    <message>
+        <source>Touch is computed %1 times a second, as it should be.</source>
+        <translation>Le toucher est calculé %1 fois par seconde, comme il se doit.</translation>
+    </message>
+    <message>
+        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
+Below zero the program would give more than it took; damping then takes it away.</source>
+        <translation>Bilan d’énergie&#x202f;: ce que la main a mis dans le tissu touché sans le récupérer [mJ].
+Sous zéro, le programme donnerait plus qu’il n’a pris&#x202f;; l’amortissement le retire alors.</translation>
+    </message>
+    <message>
+        <source>What the servo thread was granted</source>
+        <translation>Ce qui a été accordé au fil servo</translation>
+    </message>
+    <message>
+        <source>Constraints</source>
+        <translation>Contraintes</translation>
+    </message>
+    <message>
+        <source>Active constraints: planes of the surface that hold the hand back, at most 3</source>
+        <translation>Contraintes actives&#x202f;: plans de la surface qui retiennent la main, 3 au plus</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solveur</translation>
+    </message>
+    <message>
+        <source>Time of one tick in the solver, of ticks with a hand</source>
+        <translation>Durée d’un pas dans le solveur, des pas avec une main</translation>
+    </message>
+    <message>
+        <source>Measured rate</source>
+        <translation>Cadence mesurée</translation>
+    </message>
+    <message>
+        <source>Ticks of the servo thread a second, over the last half second [kHz]</source>
+        <translation>Pas du fil servo par seconde, sur la dernière demi-seconde [kHz]</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>How far the time from tick to tick is from the period; 99.9 % of the ticks stay below</source>
+        <translation>Écart du temps entre deux pas à la période&#x202f;; 99,9&#x202f;% des pas restent en dessous</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Pas en retard</translation>
+    </message>
+    <message>
+        <source>Ticks that ended after their time, of all since the loop began; periods left out for it</source>
+        <translation>Pas finis après leur temps, sur tous depuis le début de la boucle&#x202f;; périodes sautées pour cela</translation>
+    </message>
+    <message>
+        <source>Dropped ticks</source>
+        <translation>Pas perdus</translation>
+    </message>
+    <message>
+        <source>Ticks that were felt but are not in this recording, because the disk was slow</source>
+        <translation>Pas sentis mais absents de cet enregistrement, le disque étant lent</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ]</source>
+        <translation>Observateur d’énergie&#x202f;: ce que la main a mis dans le tissu touché sans le récupérer [mJ]</translation>
+    </message>
+    <message>
+        <source>Damping added</source>
+        <translation>Amortissement ajouté</translation>
+    </message>
+    <message>
+        <source>Force that the passivity controller adds against the movement [N]</source>
+        <translation>Force que le contrôleur de passivité ajoute contre le mouvement [N]</translation>
+    </message>
+    <message>
+        <source>Device round trip</source>
+        <translation>Aller-retour de l’appareil</translation>
+    </message>
+    <message>
+        <source>From a report of the device received to the force that answers it written</source>
+        <translation>De la réception d’un rapport de l’appareil à l’écriture de la force qui y répond</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retard</translation>
+    </message>
+    <message>
+        <source>After which the force is taken to act: it bounds the stiffness that is stable</source>
+        <translation>Après lequel la force est censée agir&#x202f;: il borne la raideur stable</translation>
+    </message>
+    <message>
+        <source>Device reports</source>
+        <translation>Rapports de l’appareil</translation>
+    </message>
+    <message>
+        <source>Received, of those not to be believed, and how often the device was lost</source>
+        <translation>Reçus, dont non crédibles, et combien de fois l’appareil a été perdu</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1&#xa0;kHz</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation>Cadence de la boucle</translation>
+    </message>
+    <message>
+        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter.</source>
+        <translation>Pas par seconde. Une boucle plus rapide tient un tissu plus raide si l’appareil suit&#x202f;; voir la gigue.</translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation>Cadence servo</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>CPU %1 alone</source>
+        <translation>CPU %1 seul</translation>
+    </message>
+    <message>
+        <source>CPU of the servo loop</source>
+        <translation>CPU de la boucle</translation>
+    </message>
+    <message>
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
+the loop go where there is room.</source>
+        <translation>Où tourne la boucle d’asservissement. Un CPU seul aide s’il est gardé libre de tout le reste&#x202f;; sinon «&#x202f;Libre&#x202f;»
+laisse la boucle aller où il y a de la place.</translation>
+    </message>
+    <message>
+        <source>Servo CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>99.9 % below %1</source>
+        <translation>99,9&#x202f;% sous %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 left out</source>
+        <translation>%1 sur %2, sautés : %3</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1&#xa0;mJ</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1&#xa0;N</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltOverlay</name>
+    <message>
+        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
+        <translation>Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers.</translation>
+    </message>
+    <message>
+        <source>What can be felt of %1</source>
+        <translation>Ce qui est palpable de %1</translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation>«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
+    </message>
+    <message>
+        <source>pressed %1 mm</source>
+        <translation>en appuyant de %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>touched lightly</source>
+        <translation>touché légèrement</translation>
+    </message>
+    <message>
+        <source>Felt when %1
+(estimate)</source>
+        <translation>Palpable, %1
+(estimation)</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non jugé</translation>
+    </message>
+    <message>
+        <source>0 %: no lump</source>
+        <translation>0&#x202f;%&#x202f;: aucun nodule</translation>
+    </message>
+    <message>
+        <source>7 %: half of that</source>
+        <translation>7&#x202f;%&#x202f;: la moitié de cela</translation>
+    </message>
+    <message>
+        <source>14 %: a trained hand tells</source>
+        <translation>14&#x202f;%&#x202f;: une main exercée le sent</translation>
+    </message>
+    <message>
+        <source>28 %: plainly felt</source>
+        <translation>28&#x202f;%&#x202f;: nettement senti</translation>
+    </message>
+    <message>
+        <source>%1 %: most here</source>
+        <translation>%1&#x202f;%&#x202f;: le plus ici</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltPanel</name>
+    <message>
+        <source>Liver malignancy, 4.4 (MR elastography, PMC2894569)</source>
+        <translation>Tumeur maligne du foie, 4,4 (élastographie IRM, PMC2894569)</translation>
+    </message>
+    <message>
+        <source>Benign liver lesion, 1.2 (MR elastography, PMC2894569)</source>
+        <translation>Lésion bénigne du foie, 1,2 (élastographie IRM, PMC2894569)</translation>
+    </message>
+    <message>
+        <source>Metastasis, 5 (number chosen)</source>
+        <translation>Métastase, 5 (valeur choisie)</translation>
+    </message>
+    <message>
+        <source>Cyst, 0.05 (number chosen)</source>
+        <translation>Kyste, 0,05 (valeur choisie)</translation>
+    </message>
+    <message>
+        <source>Estimate for research and rehearsal.</source>
+        <translation>Estimation pour la recherche et la répétition.</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Nodule</translation>
+    </message>
+    <message>
+        <source>Times as stiff</source>
+        <translation>Rapport de raideur</translation>
+    </message>
+    <message>
+        <source>Least cover</source>
+        <translation>Moindre épaisseur</translation>
+    </message>
+    <message>
+        <source>Pressed %1 mm</source>
+        <translation>Appuyé de %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Touched lightly</source>
+        <translation>Touché légèrement</translation>
+    </message>
+    <message>
+        <source>Lumps and whether a hand finds them</source>
+        <translation>Les nodules, et si une main les trouve</translation>
+    </message>
+    <message>
+        <source>How deep the finger is pressed in</source>
+        <translation>De combien le doigt est enfoncé</translation>
+    </message>
+    <message>
+        <source>Coloured as pressed %1 mm</source>
+        <translation>Coloré pour un appui de %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Coloured as touched lightly</source>
+        <translation>Coloré pour un toucher léger</translation>
+    </message>
+    <message>
+        <source>Show me the best place</source>
+        <translation>Montrer le meilleur endroit</translation>
+    </message>
+    <message>
+        <source>How many times as stiff as its organ the lump is</source>
+        <translation>Combien de fois le nodule est plus raide que son organe</translation>
+    </message>
+    <message>
+        <source>Where the lump&apos;s stiffness comes from</source>
+        <translation>D’où vient la raideur du nodule</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Saisie</translation>
+    </message>
+    <message>
+        <source>From the two Young&apos;s moduli</source>
+        <translation>Des deux modules de Young</translation>
+    </message>
+    <message>
+        <source>From the tissues&apos; stiffness</source>
+        <translation>De la raideur des tissus</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the lump [kPa]</source>
+        <translation>Module de Young du nodule [kPa]</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the organ [kPa]</source>
+        <translation>Module de Young de l’organe [kPa]</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation>&#xa0;kPa</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>Being computed…</source>
+        <translation>Calcul en cours…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>lies open</source>
+        <translation>à découvert</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>dans %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>Times as stiff as its organ:</source>
+        <translation>Combien de fois plus raide que son organe&#x202f;:</translation>
+    </message>
+    <message>
+        <source>%1, times as stiff as %2:</source>
+        <translation>%1, combien de fois plus raide que %2&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Raideur de %1</translation>
+    </message>
+    <message>
+        <source>No place over this lump can be judged.</source>
+        <translation>Aucun endroit au-dessus de ce nodule ne peut être jugé.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FeltWords</name>
+    <message>
+        <source>not by hand</source>
+        <translation>pas à la main</translation>
+    </message>
+    <message>
+        <source>by a trained hand</source>
+        <translation>par une main exercée</translation>
+    </message>
+    <message>
+        <source>plainly</source>
+        <translation>nettement</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non jugé</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>saisie</translation>
+    </message>
+    <message>
+        <source>from the moduli</source>
+        <translation>des modules</translation>
+    </message>
+    <message>
+        <source>from the tissues&apos; stiffness</source>
+        <translation>de la raideur des tissus</translation>
+    </message>
+    <message>
+        <source>plainly felt</source>
+        <translation>nettement senti</translation>
+    </message>
+    <message>
+        <source>a trained hand tells it</source>
+        <translation>une main exercée le sent</translation>
+    </message>
+    <message>
+        <source>below what a trained hand tells</source>
+        <translation>moins que ne sent une main exercée</translation>
+    </message>
+    <message>
+        <source>the surface bends too much</source>
+        <translation>la surface est trop courbée</translation>
+    </message>
+    <message>
+        <source>the organ is too thin</source>
+        <translation>l’organe est trop mince</translation>
+    </message>
+    <message>
+        <source>lumps reach into each other</source>
+        <translation>des nodules se recoupent</translation>
+    </message>
+    <message>
+        <source>not judged here: %1</source>
+        <translation>non jugé ici&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>;
+%1 when pressed %2 mm</source>
+        <translation>&#x202f;;
+%1 en appuyant de %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>no lump is felt here</source>
+        <translation>aucun nodule n’est senti ici</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
+        <translation>%1&#x202f;: %2&#xa0;mm dessous, %3 (%4 … %5&#x202f;%)&#x202f;: %6</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FindingsModel</name>
+    <message>
+        <source>%1: %2 N, %3 mm deep</source>
+        <translation>%1&#x202f;: %2&#xa0;N, prof. %3&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>felt %1 N/mm</source>
+        <translation>senti %1&#xa0;N/mm</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>Delete %1 findings</source>
+        <translation>Supprimer %1 points</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>Number, as in the view</source>
+        <translation>Numéro, comme dans la vue</translation>
+    </message>
+    <message>
+        <source>№</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>The structure that was touched</source>
+        <translation>La structure touchée</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Size across, as you judge it [mm]</source>
+        <translation>Diamètre, selon votre jugement [mm]</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Force when it was marked [N]</source>
+        <translation>Force au marquage [N]</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Depth when it was marked [mm]</source>
+        <translation>Profondeur au marquage [mm]</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Type of %1</source>
+        <translation>Type de %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <source>Size: found “%1”, expected millimetres as %2.</source>
+        <translation>Taille&#x202f;: «&#x202f;%1&#x202f;» trouvé, millimètres attendus comme %2.</translation>
+    </message>
+    <message>
+        <source>Size of %1</source>
+        <translation>Taille de %1</translation>
+    </message>
+    <message>
+        <source>Note on %1</source>
+        <translation>Note sur %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FindingsPanel</name>
+    <message>
+        <source>Findings and notes</source>
+        <translation>Points repérés et notes</translation>
+    </message>
+    <message>
+        <source>No finding yet. Press on a place and mark it with M; N writes a note without a place.</source>
+        <translation>Aucun point repéré. Appuyer à un endroit et le marquer par M&#x202f;; N écrit une note sans endroit.</translation>
+    </message>
+    <message>
+        <source>Write a note (N), Enter keeps it</source>
+        <translation>Écrire une note (N), Entrée la garde</translation>
+    </message>
+    <message>
+        <source>New note without a place</source>
+        <translation>Nouvelle note sans endroit</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ForceBar</name>
+    <message>
+        <source>Force in newton</source>
+        <translation>Force en newtons</translation>
+    </message>
+    <message>
+        <source>%1 N of %2 N</source>
+        <translation>%1&#xa0;N sur %2&#xa0;N</translation>
+    </message>
+    <message>
+        <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
+        <translation>Force du modèle [N]&#x202f;; la barre s’arrête à la limite de l’appareil, %1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>limit %1 N</source>
+        <translation>limite %1&#xa0;N</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ForceTimeline</name>
+    <message>
+        <source>Timeline of the recording&apos;s force</source>
+        <translation>Chronologie de la force</translation>
+    </message>
+    <message>
+        <source>Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End.</source>
+        <translation>Force [N] au fil de l’enregistrement. Cliquer ou glisser pour y aller&#x202f;; ← et →&#x202f;: 0,1&#xa0;s, Début et Fin.</translation>
+    </message>
+    <message>
+        <source>no recording</source>
+        <translation>aucun enregistrement</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 sur %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1, %2 N</source>
+        <translation>%1, %2&#xa0;N</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1&#xa0;s&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>The force of a recording appears here</source>
+        <translation>La force d’un enregistrement apparaît ici</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation>&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1&#xa0;N</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HandControl</name>
+    <message>
+        <source>%1; any is used</source>
+        <translation>%1&#x202f;; CPU libre</translation>
+    </message>
+    <message>
+        <source>Touch the place, point at it or mark it as a finding (M) first.</source>
+        <translation>Touchez d’abord l’endroit, pointez-le ou marquez-le comme point repéré (M).</translation>
+    </message>
+    <message>
+        <source>Nothing is shown that the hand&apos;s space could be zoomed to.</source>
+        <translation>Rien n’est affiché sur quoi zoomer l’espace de la main.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand&apos;s space. The hand stays where it touches; Centre brings it to the middle.</source>
+        <translation>L’espace de la main est rempli par&#x202f;: %1. La main reste où elle touche&#x202f;; Centrer la ramène au milieu.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand&apos;s space.</source>
+        <translation>L’espace de la main est rempli par&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>The whole scene</source>
+        <translation>Toute la scène</translation>
+    </message>
+    <message>
+        <source>10 mm where the hand touches</source>
+        <translation>10&#xa0;mm où touche la main</translation>
+    </message>
+    <message>
+        <source>10 mm under the pointer</source>
+        <translation>10&#xa0;mm sous le pointeur</translation>
+    </message>
+    <message>
+        <source>10 mm about finding %1</source>
+        <translation>10&#xa0;mm autour du point %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HandPanel</name>
+    <message>
+        <source>No motors: the force is shown, not felt, and tissue may be as stiff as you like.</source>
+        <translation>Pas de moteurs&#x202f;: la force est affichée, non sentie, et le tissu peut être aussi raide que voulu.</translation>
+    </message>
+    <message>
+        <source>This device can show tissue up to %1 N/mm.</source>
+        <translation>Cet appareil peut rendre un tissu jusqu’à %1&#xa0;N/mm.</translation>
+    </message>
+    <message>
+        <source>At the edge of the hand&apos;s space: bring the device back to its middle. The hand in the scene stays until then.</source>
+        <translation>Au bord de l’espace de la main&#x202f;: ramenez l’appareil au milieu. La main dans la scène attend jusque-là.</translation>
+    </message>
+    <message>
+        <source>Lifted: the device moves, the hand in the scene stays.</source>
+        <translation>Levée&#x202f;: l’appareil bouge, la main dans la scène reste.</translation>
+    </message>
+    <message>
+        <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
+        <translation>Dans %1, senti de l’extérieur&#x202f;: ramenez d’abord la main vers vous.</translation>
+    </message>
+    <message>
+        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
+        <translation>Tel quel&#x202f;: les millimètres de l’appareil sont ceux de la scène.</translation>
+    </message>
+    <message>
+        <source>1 mm of the device is %1 mm of the scene.</source>
+        <translation>1&#xa0;mm de l’appareil vaut %1&#xa0;mm de la scène.</translation>
+    </message>
+    <message>
+        <source>%1 fills the hand&apos;s space: 1 mm of the device is %2 mm of the scene.</source>
+        <translation>L’espace de la main est rempli par&#x202f;: %1. 1&#xa0;mm de l’appareil vaut %2&#xa0;mm de la scène.</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Encore rien</translation>
+    </message>
+    <message>
+        <source>Force on the hand</source>
+        <translation>Force sur la main</translation>
+    </message>
+    <message>
+        <source>Stiffest tissue that can be shown</source>
+        <translation>Tissu le plus raide qui puisse être rendu</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way then goes through all that is shown (W)</source>
+        <translation>Toute la course de l’appareil parcourt alors tout ce qui est affiché (W)</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
+        <translation>Toute la course de l’appareil parcourt alors l’organe touché&#x202f;; sinon celui sous le pointeur ou choisi (O)</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Nodule</translation>
+    </message>
+    <message>
+        <source>The device&apos;s whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
+        <translation>Toute la course de l’appareil vaut alors 10&#xa0;mm&#x202f;: où touche la main, sinon sous le pointeur, sinon autour du dernier point repéré (L)</translation>
+    </message>
+    <message>
+        <source>Zoom the hand&apos;s space to</source>
+        <translation>Zoomer l’espace de la main sur</translation>
+    </message>
+    <message>
+        <source>What fills the hand&apos;s space</source>
+        <translation>Ce qui remplit l’espace de la main</translation>
+    </message>
+    <message>
+        <source> mm per mm</source>
+        <translation>&#xa0;mm par mm</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Millimetres of the scene for a millimetre of the device</source>
+        <translation>Millimètres de la scène pour un millimètre de l’appareil</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>L’image</translation>
+    </message>
+    <message>
+        <source>The patient</source>
+        <translation>Le patient</translation>
+    </message>
+    <message>
+        <source>Nothing: as it lies</source>
+        <translation>Rien&#x202f;: tel quel</translation>
+    </message>
+    <message>
+        <source>What the device turns with</source>
+        <translation>Avec quoi l’appareil tourne</translation>
+    </message>
+    <message>
+        <source>The picture: right is right in the view, however it is turned.
+The patient: right is to the patient&apos;s left, up is to the head.
+Nothing: the device&apos;s coordinates are the scene&apos;s, without scale, and the hand cannot be lifted.</source>
+        <translation>L’image&#x202f;: la droite est à droite dans la vue, quelle que soit son orientation.
+Le patient&#x202f;: la droite va vers la gauche du patient, le haut vers la tête.
+Rien&#x202f;: les coordonnées de l’appareil sont celles de la scène, sans échelle, et la main ne peut être levée.</translation>
+    </message>
+    <message>
+        <source>Turns with</source>
+        <translation>Tourne avec</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Lever la main</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centrer</translation>
+    </message>
+    <message>
+        <source>Use of button %1</source>
+        <translation>Usage du bouton %1</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>Bouton %1</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>The first two buttons change places</source>
+        <translation>Les deux premiers boutons sont échangés</translation>
+    </message>
+    <message>
+        <source>While held the device moves and the hand in the scene stays; the key C switches it</source>
+        <translation>Tant qu’il est tenu, l’appareil bouge et la main dans la scène reste&#x202f;; la touche C bascule</translation>
+    </message>
+    <message>
+        <source>Puts the middle of the device&apos;s way in the middle of what the hand&apos;s space is zoomed to</source>
+        <translation>Met le milieu de la course de l’appareil au milieu de ce sur quoi l’espace de la main est zoomé</translation>
+    </message>
+    <message>
+        <source>Depth (wheel)</source>
+        <translation>Profondeur (molette)</translation>
+    </message>
+    <message>
+        <source>Effort (hold)</source>
+        <translation>Effort (tenir)</translation>
+    </message>
+    <message>
+        <source>What a press sets</source>
+        <translation>Ce que règle un appui</translation>
+    </message>
+    <message>
+        <source>Depth: the same depth everywhere, and a stiff place pushes back harder.
+Effort: the same force everywhere, and a stiff place gives way less. The force rises by 1 N a second while the button is held; a pen gives it by its pressure. (E)</source>
+        <translation>Profondeur&#x202f;: la même partout, et un endroit raide repousse plus fort.
+Effort&#x202f;: la même force partout, et un endroit raide cède moins. La force croît de 1&#xa0;N par seconde tant que le bouton est tenu&#x202f;; un stylet la donne par sa pression. (E)</translation>
+    </message>
+    <message>
+        <source>A press sets</source>
+        <translation>Un appui règle</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation>&#xa0;N</translation>
+    </message>
+    <message>
+        <source>Greatest effort</source>
+        <translation>Effort maximal</translation>
+    </message>
+    <message>
+        <source>The press gets no harder than this, and a pen&apos;s full pressure is this; the wheel changes it by 0.5 N</source>
+        <translation>L’appui ne dépasse pas cette force, que donne aussi la pleine pression d’un stylet&#x202f;; la molette la change de 0,5&#xa0;N</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Force on the hand %1 N of %2 N</source>
+        <translation>Force sur la main %1&#xa0;N sur %2&#xa0;N</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::HintLine</name>
+    <message>
+        <source>The newest message; F4 shows all</source>
+        <translation>Le dernier message&#x202f;; F4 les affiche tous</translation>
+    </message>
+    <message>
+        <source>%1
+Press here or F4 for all messages</source>
+        <translation>%1
+Appuyer ici ou F4 pour tous les messages</translation>
+    </message>
+    <message>
+        <source>No new message</source>
+        <translation>Aucun nouveau message</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::KeysCard</name>
+    <message>
+        <source>All keys</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>in the list: %1</source>
+        <translation>dans la liste&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LawEditor</name>
+    <message>
+        <source>Load points…</source>
+        <translation>Charger des points…</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linéaire</translation>
+    </message>
+    <message>
+        <source>Stiffer with depth</source>
+        <translation>Plus raide en profondeur</translation>
+    </message>
+    <message>
+        <source>Ball on soft tissue</source>
+        <translation>Boule sur tissu mou</translation>
+    </message>
+    <message>
+        <source>Thin layer</source>
+        <translation>Couche mince</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Déclic</translation>
+    </message>
+    <message>
+        <source>Measured points</source>
+        <translation>Points mesurés</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Loi</translation>
+    </message>
+    <message>
+        <source>By what law the force rises with the depth</source>
+        <translation>Selon quelle loi la force croît avec la profondeur</translation>
+    </message>
+    <message>
+        <source>Take the points of a measured curve from a CSV file with depth_mm and force_N</source>
+        <translation>Prendre les points d’une courbe mesurée dans un fichier CSV avec depth_mm et force_N</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LawPlot</name>
+    <message>
+        <source>Force in newton by depth in millimetres</source>
+        <translation>Force en newtons selon la profondeur en millimètres</translation>
+    </message>
+    <message>
+        <source>Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓</source>
+        <translation>Force [N] selon la profondeur [mm]. Glisser un point&#x202f;; ou en choisir un par ← → et le déplacer par ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Force [N] by depth [mm]</source>
+        <translation>Force [N] selon la profondeur [mm]</translation>
+    </message>
+    <message>
+        <source>%1 mm deep</source>
+        <translation>prof. %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Force [N]</translation>
+    </message>
+    <message>
+        <source>– – device %1 N/mm</source>
+        <translation>– – appareil %1&#xa0;N/mm</translation>
+    </message>
+    <message>
+        <source>now %1 mm</source>
+        <translation>ici %1&#xa0;mm</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LiveTouch</name>
+    <message>
+        <source>%1 can show tissue up to %2 N/mm.</source>
+        <translation>%1 peut rendre un tissu jusqu’à %2&#xa0;N/mm.</translation>
+    </message>
+    <message>
+        <source>%1 can show tissue up to %2 N/mm here.</source>
+        <translation>%1 peut rendre ici un tissu jusqu’à %2&#xa0;N/mm.</translation>
+    </message>
+    <message>
+        <source> Its makers state no more.</source>
+        <translation> Ses fabricants n’annoncent pas plus.</translation>
+    </message>
+    <message>
+        <source> Its force comes %1 ms late: anything stiffer could make it tremble.</source>
+        <translation> Sa force vient %1&#xa0;ms en retard&#x202f;: plus raide, elle pourrait trembler.</translation>
+    </message>
+    <message>
+        <source> A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show more.</source>
+        <translation> Un millimètre de l’appareil vaut %1&#xa0;mm de la scène&#x202f;: à plus petite échelle (panneau Appareil) il peut rendre plus.</translation>
+    </message>
+    <message>
+        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.</source>
+        <translation>%1 demande %2&#xa0;N/mm&#x202f;; on sent %3&#xa0;N/mm, le plus que %4 puisse rendre ici%5.</translation>
+    </message>
+    <message>
+        <source> beside the layers around it</source>
+        <translation> à côté des couches qui l’entourent</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Looks</name>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the system is</source>
+        <translation>Clair ou sombre, comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark text on light panels</source>
+        <translation>Texte sombre sur panneaux clairs</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Light text on dark panels, for a dark room</source>
+        <translation>Texte clair sur panneaux sombres, pour une pièce sombre</translation>
+    </message>
+    <message>
+        <source>High contrast, on black</source>
+        <translation>Contraste élevé, sur noir</translation>
+    </message>
+    <message>
+        <source>White text on black, with edges that are seen</source>
+        <translation>Texte blanc sur noir, avec des bords visibles</translation>
+    </message>
+    <message>
+        <source>High contrast, on white</source>
+        <translation>Contraste élevé, sur blanc</translation>
+    </message>
+    <message>
+        <source>Black text on white, with edges that are seen</source>
+        <translation>Texte noir sur blanc, avec des bords visibles</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Texts as large as the system&apos;s</source>
+        <translation>Textes aussi grands que ceux du système</translation>
+    </message>
+    <message>
+        <source>Texts in panels and in the view</source>
+        <translation>Textes dans les panneaux et dans la vue</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MapDisplay</name>
+    <message>
+        <source>Young&apos;s modulus, kPa</source>
+        <translation>module d’Young, kPa</translation>
+    </message>
+    <message>
+        <source>shear modulus, kPa</source>
+        <translation>module de cisaillement, kPa</translation>
+    </message>
+    <message>
+        <source>resists fast movement, N·s/mm</source>
+        <translation>freine les gestes vifs, N·s/mm</translation>
+    </message>
+    <message>
+        <source>friction, times the tissue&apos;s own</source>
+        <translation>frottement, multiple de celui du tissu</translation>
+    </message>
+    <message>
+        <source>stiffness felt, N/mm</source>
+        <translation>raideur sentie, N/mm</translation>
+    </message>
+    <message>
+        <source>stiffness felt, times the law</source>
+        <translation>raideur sentie, multiple de la loi</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing said</source>
+        <translation>%1&#x202f;: rien d’indiqué</translation>
+    </message>
+    <message>
+        <source>nothing said</source>
+        <translation>rien d’indiqué</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MapEditor</name>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>How the tissue varies over the surface</source>
+        <translation>Comment le tissu varie sur la surface</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>Par nom</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>The arrays of the mesh whose names say what they are, such as StiffnessScale</source>
+        <translation>Les tableaux du maillage dont le nom dit ce qu’ils sont, comme StiffnessScale</translation>
+    </message>
+    <message>
+        <source>Varies</source>
+        <translation>Varie</translation>
+    </message>
+    <message>
+        <source>What of the tissue varies</source>
+        <translation>Ce qui varie dans le tissu</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Resists fast movement</source>
+        <translation>Freine les gestes vifs</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Selon</translation>
+    </message>
+    <message>
+        <source>Which array of the mesh, or which volume, says it</source>
+        <translation>Quel tableau du maillage, ou quel volume, le dit</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
+        <translation>Ce que sont les nombres. Module de cisaillement et module d’Young diffèrent d’un facteur trois&#x202f;: voir le manuel de l’imageur</translation>
+    </message>
+    <message>
+        <source>say which…</source>
+        <translation>à préciser…</translation>
+    </message>
+    <message>
+        <source>Times the tissue&apos;s own</source>
+        <translation>Multiple de la valeur du tissu</translation>
+    </message>
+    <message>
+        <source>N/mm, as felt</source>
+        <translation>N/mm, tels que sentis</translation>
+    </message>
+    <message>
+        <source>Shear modulus, kPa</source>
+        <translation>Module de cisaillement, kPa</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, kPa</source>
+        <translation>Module d’Young, kPa</translation>
+    </message>
+    <message>
+        <source>Contact radius in mm</source>
+        <translation>Rayon de contact en mm</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation>&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus</source>
+        <translation>Du doigt qui sent un module&#x202f;: la raideur vaut 8 fois le rayon fois le module de cisaillement</translation>
+    </message>
+    <message>
+        <source>Contact radius</source>
+        <translation>Rayon de contact</translation>
+    </message>
+    <message>
+        <source>Keep numbers within</source>
+        <translation>Borner les nombres</translation>
+    </message>
+    <message>
+        <source>Numbers beyond are taken as the nearest one within</source>
+        <translation>Les nombres hors bornes sont ramenés à la borne la plus proche</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>What the map says</source>
+        <translation>Ce que dit la carte</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Colours the structure by numbers, with a legend</source>
+        <translation>Colore la structure selon les nombres, avec une légende</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Volumes (*.vti *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;All files (*)</source>
+        <translation>Volumes (*.vti *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Volume…</source>
+        <translation>Volume…</translation>
+    </message>
+    <message>
+        <source>Own colour</source>
+        <translation>Couleur propre</translation>
+    </message>
+    <message>
+        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
+        <translation>Précisez ce que sont les nombres de %1&#x202f;: module de cisaillement et module d’Young diffèrent d’un facteur trois.</translation>
+    </message>
+    <message>
+        <source>%1 varies by %2.</source>
+        <translation>%1 varie selon %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
+        <translation>%1&#x202f;: %2 endroits sur %3 n’indiquent rien. La valeur du tissu y est sentie.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageBar</name>
+    <message>
+        <source> … and %1 more lines (F4)</source>
+        <translation> … et %1 lignes de plus (F4)</translation>
+    </message>
+    <message>
+        <source>Show the list of messages (F4)</source>
+        <translation>Afficher la liste des messages (F4)</translation>
+    </message>
+    <message>
+        <source>1 older message waits (F4 shows all)</source>
+        <translation>1 message antérieur attend (F4 affiche tout)</translation>
+    </message>
+    <message>
+        <source>%1 older messages wait (F4 shows all)</source>
+        <translation>%1 messages antérieurs attendent (F4 affiche tout)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Copier (Ctrl+C)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MessageRow</name>
+    <message>
+        <source>Close this message; the list of messages keeps it (F4)</source>
+        <translation>Fermer ce message&#x202f;; la liste des messages le garde (F4)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Messages</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Told</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Alerte</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Offer</source>
+        <translation>Proposition</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::PalpationController</name>
+    <message>
+        <source>%1 mm is the deepest press: the scene is no larger.</source>
+        <translation>%1&#xa0;mm est l’appui le plus profond&#x202f;: la scène n’est pas plus grande.</translation>
+    </message>
+    <message>
+        <source>%1 N is the hardest press.</source>
+        <translation>%1&#xa0;N est l’appui le plus fort.</translation>
+    </message>
+    <message>
+        <source>Nothing that can be felt is in view.</source>
+        <translation>Rien de palpable n’est dans la vue.</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
+    </message>
+    <message>
+        <source>presses up to %1 N</source>
+        <translation>appuie jusqu’à %1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>pressing %1 mm, slid off the edge</source>
+        <translation>appui %1&#xa0;mm, glissé hors du bord</translation>
+    </message>
+    <message>
+        <source>pressing with %1 of %2 N, %3 mm</source>
+        <translation>appui %1 sur %2&#xa0;N, %3&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>presses %1 mm</source>
+        <translation>appuie de %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>pressing %1 mm</source>
+        <translation>appui %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>pressing %1 of %2 mm</source>
+        <translation>appui %1 sur %2&#xa0;mm</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Playback</name>
+    <message>
+        <source>structure %1</source>
+        <translation>structure %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::RecordedTouch</name>
+    <message>
+        <source>%1 ended at %2 s because the disk was full; what was felt after is not in it.</source>
+        <translation>%1 s’est arrêté à %2&#xa0;s car le disque était plein&#x202f;; ce qui a été senti ensuite n’y figure pas.</translation>
+    </message>
+    <message>
+        <source>%1 ended at %2 s because the disk could not be written; what was felt after is not in it.</source>
+        <translation>%1 s’est arrêté à %2&#xa0;s car l’écriture sur le disque a échoué&#x202f;; ce qui a été senti ensuite n’y figure pas.</translation>
+    </message>
+    <message>
+        <source>%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.</source>
+        <translation>%1 n’a pas été fermé (plantage ou disque plein)&#x202f;: il s’arrête à %2&#xa0;s, et ce qui a été senti ensuite n’y figure pas.</translation>
+    </message>
+    <message>
+        <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
+        <translation>%1&#x202f;: %2 instants ont été perdus à l’enregistrement, le disque étant trop lent.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SceneLoader</name>
+    <message>
+        <source>Nothing to open.</source>
+        <translation>Rien à ouvrir.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>its view</source>
+        <translation>sa vue</translation>
+    </message>
+    <message>
+        <source>the fields of it that this version does not know</source>
+        <translation>ses champs que cette version ne connaît pas</translation>
+    </message>
+    <message>
+        <source>%1: opened together with another scene; not taken: %2</source>
+        <translation>%1&#x202f;: ouvert avec une autre scène&#x202f;; non repris&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Preparing for touch</source>
+        <translation>Préparation du toucher</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SessionPanel</name>
+    <message>
+        <source>Position and length</source>
+        <translation>Position et durée</translation>
+    </message>
+    <message>
+        <source>Position / length [min:s]</source>
+        <translation>Position / durée [min:s]</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1&#xa0;×</translation>
+    </message>
+    <message>
+        <source>Speed of playing; 1 × is as it was recorded</source>
+        <translation>Vitesse de lecture&#x202f;; 1&#xa0;× est celle de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>No recording yet. Record one with R, or open a .palpate file.</source>
+        <translation>Aucun enregistrement. En faire un avec R, ou ouvrir un fichier .palpate.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 late, %2 lost</source>
+        <translation>%1 en retard, %2 perdus</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureList</name>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Filtrer par nom</translation>
+    </message>
+    <message>
+        <source>Filter the structures by name</source>
+        <translation>Filtrer les structures par nom</translation>
+    </message>
+    <message>
+        <source>List only what has these words in its name (Ctrl+F); Esc lists all</source>
+        <translation>Ne lister que ce dont le nom contient ces mots (Ctrl+F)&#x202f;; Échap liste tout</translation>
+    </message>
+    <message>
+        <source>Order and groups of the list</source>
+        <translation>Ordre et groupes de la liste</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Comme ouvert</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>Par nom</translation>
+    </message>
+    <message>
+        <source>By tissue, softest first</source>
+        <translation>Par tissu, le plus mou d’abord</translation>
+    </message>
+    <message>
+        <source>By layer, outermost first</source>
+        <translation>Par couche, de dehors en dedans</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>By file or folder</source>
+        <translation>Par fichier ou dossier</translation>
+    </message>
+    <message>
+        <source>By layer, as felt</source>
+        <translation>Par couche sentie</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureModel</name>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Remove %1 structures</source>
+        <translation>Retirer %1 structures</translation>
+    </message>
+    <message>
+        <source>outermost</source>
+        <translation>en premier</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>sous %1</translation>
+    </message>
+    <message>
+        <source>%1 below</source>
+        <translation>%1 en dessous</translation>
+    </message>
+    <message>
+        <source>The mesh is open: feels like a sheet</source>
+        <translation>Le maillage est ouvert&#x202f;: senti comme une feuille</translation>
+    </message>
+    <message>
+        <source>Part of the mesh is open: feels like a sheet there</source>
+        <translation>Une partie du maillage est ouverte&#x202f;: sentie là comme une feuille</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: felt from within only</source>
+        <translation>Le maillage est retourné&#x202f;: senti seulement de l’intérieur</translation>
+    </message>
+    <message>
+        <source>The mesh had faults, which were mended</source>
+        <translation>Le maillage avait des défauts, qui ont été corrigés</translation>
+    </message>
+    <message>
+        <source>The mesh branches along some edges</source>
+        <translation>Le maillage se ramifie le long de certaines arêtes</translation>
+    </message>
+    <message>
+        <source>%1 is shown. Click to hide it; what is hidden is not felt.</source>
+        <translation>%1 est visible. Cliquer pour masquer&#x202f;; ce qui est masqué n’est pas senti.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Click to show it.</source>
+        <translation>%1 est invisible. Cliquer pour afficher.</translation>
+    </message>
+    <message>
+        <source>%1, felt %2</source>
+        <translation>%1, se sent %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles
+Felt: %3</source>
+        <translation>%1
+%2 triangles
+Senti&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>About the mesh of %1:
+• %2
+The list of messages (F4) has the details.</source>
+        <translation>Sur le maillage de %1&#x202f;:
+• %2
+La liste des messages (F4) donne les détails.</translation>
+    </message>
+    <message>
+        <source>%1 can be felt. Click to let the hand pass through it.</source>
+        <translation>%1 est palpable. Cliquer pour que la main passe à travers.</translation>
+    </message>
+    <message>
+        <source>The hand passes through %1. Click to feel it.</source>
+        <translation>La main passe à travers %1. Cliquer pour rendre palpable.</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Name and colour</source>
+        <translation>Nom et couleur</translation>
+    </message>
+    <message>
+        <source>What was found in the mesh</source>
+        <translation>Remarques sur le maillage</translation>
+    </message>
+    <message>
+        <source>Can be felt</source>
+        <translation>Palpable</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructurePanel</name>
+    <message>
+        <source>Colour of the structure</source>
+        <translation>Couleur de la structure</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Opacity in per cent</source>
+        <translation>Opacité en pour cent</translation>
+    </message>
+    <message>
+        <source>Opacity [%]: what lies behind shows through</source>
+        <translation>Opacité [%]&#x202f;: ce qui est derrière transparaît</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacité</translation>
+    </message>
+    <message>
+        <source>%1 as felt [%2]: %3</source>
+        <translation>%1, comme senti [%2]&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tissu</translation>
+    </message>
+    <message>
+        <source>How the structure feels, by name</source>
+        <translation>Comment la structure se sent, par nom</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>How much the surface holds the fingertip, by name</source>
+        <translation>Combien la surface retient le bout du doigt, par nom</translation>
+    </message>
+    <message>
+        <source>What is felt of it</source>
+        <translation>Ce qui en est senti</translation>
+    </message>
+    <message>
+        <source>Why the value was refused</source>
+        <translation>Pourquoi la valeur a été refusée</translation>
+    </message>
+    <message>
+        <source>Felt, in order from outside</source>
+        <translation>Senti, de dehors en dedans</translation>
+    </message>
+    <message>
+        <source>What a hand meets first as it presses in, and what it meets through that (Ctrl+Down, Ctrl+Up in the list)</source>
+        <translation>Ce que la main rencontre d’abord en appuyant, et ce qu’elle rencontre à travers (Ctrl+Bas, Ctrl+Haut dans la liste)</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Senti</translation>
+    </message>
+    <message>
+        <source>Change %1 structures</source>
+        <translation>Modifier %1 structures</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>%1 structures</source>
+        <translation>%1 structures</translation>
+    </message>
+    <message>
+        <source>The list of messages (F4) has the details</source>
+        <translation>La liste des messages (F4) donne les détails</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>No structure selected</source>
+        <translation>Aucune structure choisie</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Source&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>%1 takes %2</source>
+        <translation>%1 prend %2</translation>
+    </message>
+    <message>
+        <source>felt as at most %1 N/mm: the device can show %2 N/mm in all%3</source>
+        <translation>senti comme %1&#xa0;N/mm au plus&#x202f;: l’appareil peut rendre %2&#xa0;N/mm en tout%3</translation>
+    </message>
+    <message>
+        <source>felt as %1 N/mm: the device can show %2 N/mm in all%3</source>
+        <translation>senti comme %1&#xa0;N/mm&#x202f;: l’appareil peut rendre %2&#xa0;N/mm en tout%3</translation>
+    </message>
+    <message>
+        <source>This law is refused: %1.</source>
+        <translation>Cette loi est refusée&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or less.</source>
+        <translation>%1&#xa0;N·s/mm est refusé&#x202f;: l’appareil peut freiner le mouvement de %2&#xa0;N·s/mm au plus. Saisissez cela ou moins.</translation>
+    </message>
+    <message>
+        <source>%1 Of that %2.</source>
+        <translation>%1 De cela, %2.</translation>
+    </message>
+    <message>
+        <source>%1 N/mm is refused. %2 Enter %3 N/mm or less.</source>
+        <translation>%1&#xa0;N/mm&#x202f;: refusé. %2 Entrez %3&#xa0;N/mm ou moins.</translation>
+    </message>
+    <message>
+        <source>A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it rises by %3 N/mm or less.</source>
+        <translation>Une loi qui croît de %1&#xa0;N/mm au plus raide est refusée. %2 Entrez des nombres avec lesquels elle croît de %3&#xa0;N/mm ou moins.</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Couleur de %1</translation>
+    </message>
+    <message>
+        <source>Show only what is selected</source>
+        <translation>N’afficher que la sélection</translation>
+    </message>
+    <message>
+        <source>Feel only what is selected</source>
+        <translation>Ne sentir que la sélection</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Feel all</source>
+        <translation>Tout sentir</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Renommer…</translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation>Retirer de la scène</translation>
+    </message>
+    <message>
+        <source>numbers chosen</source>
+        <translation>nombres choisis</translation>
+    </message>
+    <message>
+        <source>shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it</source>
+        <translation>module de cisaillement par élastographie IRM (PMC2894569), senti par un bout de doigt de 5&#xa0;mm de rayon</translation>
+    </message>
+    <message>
+        <source>Very soft organ</source>
+        <translation>Organe très mou</translation>
+    </message>
+    <message>
+        <source>Soft organ</source>
+        <translation>Organe mou</translation>
+    </message>
+    <message>
+        <source>Firm organ</source>
+        <translation>Organe ferme</translation>
+    </message>
+    <message>
+        <source>Firm lump</source>
+        <translation>Nodule ferme</translation>
+    </message>
+    <message>
+        <source>Hard lump</source>
+        <translation>Nodule dur</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Liver, healthy (2.3 kPa)</source>
+        <translation>Foie, sain (2,3&#xa0;kPa)</translation>
+    </message>
+    <message>
+        <source>Liver, fibrotic (5.9 kPa)</source>
+        <translation>Foie, fibreux (5,9&#xa0;kPa)</translation>
+    </message>
+    <message>
+        <source>Liver, malignant (10.1 kPa)</source>
+        <translation>Foie, malin (10,1&#xa0;kPa)</translation>
+    </message>
+    <message>
+        <source>Liver, stiffer with depth</source>
+        <translation>Foie, plus raide en profondeur</translation>
+    </message>
+    <message>
+        <source>shape after Carter et al. 2001 (exponential), numbers chosen</source>
+        <translation>forme d’après Carter et al. 2001 (exponentielle), nombres choisis</translation>
+    </message>
+    <message>
+        <source>Soft ground under a ball</source>
+        <translation>Fond mou sous une boule</translation>
+    </message>
+    <message>
+        <source>shape after Hertz 1882, numbers chosen</source>
+        <translation>forme d’après Hertz 1882, nombres choisis</translation>
+    </message>
+    <message>
+        <source>Button that clicks</source>
+        <translation>Bouton à déclic</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Wet (0.05, chosen)</source>
+        <translation>Mouillé (0,05, choisi)</translation>
+    </message>
+    <message>
+        <source>Moist (0.15, chosen)</source>
+        <translation>Humide (0,15, choisi)</translation>
+    </message>
+    <message>
+        <source>Dry (0.40, chosen)</source>
+        <translation>Sec (0,40, choisi)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::StructureTree</name>
+    <message>
+        <source>Felt outermost</source>
+        <translation>Senti en premier</translation>
+    </message>
+    <message>
+        <source>Felt %1 below</source>
+        <translation>Senti %1 en dessous</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Hide all of %1</source>
+        <translation>Tout masquer&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Tout afficher&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Let the hand pass through all of %1</source>
+        <translation>Laisser passer la main à travers tout&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Feel all of %1</source>
+        <translation>Tout sentir&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Terms</name>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>force for each mm pressed in</source>
+        <translation>force par mm enfoncé</translation>
+    </message>
+    <message>
+        <source>newton per millimetre</source>
+        <translation>newtons par millimètre</translation>
+    </message>
+    <message>
+        <source>Resists fast movement</source>
+        <translation>Freine les gestes vifs</translation>
+    </message>
+    <message>
+        <source>force against each mm/s of movement</source>
+        <translation>force contre chaque mm/s de mouvement</translation>
+    </message>
+    <message>
+        <source>newton seconds per millimetre</source>
+        <translation>newtons-secondes par millimètre</translation>
+    </message>
+    <message>
+        <source>Friction at rest</source>
+        <translation>Frottement au repos</translation>
+    </message>
+    <message>
+        <source>share of the normal force that holds</source>
+        <translation>part de la force normale qui retient</translation>
+    </message>
+    <message>
+        <source>Friction sliding</source>
+        <translation>Frottement glissant</translation>
+    </message>
+    <message>
+        <source>share of the normal force that drags while it slides</source>
+        <translation>part de la force normale qui freine le glissement</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Freinage</translation>
+    </message>
+    <message>
+        <source>force against each mm/s of sliding</source>
+        <translation>force contre chaque mm/s de glissement</translation>
+    </message>
+    <message>
+        <source>Stiffness at first touch</source>
+        <translation>Raideur au premier contact</translation>
+    </message>
+    <message>
+        <source>Growth with depth</source>
+        <translation>Hausse en profondeur</translation>
+    </message>
+    <message>
+        <source>Greatest stiffness</source>
+        <translation>Raideur maximale</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module d’Young</translation>
+    </message>
+    <message>
+        <source>Radius of the ball</source>
+        <translation>Rayon de la boule</translation>
+    </message>
+    <message>
+        <source>Thickness of the layer</source>
+        <translation>Épaisseur de la couche</translation>
+    </message>
+    <message>
+        <source>Bonded to what is below</source>
+        <translation>Lié à ce qui est dessous</translation>
+    </message>
+    <message>
+        <source>Stiffness before the click</source>
+        <translation>Raideur avant le déclic</translation>
+    </message>
+    <message>
+        <source>Force at which it gives way</source>
+        <translation>Force à laquelle il cède</translation>
+    </message>
+    <message>
+        <source>Force that it falls to</source>
+        <translation>Force à laquelle il retombe</translation>
+    </message>
+    <message>
+        <source>Depth over which it falls</source>
+        <translation>Profondeur de la retombée</translation>
+    </message>
+    <message>
+        <source>Stiffness after the click</source>
+        <translation>Raideur après le déclic</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchChart</name>
+    <message>
+        <source>Chart of force and depth over the last ten seconds</source>
+        <translation>Courbe de force et profondeur sur les dix dernières secondes</translation>
+    </message>
+    <message>
+        <source>Force [N] and depth [mm] over the last 10 s</source>
+        <translation>Force [N] et profondeur [mm] sur les 10 dernières&#xa0;s</translation>
+    </message>
+    <message>
+        <source>nothing was felt yet</source>
+        <translation>rien senti encore</translation>
+    </message>
+    <message>
+        <source>now %1 N, %2 mm deep; at most %3 N, %4 mm</source>
+        <translation>à présent %1&#xa0;N, prof. %2&#xa0;mm&#x202f;; au plus %3&#xa0;N, %4&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>−10 s</source>
+        <translation>−10&#xa0;s</translation>
+    </message>
+    <message>
+        <source>−5 s</source>
+        <translation>−5&#xa0;s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>maintenant</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Force [N]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Profondeur [mm]</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>le long de la surface</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchPanel</name>
+    <message>
+        <source>%1 N, %2 mm deep</source>
+        <translation>%1&#xa0;N, prof. %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>%1 mm deep · slid off the edge</source>
+        <translation>prof. %1&#xa0;mm · glissé hors du bord</translation>
+    </message>
+    <message>
+        <source>%1 mm deep · %2 N/mm</source>
+        <translation>prof. %1&#xa0;mm · %2&#xa0;N/mm</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force in newton</source>
+        <translation>Force en newtons</translation>
+    </message>
+    <message>
+        <source>Force on the hand [N]</source>
+        <translation>Force sur la main [N]</translation>
+    </message>
+    <message>
+        <source>Touched structure</source>
+        <translation>Structure touchée</translation>
+    </message>
+    <message>
+        <source>Touched structures, the outermost first, with their forces and depths</source>
+        <translation>Structures touchées, la plus externe d’abord, avec forces et profondeurs</translation>
+    </message>
+    <message>
+        <source>Each layer that is touched, the outermost first: its share of the force [N],
+and how deep the hand is in it [mm]</source>
+        <translation>Chaque couche touchée, la plus externe d’abord&#x202f;: sa part de la force [N],
+et la profondeur de la main en elle [mm]</translation>
+    </message>
+    <message>
+        <source>Depth and stiffness</source>
+        <translation>Profondeur et raideur</translation>
+    </message>
+    <message>
+        <source>Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers that are touched [N/mm]</source>
+        <translation>Profondeur&#x202f;: de la surface la plus externe à la main [mm]&#x202f;; raideur sentie, de toutes les couches touchées [N/mm]</translation>
+    </message>
+    <message>
+        <source>More triangles of the mesh lie in this place than there is time to feel at once</source>
+        <translation>Trop de triangles du maillage sont à cet endroit pour être tous sentis à temps</translation>
+    </message>
+    <message>
+        <source>Not touching</source>
+        <translation>Aucun contact</translation>
+    </message>
+    <message>
+        <source>slid off the edge</source>
+        <translation>glissé hors du bord</translation>
+    </message>
+    <message>
+        <source>the hand is free</source>
+        <translation>la main est libre</translation>
+    </message>
+    <message>
+        <source>very fine mesh here: the force follows late</source>
+        <translation>maillage très fin ici&#x202f;: la force suit avec retard</translation>
+    </message>
+    <message>
+        <source>press on a structure to feel it</source>
+        <translation>appuyer sur une structure pour la sentir</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>End (Esc)</source>
+        <translation>Finir (Échap)</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 sur %2&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ViewKeys</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>turn the camera by 15°; with Shift: move it</source>
+        <translation>tourner la caméra de 15°&#x202f;; avec Maj&#x202f;: la déplacer</translation>
+    </message>
+    <message>
+        <source>+  −</source>
+        <translation>+  −</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomer</translation>
+    </message>
+    <message>
+        <source>Ctrl+← → ↑ ↓</source>
+        <translation>Ctrl+← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move the place to press by 2 mm along the screen</source>
+        <translation>déplacer le point d’appui de 2&#xa0;mm dans le plan de l’écran</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>press there, let go</source>
+        <translation>y appuyer, lâcher</translation>
+    </message>
+    <message>
+        <source>Page down  up</source>
+        <translation>Page bas  haut</translation>
+    </message>
+    <message>
+        <source>press deeper, less deep by 0.5 mm</source>
+        <translation>appuyer plus, moins profond de 0,5&#xa0;mm</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::ViewVoice</name>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>3D view: %1, %2</source>
+        <translation>Vue 3D&#x202f;: %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::WelcomePage</name>
+    <message>
+        <source>Try the phantom</source>
+        <translation>Essayer le fantôme</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récents</translation>
+    </message>
+    <message>
+        <source>Feel segmented anatomy</source>
+        <translation>Palper l’anatomie segmentée</translation>
+    </message>
+    <message>
+        <source>Drop surface meshes or a scene here: %1</source>
+        <translation>Déposer ici maillages de surface ou scène&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Open anatomy…</source>
+        <translation>Ouvrir une anatomie…</translation>
+    </message>
+    <message>
+        <source>Open mesh or scene files (Ctrl+O)</source>
+        <translation>Ouvrir maillages ou scène (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation</source>
+        <translation>Ouvrir le fantôme fourni avec Palpate&#x202f;: un foie avec deux nodules, et une palpation enregistrée</translation>
+    </message>
+    <message>
+        <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
+        <translation>Puis taper P, glisser pour appuyer, et régler la profondeur à la molette.&#x202f;? affiche les raccourcis.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Language.h"
+#include "TestRunner.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+using namespace palpate;
+
+namespace {
+
+/// One text of a catalogue.
+struct Message
+{
+    QString context, source;
+    QStringList translations; ///< more than one where the text counts something
+    bool isPlural = false;
+    bool isFinished = true;
+};
+
+/// The texts of a catalogue of Qt's, in their order. @return nothing when it does not parse
+QList<Message> readCatalogue(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QXmlStreamReader xml(&file);
+    QList<Message> messages;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) {
+            continue;
+        }
+        if (xml.name() == QLatin1String("name")) {
+            context = xml.readElementText();
+        } else if (xml.name() == QLatin1String("message")) {
+            messages.push_back({context, {}, {}, xml.attributes().hasAttribute(QLatin1String("numerus")), true});
+        } else if (xml.name() == QLatin1String("source")) {
+            messages.back().source = xml.readElementText();
+        } else if (xml.name() == QLatin1String("translation")) {
+            messages.back().isFinished = !xml.attributes().hasAttribute(QLatin1String("type"));
+            if (!messages.back().isPlural) {
+                messages.back().translations << xml.readElementText();
+            }
+        } else if (xml.name() == QLatin1String("numerusform")) {
+            messages.back().translations << xml.readElementText();
+        }
+    }
+    return xml.hasError() ? QList<Message>{} : messages;
+}
+
+/// What a pattern finds in a text, sorted.
+QStringList found(const QString& text, const char* pattern)
+{
+    QStringList all;
+    auto matches = QRegularExpression(QString::fromUtf8(pattern)).globalMatch(text);
+    while (matches.hasNext()) {
+        all << matches.next().captured();
+    }
+    all.sort();
+    return all;
+}
+
+/// What is wrong with a translation. @return nothing when all is well
+QString faultOf(const Message& message, const QString& translation)
+{
+    if (translation.isEmpty()) {
+        return QStringLiteral("empty");
+    }
+    // "a file" may leave out how many, where the text counts.
+    const char* places = message.isPlural ? "%L?[0-9]" : "%(L?[0-9]|n)";
+    if (found(translation, places) != found(message.source, places)) {
+        return QStringLiteral("other placeholders");
+    }
+    constexpr const char* kMnemonic = "&(?=\\p{L})";
+    if (found(translation, kMnemonic).size() != found(message.source, kMnemonic).size()) {
+        return QStringLiteral("other mnemonics (&)");
+    }
+    if (translation.endsWith(QChar(0x2026)) != message.source.endsWith(QChar(0x2026))) {
+        return QStringLiteral("… at one end only");
+    }
+    return {};
+}
+
+} // namespace
+
+/// The catalogues of what the window says: resources/translations.
+class Catalogues : public QObject
+{
+    Q_OBJECT
+
+    static void addLanguages()
+    {
+        QTest::addColumn<QString>("code");
+        for (const app::Language& language : app::languages()) {
+            if (language.code != QLatin1String("en")) {
+                QTest::newRow(qPrintable(language.code)) << language.code;
+            }
+        }
+    }
+
+  private Q_SLOTS:
+    void eachIsOffered()
+    {
+        QStringList offered;
+        for (const app::Language& language : app::languages()) {
+            offered << QStringLiteral("palpate_%1.ts").arg(language.code);
+        }
+        offered.removeOne(QStringLiteral("palpate_en.ts"));
+        offered.sort();
+        QCOMPARE(QDir(PALPATE_SOURCE_DIR "/resources/translations").entryList({QStringLiteral("*.ts")}), offered);
+    }
+
+    void isInTheProgram_data() { addLanguages(); }
+    void isInTheProgram()
+    {
+        QFETCH(QString, code);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
+        QCOMPARE(translator.language(), code);
+        QVERIFY(!translator.translate("MainWindow", "Session").isEmpty());
+    }
+
+    void isFinished_data() { addLanguages(); }
+    void isFinished()
+    {
+        QFETCH(QString, code);
+        const QList<Message> messages =
+            readCatalogue(QStringLiteral(PALPATE_SOURCE_DIR "/resources/translations/palpate_%1.ts").arg(code));
+        QVERIFY(messages.size() > 800);
+        QStringList faults;
+        for (const Message& message : messages) {
+            const QString where = message.context + QStringLiteral(": ") + message.source + QStringLiteral(": ");
+            if (!message.isFinished) {
+                faults << where + QStringLiteral("unfinished");
+                continue;
+            }
+            if (message.translations.size() != (message.isPlural ? 2 : 1)) {
+                faults << where + QStringLiteral("%1 translations").arg(message.translations.size());
+            }
+            for (const QString& translation : message.translations) {
+                if (const QString fault = faultOf(message, translation); !fault.isEmpty()) {
+                    faults << where + translation + QStringLiteral(": ") + fault;
+                }
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    void frenchHasItsSpaces()
+    {
+        // Not to be broken before high punctuation: U+202F.
+        const QRegularExpression bare(QStringLiteral("[^\\x{202F}\\s][;!?](\\s|$)|[\\p{L})]:(\\s|$)|[ \\x{A0}][;:!?»]|"
+                                                     "«[^\\x{202F}]|[^\\x{202F}]»|'"));
+        QStringList faults;
+        for (const Message& message :
+             readCatalogue(QStringLiteral(PALPATE_SOURCE_DIR "/resources/translations/palpate_fr.ts"))) {
+            for (const QString& translation : message.translations) {
+                if (translation.contains(bare)) {
+                    faults << translation;
+                }
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+};
+
+PALPATE_TEST(Catalogues)
+#include "tst_Catalogues.moc"
