@@ -168,6 +168,7 @@ class TissueMaps : public QObject
             const TickResult t = on.at(hip);
             const double depth = (t.p_WG - hip).norm(), s = 1.0 + x / 32.0;
             QVERIFY(std::abs(t.f_W.z() / depth / (0.5 * s) - 1.0) < 1e-13);
+            QVERIFY(std::abs(t.contacts[0].stiffnessScale - s) < 1e-13);
             QVERIFY(std::abs(t.f_W.x() + 0.25 * depth * depth / 32.0) < 1e-13); // -W ds/dx
             QVERIFY(std::abs(t.f_W.y()) < 1e-13);
         }
@@ -338,6 +339,7 @@ class TissueMaps : public QObject
             // The ratio is linear in the press here, so between the presses it is what the formula says.
             const double scale = 1.0 + 0.0625 * press * (1.0 + x / 32.0);
             QVERIFY(std::abs(t.f_W.z() / (map(x) * scale * F(depth)) - 1.0) < 1e-12);
+            QVERIFY(std::abs(t.contacts[0].stiffnessScale - map(x) * scale) < 1e-12);
             // U = map (W + 1/16 (1 + x / 32) V), V the integral of min(d, 8) F.
             double V = 0.0, W = 0.0;
             constexpr int kSteps = 20000;

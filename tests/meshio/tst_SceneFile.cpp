@@ -48,6 +48,7 @@ void SceneFile::givesBackWhatWasWritten()
              Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
     scene.structures = {s};
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
+    scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
@@ -64,6 +65,7 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera.has_value());
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
+    QVERIFY(back.value().shownMap == scene.shownMap);
     QCOMPARE(back.value().findings.size(), std::size_t{2});
     const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());

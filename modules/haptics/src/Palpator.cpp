@@ -56,6 +56,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
     contact.depth_mm = push_W.norm();
     contact.n_W = contact.depth_mm > 0.0 ? Vec3(push_W / contact.depth_mm) : touched.n_W;
     contact.friction = Friction::None;
+    contact.stiffnessScale = 1.0;
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
     return {structure,
@@ -66,7 +67,8 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
             contact.depth_mm,
             contact.n_W,
             v_WH,
-            std::span(step.active).first(step.constraints)};
+            std::span(step.active).first(step.constraints),
+            contact.stiffnessScale};
 }
 
 [[gnu::noinline]] Vec3 feltForce(const law::Touch& touch) noexcept

@@ -48,10 +48,12 @@ struct MapSpring
             return LawSpring::force(touch);
         }
         if (on.tissue.hasFriction()) {
-            return touch.foot.numberOf(map) * on.lawAt(touch.depth_mm).force_N * touch.up_W;
+            touch.scale = touch.foot.numberOf(map);
+            return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;
         }
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
         const MapValue s = touch.foot.valueOf(map);
+        touch.scale = s.value;
         return s.value * law.force_N * touch.up_W - law.energy_mJ * touch.foot.freePart(s.gradient);
     }
 };
@@ -69,7 +71,8 @@ struct FeltSpring
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
         const FeltBelow felt = FeltBelow::at(touch.foot, on, touch.depth_mm, law);
         const MapValue s = on.maps.stiffness.isEmpty() ? MapValue{} : touch.foot.valueOf(on.maps.stiffness);
-        const Vec3 f_W = s.value * felt.scale * law.force_N * touch.up_W;
+        touch.scale = s.value * felt.scale;
+        const Vec3 f_W = touch.scale * law.force_N * touch.up_W;
         if (on.tissue.hasFriction()) {
             return f_W;
         }

@@ -20,6 +20,7 @@ struct Touch
     const Vec3& up_W;                         ///< its direction; means nothing without a depth
     const Vec3& v_WH;                         ///< velocity of the HIP [mm/s]
     std::span<const ActiveConstraint> planes; ///< that hold the god-object
+    double& scale;                            ///< a term that scales the law by a map says here by how much [1]
 };
 
 } // namespace palpate::haptics::law
