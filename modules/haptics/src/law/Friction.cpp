@@ -35,7 +35,7 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
         atRest *= by;
         sliding *= by;
     }
-    if (!on.maps.stiffness.isEmpty()) {
+    if (!on.maps.stiffness.isEmpty() && on.tissue.hasFriction()) { // without, the force has that pull
         raise(on, facet, foot, lambda_mm, atRest, sliding);
     }
     m_still_mm += atRest * lambda_mm;
