@@ -129,6 +129,15 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
                                    std::string(text) + "}]}"
                             << "a.json: structures[1]." + std::string(message);
     };
+    const auto shown = [](const char* name, const char* text, const char* message) {
+        QTest::newRow(name) << R"({"version": 1, "structures": [{"mesh": "a.stl", "name": "a"}], "shown_map": )" +
+                                   std::string(text) + "}"
+                            << "a.json: shown_map." + std::string(message);
+    };
+    shown("shown map of nothing", R"({"structure": "b", "numbers": "felt:stiffness"})",
+          "structure: found \"b\", expected the name of a structure of this scene");
+    shown("shown map of no kind", R"({"structure": "a", "numbers": "stiffness"})",
+          "numbers: found \"stiffness\", expected felt: and a quantity, or array: and its name");
     field(R"("opacity": 3)", "opacity: found 3, expected 0 to 1");
     field(R"("opacity": "much")", "opacity: found \"much\", expected 0 to 1");
     field(R"("colour": [1, 0])", "colour: found an array of 2, expected 3 numbers");
