@@ -145,7 +145,7 @@ void MainWindow::makeStatusBar()
     m_progress->setAccessibleName(tr("Progress of opening"));
     m_cancel = new QToolButton(this);
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Stop opening; what was open stays"));
+    m_cancel->setToolTip(tr("Stop reading; what was open stays"));
     m_progress->hide();
     m_cancel->hide();
     auto* notice = new QLabel(tr("Research, training and planning rehearsal. Not a medical device."), this);
@@ -258,11 +258,14 @@ void MainWindow::connectLoading()
         say(tr("Reading what varies over %1…").arg(readableName(m_model.structure(row).name)), 60000);
         m_progress->setRange(0, 0); // how long it takes isn't known
         m_progress->show();
+        m_cancel->show();
         m_loader.buildMaps(row, m_model.rows()[static_cast<std::size_t>(row)].loaded);
     });
     connect(&m_loader, &SceneLoader::mapsBuilt, this,
             [this](int row, const std::shared_ptr<meshio::LoadedStructure>& found, const QStringList& problems) {
-                m_progress->setVisible(m_loader.isBusy());
+                const bool isReading = m_loader.isBusy() || m_loader.isBuildingMaps();
+                m_progress->setVisible(isReading);
+                m_cancel->setVisible(isReading);
                 m_model.setMaps(row, found->description.maps, found->maps, problems);
                 say(problems.isEmpty() ? tr("The map of %1 is felt.").arg(readableName(found->description.name))
                                        : problems.join(QLatin1Char(' ')));

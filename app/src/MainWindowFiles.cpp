@@ -128,6 +128,9 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
         showError(QString::fromStdString(started.message()));
     }
     m_structures->select(0);
+    if (const auto& shown = scene->scene.shownMap) {
+        m_structures->colourBy(*shown);
+    }
     m_viewport->setFocus();
     m_viewport->update();
     if (scene->files.size() == 1 && meshio::isSceneFile(m_files.front())) {
@@ -248,7 +251,7 @@ bool MainWindow::saveSceneAs()
 
 bool MainWindow::saveSceneTo(const std::filesystem::path& path)
 {
-    const core::Status saved = m_document->save(path, cameraNow());
+    const core::Status saved = m_document->save(path, cameraNow(), m_maps->shown());
     if (saved.isOk()) {
         m_files = {path};
         showTitle();

@@ -175,8 +175,10 @@ meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
     return scene;
 }
 
-core::Status SceneDocument::save(const std::filesystem::path& file, const meshio::SceneCamera& camera)
+core::Status SceneDocument::save(const std::filesystem::path& file, const meshio::SceneCamera& camera,
+                                 std::optional<meshio::ShownMap> shownMap)
 {
+    m_rest.shownMap = std::move(shownMap);
     const std::string unknown = m_rest.camera ? m_rest.camera->extra : std::string();
     m_rest.camera = camera;
     m_rest.camera->extra = unknown;

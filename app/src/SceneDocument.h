@@ -45,7 +45,9 @@ class SceneDocument : public QObject
     [[nodiscard]] palpate::meshio::SceneFile inFrame(palpate::core::FileFrame frame) const;
 
     /// Saves all of it: what could not be opened and what this version does not know is kept.
-    palpate::core::Status save(const std::filesystem::path& file, const palpate::meshio::SceneCamera& camera);
+    /// @param shownMap  that a structure is coloured by
+    palpate::core::Status save(const std::filesystem::path& file, const palpate::meshio::SceneCamera& camera,
+                               std::optional<palpate::meshio::ShownMap> shownMap = {});
 
     /// @return the copy of unsaved changes that a crashed program left, if there is one.
     [[nodiscard]] static std::optional<std::filesystem::path> findLeftover();

@@ -20,7 +20,7 @@
         <translation>Koordinaten: LPS</translation>
     </message>
     <message>
-        <source>The files count to the patient's left, back and head, as DICOM does</source>
+        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
         <translation>Die Dateien zählen nach links, hinten und kopfwärts des Patienten, wie DICOM</translation>
     </message>
     <message>
@@ -28,7 +28,7 @@
         <translation>Koordinaten: RAS</translation>
     </message>
     <message>
-        <source>The files count to the patient's right, front and head, as older models of 3D Slicer do</source>
+        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
         <translation>Die Dateien zählen nach rechts, vorn und kopfwärts des Patienten, wie ältere Modelle von 3D Slicer</translation>
     </message>
     <message>
@@ -36,7 +36,7 @@
         <translation>Koordinaten: Y oben</translation>
     </message>
     <message>
-        <source>The files count to the patient's left, head and front, as modelling programs do</source>
+        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
         <translation>Die Dateien zählen nach links, kopfwärts und nach vorn, wie Modellierprogramme</translation>
     </message>
     <message>
@@ -48,7 +48,7 @@
         <translation>%1 angenommen</translation>
     </message>
     <message>
-        <source>The files' coordinates are %1.</source>
+        <source>The files&apos; coordinates are %1.</source>
         <translation>Die Koordinaten der Dateien sind %1.</translation>
     </message>
     <message>
@@ -56,7 +56,7 @@
         <translation>Nicht jede Datei sagt, an welchen Achsen sie liegt: %1 ist angenommen, links und rechts können vertauscht sein. Zum Angeben klicken.</translation>
     </message>
     <message>
-        <source>The surfaces are a recording's and stay as they were felt.</source>
+        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
         <translation>Die Oberflächen gehören zu einer Aufzeichnung und bleiben, wie sie getastet wurden.</translation>
     </message>
     <message>
@@ -207,10 +207,6 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop opening; what was open stays</source>
-        <translation>Öffnen abbrechen; was offen war, bleibt</translation>
     </message>
     <message>
         <source>Research, training and planning rehearsal. Not a medical device.</source>
@@ -421,7 +417,7 @@
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>Back to the recording's start</source>
+        <source>Back to the recording&apos;s start</source>
         <translation>Zurück zum Anfang der Aufzeichnung</translation>
     </message>
     <message>
@@ -937,27 +933,27 @@
         <translation>Aufzeichnen, was die Hand fühlt, in jedem Augenblick</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to everything</source>
+        <source>Zoom the hand&apos;s space to everything</source>
         <translation>Raum der Hand auf alles zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way goes through all that is shown</source>
+        <source>The device&apos;s whole way goes through all that is shown</source>
         <translation>Der ganze Weg des Geräts führt durch alles Gezeigte</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to the organ</source>
+        <source>Zoom the hand&apos;s space to the organ</source>
         <translation>Raum der Hand auf das Organ zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way goes through the organ that is touched or pointed at</source>
+        <source>The device&apos;s whole way goes through the organ that is touched or pointed at</source>
         <translation>Der ganze Weg des Geräts führt durch das Organ, das berührt wird oder unter dem Zeiger liegt</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to the lump</source>
+        <source>Zoom the hand&apos;s space to the lump</source>
         <translation>Raum der Hand auf den Knoten zoomen</translation>
     </message>
     <message>
-        <source>The device's whole way is 10 mm, about what is touched, pointed at or found</source>
+        <source>The device&apos;s whole way is 10 mm, about what is touched, pointed at or found</source>
         <translation>Der ganze Weg des Geräts ist 10 mm, um das Berührte, das unter dem Zeiger oder den Befund</translation>
     </message>
     <message>
@@ -1017,12 +1013,16 @@
         <translation>Mit Kraft drücken</translation>
     </message>
     <message>
-        <source>Effort in, depth out: the force rises while the button is held, or is a pen's pressure, and a stiff place gives way less; off: the wheel says how deep</source>
+        <source>Effort in, depth out: the force rises while the button is held, or is a pen&apos;s pressure, and a stiff place gives way less; off: the wheel says how deep</source>
         <translation>Kraft hinein, Tiefe heraus: die Kraft wächst, solange die Taste gehalten wird, oder ist der Druck eines Stifts, und eine steife Stelle gibt weniger nach; aus: das Rad sagt, wie tief</translation>
     </message>
     <message>
         <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm] or with this force [N]; the wheel sets it (P switches)</source>
         <translation>Was der Zeiger tut: er dreht die Ansicht, oder er drückt so weit entlang der Blickrichtung [mm] oder mit dieser Kraft [N]; das Rad stellt es ein (P schaltet um)</translation>
+    </message>
+    <message>
+        <source>Stop reading; what was open stays</source>
+        <translation>Lesen abbrechen; was offen war, bleibt</translation>
     </message>
 </context>
 <context>
@@ -1258,7 +1258,7 @@
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Share of the surface that was examined: within %1, the fingertip's radius</source>
+        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
         <translation>Anteil der untersuchten Oberfläche: innerhalb von %1, dem Radius der Fingerspitze</translation>
     </message>
     <message>
@@ -1530,7 +1530,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Tastet, was in der Mitte der Ansicht liegt, und fühlt die Kraft</translation>
     </message>
     <message>
-        <source>The open recording's motion, felt with the tissue as it is now</source>
+        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
         <translation>Die Bewegung der offenen Aufzeichnung, gefühlt mit dem Gewebe, wie es jetzt ist</translation>
     </message>
     <message>
@@ -1566,7 +1566,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1: kalibrieren</translation>
     </message>
     <message>
-        <source>The hand's device: %1</source>
+        <source>The hand&apos;s device: %1</source>
         <translation>Das Gerät der Hand: %1</translation>
     </message>
     <message>
@@ -1590,7 +1590,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>Replay with today's tissue</source>
+        <source>Replay with today&apos;s tissue</source>
         <translation>Wiedergabe mit dem heutigen Gewebe</translation>
     </message>
     <message>
@@ -1790,7 +1790,7 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>CPU der Servoschleife</translation>
     </message>
     <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere "Any" lets
+        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
 the loop go where there is room.</source>
         <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
 die Schleife laufen, wo Platz ist.</translation>
@@ -1936,7 +1936,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Wievielmal so steif wie sein Organ der Knoten ist</translation>
     </message>
     <message>
-        <source>Where the lump's stiffness comes from</source>
+        <source>Where the lump&apos;s stiffness comes from</source>
         <translation>Woher die Steifigkeit des Knotens kommt</translation>
     </message>
     <message>
@@ -1944,19 +1944,19 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Wie eingegeben</translation>
     </message>
     <message>
-        <source>From the two Young's moduli</source>
+        <source>From the two Young&apos;s moduli</source>
         <translation>Aus den beiden Elastizitätsmoduln</translation>
     </message>
     <message>
-        <source>From the tissues' stiffness</source>
+        <source>From the tissues&apos; stiffness</source>
         <translation>Aus der Steifigkeit der Gewebe</translation>
     </message>
     <message>
-        <source>Young's modulus of the lump [kPa]</source>
+        <source>Young&apos;s modulus of the lump [kPa]</source>
         <translation>Elastizitätsmodul des Knotens [kPa]</translation>
     </message>
     <message>
-        <source>Young's modulus of the organ [kPa]</source>
+        <source>Young&apos;s modulus of the organ [kPa]</source>
         <translation>Elastizitätsmodul des Organs [kPa]</translation>
     </message>
     <message>
@@ -2031,7 +2031,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>aus den Moduln</translation>
     </message>
     <message>
-        <source>from the tissues' stiffness</source>
+        <source>from the tissues&apos; stiffness</source>
         <translation>aus der Steifigkeit der Gewebe</translation>
     </message>
     <message>
@@ -2194,7 +2194,7 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::ForceBar</name>
     <message>
-        <source>Force of the model [N]; the bar ends at the device's limit of %1 N</source>
+        <source>Force of the model [N]; the bar ends at the device&apos;s limit of %1 N</source>
         <translation>Kraft des Modells [N]; der Balken endet an der Grenze des Geräts von %1 N</translation>
     </message>
     <message>
@@ -2213,7 +2213,7 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::ForceTimeline</name>
     <message>
-        <source>Timeline of the recording's force</source>
+        <source>Timeline of the recording&apos;s force</source>
         <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
     </message>
     <message>
@@ -2276,15 +2276,15 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>10 mm um Befund %1</translation>
     </message>
     <message>
-        <source>Nothing is shown that the hand's space could be zoomed to.</source>
+        <source>Nothing is shown that the hand&apos;s space could be zoomed to.</source>
         <translation>Nichts wird gezeigt, worauf der Raum der Hand gezoomt werden könnte.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space. The hand stays where it touches; Centre brings it to the middle.</source>
+        <source>%1 fills the hand&apos;s space. The hand stays where it touches; Centre brings it to the middle.</source>
         <translation>%1 füllt den Raum der Hand. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space.</source>
+        <source>%1 fills the hand&apos;s space.</source>
         <translation>%1 füllt den Raum der Hand.</translation>
     </message>
 </context>
@@ -2295,7 +2295,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Innerhalb von %1 (von außen gefühlt): führen Sie die Hand erst zu sich heraus.</translation>
     </message>
     <message>
-        <source>As it lies: the device's millimetres are the scene's.</source>
+        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
         <translation>Wie sie liegt: die Millimeter des Geräts sind die der Szene.</translation>
     </message>
     <message>
@@ -2383,7 +2383,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Dieses Gerät kann Gewebe bis %1 N/mm darstellen.</translation>
     </message>
     <message>
-        <source>At the edge of the hand's space: bring the device back to its middle. The hand in the scene stays until then.</source>
+        <source>At the edge of the hand&apos;s space: bring the device back to its middle. The hand in the scene stays until then.</source>
         <translation>Am Rand des Raums der Hand: führen Sie das Gerät zurück in seine Mitte. Bis dahin bleibt die Hand in der Szene.</translation>
     </message>
     <message>
@@ -2391,7 +2391,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Angehoben: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
     </message>
     <message>
-        <source>%1 fills the hand's space: 1 mm of the device is %2 mm of the scene.</source>
+        <source>%1 fills the hand&apos;s space: 1 mm of the device is %2 mm of the scene.</source>
         <translation>%1 füllt den Raum der Hand: 1 mm des Geräts ist %2 mm der Szene.</translation>
     </message>
     <message>
@@ -2403,7 +2403,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Alles</translation>
     </message>
     <message>
-        <source>The device's whole way then goes through all that is shown (W)</source>
+        <source>The device&apos;s whole way then goes through all that is shown (W)</source>
         <translation>Der ganze Weg des Geräts führt dann durch alles Gezeigte (W)</translation>
     </message>
     <message>
@@ -2411,7 +2411,7 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Organ</translation>
     </message>
     <message>
-        <source>The device's whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
+        <source>The device&apos;s whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
         <translation>Der ganze Weg des Geräts führt dann durch das berührte Organ; sonst durch das unter dem Zeiger oder das gewählte (O)</translation>
     </message>
     <message>
@@ -2419,21 +2419,21 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>The device's whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
+        <source>The device&apos;s whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
         <translation>Der ganze Weg des Geräts ist dann 10 mm: wo die Hand berührt, sonst unter dem Zeiger, sonst um den neuesten Befund (L)</translation>
     </message>
     <message>
-        <source>Zoom the hand's space to</source>
+        <source>Zoom the hand&apos;s space to</source>
         <translation>Raum der Hand zoomen auf</translation>
     </message>
     <message>
-        <source>What fills the hand's space</source>
+        <source>What fills the hand&apos;s space</source>
         <translation>Was den Raum der Hand füllt</translation>
     </message>
     <message>
         <source>The picture: right is right in the view, however it is turned.
-The patient: right is to the patient's left, up is to the head.
-Nothing: the device's coordinates are the scene's, without scale, and the hand cannot be lifted.</source>
+The patient: right is to the patient&apos;s left, up is to the head.
+Nothing: the device&apos;s coordinates are the scene&apos;s, without scale, and the hand cannot be lifted.</source>
         <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
 Der Patient: rechts ist zur Linken des Patienten, oben zum Kopf.
 Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die Hand lässt sich nicht anheben.</translation>
@@ -2443,7 +2443,7 @@ Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die H
         <translation>Hand anheben</translation>
     </message>
     <message>
-        <source>Puts the middle of the device's way in the middle of what the hand's space is zoomed to</source>
+        <source>Puts the middle of the device&apos;s way in the middle of what the hand&apos;s space is zoomed to</source>
         <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
     </message>
     <message>
@@ -2477,7 +2477,7 @@ Kraft: überall gleich stark, und eine steife Stelle gibt weniger nach. Die Kraf
         <translation>Größte Kraft</translation>
     </message>
     <message>
-        <source>The press gets no harder than this, and a pen's full pressure is this; the wheel changes it by 0.5 N</source>
+        <source>The press gets no harder than this, and a pen&apos;s full pressure is this; the wheel changes it by 0.5 N</source>
         <translation>Stärker wird der Druck nicht, und der volle Druck eines Stifts ist so stark; das Rad ändert es um 0,5 N</translation>
     </message>
     <message>
@@ -2598,6 +2598,10 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>now %1 mm</source>
         <translation>jetzt %1 mm</translation>
     </message>
+    <message>
+        <source>now %1 mm, here × %2</source>
+        <translation>jetzt %1 mm, hier × %2</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::LiveTouch</name>
@@ -2677,7 +2681,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Texts as large as the system's</source>
+        <source>Texts as large as the system&apos;s</source>
         <translation>Schrift so groß wie die des Systems</translation>
     </message>
     <message>
@@ -2688,7 +2692,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
 <context>
     <name>palpate::ui::MapDisplay</name>
     <message>
-        <source>Young's modulus, kPa</source>
+        <source>Young&apos;s modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2696,7 +2700,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>friction, times the tissue's own</source>
+        <source>friction, times the tissue&apos;s own</source>
         <translation>Reibung, Vielfaches der des Gewebes</translation>
     </message>
     <message>
@@ -2779,7 +2783,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>In</translation>
     </message>
     <message>
-        <source>What the numbers are. Shear and Young's modulus differ by a factor of three: see what the scanner's manual says</source>
+        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
         <translation>Was die Zahlen sind. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei: siehe das Handbuch des Scanners</translation>
     </message>
     <message>
@@ -2787,7 +2791,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>bitte angeben…</translation>
     </message>
     <message>
-        <source>Times the tissue's own</source>
+        <source>Times the tissue&apos;s own</source>
         <translation>Vielfaches des Gewebewerts</translation>
     </message>
     <message>
@@ -2799,7 +2803,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>Young's modulus, kPa</source>
+        <source>Young&apos;s modulus, kPa</source>
         <translation>Elastizitätsmodul, kPa</translation>
     </message>
     <message>
@@ -2871,7 +2875,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Eigene Farbe</translation>
     </message>
     <message>
-        <source>Say what the numbers of %1 are: shear and Young's modulus differ by a factor of three.</source>
+        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
         <translation>Geben Sie an, was die Zahlen von %1 sind: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
     </message>
     <message>
@@ -2879,7 +2883,7 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 variiert nach %2.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 places say nothing. The tissue's own is felt there.</source>
+        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
         <translation>%1: %2 von %3 Stellen haben keine Angabe. Dort wird der Wert des Gewebes gefühlt.</translation>
     </message>
     <message>
@@ -3589,7 +3593,7 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Größte Steifigkeit</translation>
     </message>
     <message>
-        <source>Young's modulus</source>
+        <source>Young&apos;s modulus</source>
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>

@@ -168,6 +168,7 @@ class TissueMaps : public QObject
             const TickResult t = on.at(hip);
             const double depth = (t.p_WG - hip).norm(), s = 1.0 + x / 32.0;
             QVERIFY(std::abs(t.f_W.z() / depth / (0.5 * s) - 1.0) < 1e-13);
+            QVERIFY(std::abs(t.contacts[0].stiffnessScale - s) < 1e-13);
             QVERIFY(std::abs(t.f_W.x() + 0.25 * depth * depth / 32.0) < 1e-13); // -W ds/dx
             QVERIFY(std::abs(t.f_W.y()) < 1e-13);
         }
@@ -286,6 +287,26 @@ class TissueMaps : public QObject
         QVERIFY(input > 0.0);
     }
 
+    /// Beside what has friction a map's pull is in the force, and so nothing may hold the god-object against it.
+    void withoutFrictionAMapHoldsNothingBesideWhatHasSome()
+    {
+        Mapped on(slab(2), spring(0.5), [](const Vec3& p) { return 1.0 + 0.04 * p.x(); });
+        HapticStructure rough = on.structure;
+        rough.surface = indexed(transformed(slab(2), [](const Vec3& p) { return Vec3(p + Vec3(100, 0, 0)); }));
+        rough.maps = {};
+        rough.tissue.friction_static = rough.tissue.friction_dynamic = 0.5;
+        on.scene = std::make_unique<HapticScene>(std::vector{on.structure, rough});
+        on.palpator.setScene(on.scene.get());
+        (void)on.at(Vec3(-5, 1, 1));
+        for (double x = -5.0; x < 5.0; x += 0.03) {
+            const Vec3 hip(x, 1, -4);
+            const TickResult t = on.at(hip);
+            QVERIFY(t.constraints == 1 && std::abs(t.p_WG.x() - x) < 1e-9);
+            const double depth = t.contacts[0].depth_mm;
+            QVERIFY(std::abs(t.f_W.x() + 0.04 * 0.25 * depth * depth) < 1e-6); // floats hold the map
+        }
+    }
+
     void dampingAndFrictionFollowTheirMaps()
     {
         Tissue tissue = spring(0.5);
@@ -338,6 +359,7 @@ class TissueMaps : public QObject
             // The ratio is linear in the press here, so between the presses it is what the formula says.
             const double scale = 1.0 + 0.0625 * press * (1.0 + x / 32.0);
             QVERIFY(std::abs(t.f_W.z() / (map(x) * scale * F(depth)) - 1.0) < 1e-12);
+            QVERIFY(std::abs(t.contacts[0].stiffnessScale - map(x) * scale) < 1e-12);
             // U = map (W + 1/16 (1 + x / 32) V), V the integral of min(d, 8) F.
             double V = 0.0, W = 0.0;
             constexpr int kSteps = 20000;

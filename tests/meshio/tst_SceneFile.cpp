@@ -48,6 +48,7 @@ void SceneFile::givesBackWhatWasWritten()
              Eigen::AngleAxisd(std::numbers::pi / 7.0, core::Vec3(1, 2, 3).normalized());
     scene.structures = {s};
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
+    scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
@@ -64,6 +65,7 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera.has_value());
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
+    QVERIFY(back.value().shownMap == scene.shownMap);
     QCOMPARE(back.value().findings.size(), std::size_t{2});
     const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
@@ -127,6 +129,15 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
                                    std::string(text) + "}]}"
                             << "a.json: structures[1]." + std::string(message);
     };
+    const auto shown = [](const char* name, const char* text, const char* message) {
+        QTest::newRow(name) << R"({"version": 1, "structures": [{"mesh": "a.stl", "name": "a"}], "shown_map": )" +
+                                   std::string(text) + "}"
+                            << "a.json: shown_map." + std::string(message);
+    };
+    shown("shown map of nothing", R"({"structure": "b", "numbers": "felt:stiffness"})",
+          "structure: found \"b\", expected the name of a structure of this scene");
+    shown("shown map of no kind", R"({"structure": "a", "numbers": "stiffness"})",
+          "numbers: found \"stiffness\", expected felt: and a quantity, or array: and its name");
     field(R"("opacity": 3)", "opacity: found 3, expected 0 to 1");
     field(R"("opacity": "much")", "opacity: found \"much\", expected 0 to 1");
     field(R"("colour": [1, 0])", "colour: found an array of 2, expected 3 numbers");

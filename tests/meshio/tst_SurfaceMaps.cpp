@@ -3,6 +3,8 @@
 #include "Samples.h"
 #include "TestRunner.h"
 
+#include <palpate/meshio/SurfaceMaps.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -281,6 +283,26 @@ class SurfaceMaps : public QObject
         QVERIFY2(near > far && far > 1.0F && near < 10.0F, qPrintable(QString("%1 %2").arg(near).arg(far)));
         // Air below most of it: not known.
         QVERIFY(std::isnan(at([](const core::Vec3&) { return 0.0; }, 1.0)[0]));
+    }
+
+    void aVolumeIsNotSampledOnceThatIsCancelled()
+    {
+        const test::Folder folder;
+        (void)folder.write("m.vtp", vtp(""));
+        (void)folder.write("v.mha", metaImage([](const core::Vec3&) { return 3.0; }));
+        const auto scene = meshio::loadScene(folder.write(
+            "s.palpate.json",
+            sceneWith(json("[{'quantity': 'stiffness', 'file': 'v.mha', 'unit': 'scale', 'contact_radius_mm': 1}]"))));
+        meshio::LoadedStructure structure = scene.value().structures[0];
+        for (const int asks : {0, 1}) { // at once, and when it is read
+            int asked = 0;
+            std::vector<std::string> warnings, losses;
+            meshio::resolveMaps(structure, warnings, losses, [&] { return asked++ < asks; });
+            QCOMPARE(asked, asks + 1); // and no more
+            QVERIFY(structure.maps.empty());
+            QCOMPARE(losses.size(), std::size_t{1});
+            QVERIFY2(losses[0].find("v.mha: reading was cancelled") != std::string::npos, losses[0].c_str());
+        }
     }
 
     void badVolumesAreLosses_data()

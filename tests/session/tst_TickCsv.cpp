@@ -42,9 +42,10 @@ class TickCsv : public QObject
         tick.felt.n_W = core::Vec3(0, 0.6, 0.8);
         tick.felt.constraints = 2;
         tick.felt.contactCount = 2;
-        tick.felt.contacts[0] = {core::Vec3::Zero(),       core::Vec3::Zero(), core::Vec3(0.3, 0, 0.4), 8.25, 1, 0, 0,
-                                 haptics::Friction::Slides};
-        tick.felt.contacts[1] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 0, 3.5), 0.1, 0, 0, 1,
+        tick.felt.contacts[0] = {
+            core::Vec3::Zero(),       core::Vec3::Zero(), core::Vec3(0.3, 0, 0.4), 8.25, 1.0, 1, 0, 0,
+            haptics::Friction::Slides};
+        tick.felt.contacts[1] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 0, 3.5), 0.1, 1.0, 0, 0, 1,
                                  haptics::Friction::None};
         tick.solve_ns = 321;
         csv.value().write(tick, kNames);
@@ -83,7 +84,7 @@ class TickCsv : public QObject
         tick.felt.f_W = core::Vec3(0, 3, 4);
         tick.felt.structure = 1;
         tick.felt.contactCount = 1;
-        tick.felt.contacts[0] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 3, 4), 4, 1, 0, 0,
+        tick.felt.contacts[0] = {core::Vec3::Zero(),     core::Vec3::Zero(), core::Vec3(0, 3, 4), 4, 1.0, 1, 0, 0,
                                  haptics::Friction::None};
         tick.fSent_W = core::Vec3(0, 0.75, 1);
         tick.solve_ns = 9;

@@ -68,22 +68,15 @@ class FeltMap : public QObject
         mesh.triangles = {{3, 4, 0}, {0, 1, 2}, {1, 5, 2}}; // the first has no area and is left out
         meshio::LoadedStructure structure;
         structure.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
-        structure.description.tissue = tissueOf(0.5);
-        QCOMPARE(study::stiffnessScaleAt(structure, 1, {1, 1, 0}), 1.0); // no map
         std::vector<float> values;
         for (const core::Vec3& p : structure.surface->mesh.vertices) {
             values.push_back(static_cast<float>(1.0 + p.x() + 10.0 * p.y()));
         }
-        structure.maps = {mapOf(MappedQuantity::Stiffness, MapUnit::Scale, values)};
-        QVERIFY(std::abs(study::stiffnessScaleAt(structure, 1, {1, 0.5, 0}) - 7.0) < 1e-6);
-        QVERIFY(std::abs(study::stiffnessScaleAt(structure, 2, {3, 2, 0}) - 24.0) < 1e-6);
-        QCOMPARE(study::stiffnessScaleAt(structure, 0, {0, 0, 0}), 1.0);  // not a triangle that can be touched
-        QCOMPARE(study::stiffnessScaleAt(structure, 77, {0, 0, 0}), 1.0); // none at all
-        structure.maps = {mapOf(MappedQuantity::Stiffness, MapUnit::NPerMm, {kUnsaid, kUnsaid, kUnsaid, kUnsaid})};
-        QCOMPARE(study::stiffnessScaleAt(structure, 1, {1, 1, 0}), 1.0);
-        structure.maps = {mapOf(MappedQuantity::Stiffness, MapUnit::NPerMm, {2.0F, 3.0F})};
-        structure.maps[0].isPerTriangle = true;
-        QCOMPARE(study::stiffnessScaleAt(structure, 2, {3, 2, 0}), 6.0);
+        const geometry::RepairedMesh& surface = *structure.surface;
+        QVERIFY(std::abs(study::valueAt(surface, values, false, 0, {1, 0.5, 0}) - 7.0) < 1e-6);
+        QVERIFY(std::abs(study::valueAt(surface, values, false, 1, {3, 2, 0}) - 24.0) < 1e-6);
+        QVERIFY(std::isnan(study::valueAt(surface, {kUnsaid, kUnsaid, kUnsaid, kUnsaid}, false, 0, {1, 1, 0})));
+        QCOMPARE(study::valueAt(surface, {2.0F, 3.0F}, true, 1, {3, 2, 0}), 3.0);
     }
 };
 

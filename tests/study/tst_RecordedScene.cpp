@@ -8,6 +8,7 @@
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Replay.h>
 #include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedScale.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 
@@ -167,6 +168,45 @@ class RecordedScene : public QObject
         opened.value().structures[3].description.palpable = false;
         QCOMPARE(opened.value().structures[0].maps.size(), std::size_t{1});
         isFeltAsRecorded(opened.value(), path("r.palpate"));
+    }
+
+    /// By how much a map scaled the law is not kept, but follows from the force: live and played back are one number.
+    void theScaleOfAMapIsFoundAgain()
+    {
+        auto loaded = meshio::loadScene(path("s.palpate.json"));
+        QVERIFY(loaded.isOk());
+        for (const bool isLinear : {true, false}) {
+            core::Tissue& tissue = loaded.value().structures[0].description.tissue;
+            tissue.damping_Ns_per_mm = 2e-3;
+            tissue.law = isLinear ? core::ForceLaw{} : core::usualLaw(core::LawKind::Exponential);
+            const auto felt = study::hapticScene(loaded.value());
+            const session::SceneRecord scene =
+                session::describeScene(1, *felt, study::sourcesOf(loaded.value(), false));
+            session::Motion motion;
+            for (int i = 0; i < 600; ++i) {
+                motion.p_WH.emplace_back(-9.0 + 0.03 * i, 0.2, 21.0 - 6.0 * std::sin(M_PI * i / 600.0));
+            }
+            int scaled = 0;
+            Vec3 before = motion.p_WH.front();
+            session::replay(*felt, motion, [&](const servo::TickRecord& tick) {
+                servo::TickRecord read = tick;
+                for (haptics::Contact& contact : read.felt.contacts) {
+                    contact.stiffnessScale = 1.0;
+                }
+                study::findScales(read, scene, (tick.p_WH - before) * 1000.0);
+                before = tick.p_WH;
+                for (std::size_t i = 0; i < tick.felt.contactCount && tick.felt.contacts[i].depth_mm > 0.01; ++i) {
+                    const double was = tick.felt.contacts[i].stiffnessScale;
+                    scaled += std::abs(was - 1.0) > 0.05 ? 1 : 0;
+                    if (std::abs(read.felt.contacts[i].stiffnessScale - was) > 1e-6) {
+                        qWarning("tick %d: %g, was %g", int(tick.tick), read.felt.contacts[i].stiffnessScale, was);
+                        scaled = -1000;
+                    }
+                }
+                return true;
+            });
+            QVERIFY2(scaled > 50, qPrintable(QString::number(scaled)));
+        }
     }
 
     void aMovedPairIsFound()

@@ -247,6 +247,28 @@ class LawEditor : public QObject
         QVERIFY(p.tissue().law.points[3][0] < before[4][0]);
         QVERIFY(p.tissue().law.points[3][0] > before[3][0]);
     }
+    /// The dot is what is felt: the law times what a map makes of it at the touch, in whatever layer.
+    void theDotIsWhereTheTouchIs()
+    {
+        Panel p;
+        const double k = p.tissue().stiffness_N_per_mm;
+        ui::TouchReading reading;
+        ui::FeltLayer here;
+        here.name = ui::readableName(p.model.structure(0).name);
+        here.depth_mm = 4.0;
+        ui::FeltLayer above = here;
+        above.name = QStringLiteral("another");
+        above.depth_mm = 9.0;
+        reading.structure = above.name;
+        reading.depth_mm = above.depth_mm;
+        reading.layers = {above, here};
+        p.panel.showTouch(reading);
+        QCOMPARE(p.plot()->touchedPlace(), p.plot()->placeOf(4.0, 4.0 * k));
+        reading.layers[1].stiffnessScale = 1.5;
+        p.panel.showTouch(reading);
+        QCOMPARE(p.plot()->touchedPlace(), p.plot()->placeOf(4.0, 1.5 * 4.0 * k));
+        p.keep("dot-scaled");
+    }
     void aCurveIsLoadedOrItsFaultIsSaid()
     {
         Panel p;

@@ -263,6 +263,16 @@ class MapEditor : public QObject
         QCOMPARE(p.box("By")->currentText(), QStringLiteral("mre.mha"));
         p.model.undoStack().undo(); // quickly made steps undo together
         QVERIFY(isFeltAs(p.felt().second, 1.0));
+        // Cancelled, it is said, and the tissue's own is felt.
+        p.choose("Map", "By hand");
+        editor->load(file);
+        p.choose("In", "Shear modulus, kPa");
+        QVERIFY(loader.isBuildingMaps());
+        loader.cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(p.isSaid("mre.mha: reading was cancelled"), 10000);
+        QVERIFY(isFeltAs(p.felt().second, 0.5) && !loader.isBuildingMaps());
+        p.model.undoStack().undo();
+        QVERIFY(isFeltAs(p.felt().second, 1.0));
         // One that isn't there is said, and what was felt stays out.
         p.choose("Map", "By hand");
         editor->load(file.parent_path() / "gone.mha");

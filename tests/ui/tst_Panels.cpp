@@ -104,7 +104,7 @@ class Panels : public QObject
         tick.felt.f_W = {-0.3, 0, 1.5};
         tick.felt.structure = 0;
         tick.felt.constraints = tick.felt.contactCount = 1;
-        tick.felt.contacts[0] = {tick.felt.p_WG,           tick.felt.n_W, tick.felt.f_W, 3.06, 0, 0, 0,
+        tick.felt.contacts[0] = {tick.felt.p_WG,           tick.felt.n_W, tick.felt.f_W, 3.06, 1.0, 0, 0, 0,
                                  haptics::Friction::Slides};
         const auto look = [](std::uint32_t) { return ui::LayerLook{QStringLiteral("liver"), Qt::red}; };
         const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), look);

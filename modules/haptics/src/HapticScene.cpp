@@ -61,6 +61,9 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
                         [this](std::uint32_t i) { return m_structures[i].tissue.hasFriction(); })) {
             layer.frictional = m_structures.data();
         }
+        layer.drags = std::any_of(members.begin(), members.end(), [this](std::uint32_t i) {
+            return m_structures[i].tissue.friction_drag_Ns_per_mm > 0.0;
+        });
         layer.hierarchy = geometry::BoxHierarchy::build(items, bounds.center(), 1);
         for (const geometry::BoxedItem& item : items) {
             layer.structures.push_back(item.number);

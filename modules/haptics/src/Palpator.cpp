@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/haptics/Palpator.h"
 
+#include "law/Foot.h"
 #include "law/Law.h"
 #include "solver/GodObject.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <span>
 #include <utility>
 
 namespace palpate::haptics {
@@ -42,38 +43,59 @@ std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexce
     return touched;
 }
 
-/// Tells of a layer that is touched.
+/// Tells of a layer that is touched, all but the force.
 /// @param v_WH  of the HIP [mm/s]
 /// @pre the step ended in contact
-template<class Law>
-PALPATE_ALWAYS_INLINE void fill(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
-                                const Vec3& v_WH) noexcept
+PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const GodObjectStep& step,
+                                         const HapticScene& scene, const Vec3& push_W, const Vec3& v_WH) noexcept
 {
-    const ActiveConstraint& touched = step.active[stiffest(scene, step)];
+    const std::size_t which = stiffest(scene, step);
+    const ActiveConstraint& touched = step.active[which];
     const HapticStructure& structure = scene.structures()[touched.structure];
     contact.p_WG = step.p_WG;
-    const Vec3 push = step.p_WG - p_WH;
-    contact.depth_mm = push.norm();
-    contact.n_W = contact.depth_mm > 0.0 ? Vec3(push / contact.depth_mm) : touched.n_W;
+    contact.depth_mm = push_W.norm();
+    contact.n_W = contact.depth_mm > 0.0 ? Vec3(push_W / contact.depth_mm) : touched.n_W;
     contact.friction = Friction::None;
+    contact.stiffnessScale = 1.0;
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
-    contact.f_W = Law::force({structure, touched.triangle, scene.fingertip_mm(), contact.p_WG, p_WH, v_WH,
-                              std::span(step.active).first(step.constraints)});
-    if constexpr (std::is_same_v<Law, law::Law>) {
-        if (structure.tissue.hasFriction()) {
-            contact.friction = step.slides ? Friction::Slides : Friction::Holds;
-            const double length = step.push_W.norm();
-            contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : touched.n_W; // the spring leans against it
-        }
-    }
+    return {structure,
+            god.facets()[which],
+            scene.fingertip_mm(),
+            contact.p_WG,
+            push_W,
+            contact.depth_mm,
+            contact.n_W,
+            v_WH,
+            std::span(step.active).first(step.constraints),
+            contact.stiffnessScale};
+}
+
+[[gnu::noinline]] Vec3 feltForce(const law::Touch& touch) noexcept
+{
+    const law::Foot foot(touch);
+    return law::FeltLaw::force(law::MappedTouch{touch, foot});
 }
 
 // What a linear layer costs does not depend on what others can have.
-[[gnu::noinline]] void fillAny(Contact& contact, const GodObjectStep& step, const HapticScene& scene, const Vec3& p_WH,
-                               const Vec3& v_WH) noexcept
+[[gnu::noinline]] void fillAny(Contact& contact, const GodObject& god, const GodObjectStep& step,
+                               const HapticScene& scene, const Vec3& push_W, const Vec3& v_WH) noexcept
 {
-    fill<law::Law>(contact, step, scene, p_WH, v_WH);
+    const law::Touch touch = touchOf(contact, god, step, scene, push_W, v_WH);
+    const HapticStructure& structure = touch.structure;
+    if (!structure.maps.hasOfForce()) {
+        contact.f_W = law::UnmappedLaw::force(touch);
+    } else if (structure.maps.hasFelt()) {
+        contact.f_W = feltForce(touch);
+    } else {
+        const law::Foot foot(touch);
+        contact.f_W = law::MappedLaw::force(law::MappedTouch{touch, foot});
+    }
+    if (structure.tissue.hasFriction()) { // the spring leans against it
+        contact.friction = step.slides ? Friction::Slides : Friction::Holds;
+        const double length = step.constraints > 1 ? step.push_W.norm() : 0.0;
+        contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[stiffest(scene, step)].n_W;
+    }
 }
 
 } // namespace
@@ -179,10 +201,11 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             continue;
         }
         Contact& contact = result.contacts[result.contactCount++];
+        const Vec3 push_W = step.p_WG - p_WH;
         if (layer.isLinear) {
-            fill<law::LinearLaw>(contact, step, *me.scene, p_WH, v_WH);
+            contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, v_WH));
         } else {
-            fillAny(contact, step, *me.scene, p_WH, v_WH);
+            fillAny(contact, me.gods[i], step, *me.scene, push_W, v_WH);
         }
         contact.layer = static_cast<std::uint32_t>(i);
         result.f_W += contact.f_W;

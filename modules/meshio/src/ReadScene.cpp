@@ -316,14 +316,33 @@ void takeOldNotes(SceneFile& scene)
     }
 }
 
+bool hasStructure(const SceneFile& scene, const std::string& name)
+{
+    return std::any_of(scene.structures.begin(), scene.structures.end(),
+                       [&name](const SceneStructure& one) { return one.name == name; });
+}
+
+void readShownMap(JsonFields& fields, SceneFile& scene)
+{
+    if (auto entry = fields.fieldsOf("shown_map")) {
+        ShownMap& shown = scene.shownMap.emplace();
+        entry->read("structure", shown.structure);
+        entry->read("numbers", shown.numbers);
+        if (!hasStructure(scene, shown.structure)) {
+            entry->fail("structure", core::inQuotes(shown.structure), "the name of a structure of this scene");
+        }
+        if (!shown.numbers.starts_with("felt:") && !shown.numbers.starts_with("array:")) {
+            entry->fail("numbers", core::inQuotes(shown.numbers), "felt: and a quantity, or array: and its name");
+        }
+    }
+}
+
 /// What a lump lies in must be there.
 void checkOrgans(const SceneFile& scene, JsonFields& fields)
 {
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const std::string& organ = scene.structures[i].inside;
-        const bool isThere = std::any_of(scene.structures.begin(), scene.structures.end(),
-                                         [&](const SceneStructure& one) { return one.name == organ; });
-        if (!organ.empty() && !isThere) {
+        if (!organ.empty() && !hasStructure(scene, organ)) {
             fields.fail(("structures[" + std::to_string(i) + "].inside").c_str(), core::inQuotes(organ),
                         "the name of a structure of this scene");
         }
@@ -389,6 +408,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         readView(camera, scene.camera.emplace());
         scene.camera->extra = camera.unknown();
     }
+    readShownMap(fields, scene);
     for (JsonFields& entry : fields.listOf("findings")) {
         scene.findings.push_back(readFinding(entry, folder));
     }

@@ -24,6 +24,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -329,8 +330,16 @@ std::vector<Vec3> normalsOf(const geometry::TriangleMesh& mesh)
 } // namespace
 
 Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, const geometry::RepairedMesh& surface,
-                                        core::FileFrame frame)
+                                        core::FileFrame frame, const std::function<bool()>& keepGoing)
 {
+    const auto isStopped = [&keepGoing] { return keepGoing && !keepGoing(); };
+    const auto cancelled = [&mapping] {
+        return Status(StatusCode::Cancelled,
+                      std::filesystem::path(mapping.file).filename().string() + ": reading was cancelled");
+    };
+    if (isStopped()) {
+        return cancelled();
+    }
     const Result<Volume> read = readVolume(mapping.file, frame);
     if (!read.isOk()) {
         return read.status();
@@ -341,7 +350,12 @@ Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, cons
     const double c_mm = mapping.contactRadius_mm / std::numbers::pi;
     std::vector<float> felt(surface.mesh.vertices.size());
     constexpr std::size_t kBlock = 1024;
-    core::parallelFor((felt.size() + kBlock - 1) / kBlock, [&](std::size_t block, unsigned) {
+    std::atomic<bool> isCancelled{isStopped()};
+    core::parallelFor((felt.size() + kBlock - 1) / kBlock, [&](std::size_t block, unsigned thread) {
+        if (isCancelled || (thread == 0 && isStopped())) {
+            isCancelled = true;
+            return;
+        }
         for (std::size_t i = block * kBlock; i < std::min(felt.size(), (block + 1) * kBlock); ++i) {
             const Vec3 &p = surface.mesh.vertices[i], &n = normals[i];
             const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
@@ -359,6 +373,9 @@ Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, cons
                                                 : static_cast<float>(std::sqrt(sum / inverse));
         }
     });
+    if (isCancelled) {
+        return cancelled();
+    }
     return felt;
 }
 

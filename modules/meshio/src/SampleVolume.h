@@ -6,6 +6,7 @@
 #include <palpate/core/TissueMapping.h>
 #include <palpate/geometry/MeshReport.h>
 
+#include <functional>
 #include <vector>
 
 namespace palpate::meshio::internal {
@@ -21,8 +22,10 @@ namespace palpate::meshio::internal {
 /// @param frame  chosen for the surface's mesh: a volume whose file says no axes (`.vti`, NRRD without `space`) is
 /// along
 ///               the same ones
+/// @param keepGoing  asked now and then, on the calling thread; false cancels
 [[nodiscard]] core::Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping,
                                                             const geometry::RepairedMesh& surface,
-                                                            core::FileFrame frame = core::FileFrame::Untagged);
+                                                            core::FileFrame frame = core::FileFrame::Untagged,
+                                                            const std::function<bool()>& keepGoing = {});
 
 } // namespace palpate::meshio::internal

@@ -79,7 +79,8 @@ std::size_t missingValues(const SurfaceMap& map) noexcept
         std::count_if(map.values.begin(), map.values.end(), [](float v) { return std::isnan(v); }));
 }
 
-void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses)
+void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
+                 const std::function<bool()>& keepGoing)
 {
     const geometry::TriangleMesh& mesh = structure.surface->mesh;
     const std::string& name = structure.description.name;
@@ -88,7 +89,7 @@ void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
         SurfaceMap map{mapping, false, {}};
         if (mapping.array.empty()) {
             core::Result<std::vector<float>> sampled =
-                sampleVolume(mapping, *structure.surface, structure.description.frame);
+                sampleVolume(mapping, *structure.surface, structure.description.frame, keepGoing);
             if (!sampled.isOk()) {
                 losses.push_back(name + ": " + sampled.status().message());
                 continue;

@@ -195,6 +195,10 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         putView(camera, *scene.camera);
         out["camera"] = camera;
     }
+    if (scene.shownMap) {
+        out["shown_map"] =
+            QJsonObject{{"structure", text(scene.shownMap->structure)}, {"numbers", text(scene.shownMap->numbers)}};
+    }
     if (scene.buried != BuriedTouch::Layers) {
         out["buried"] = text(std::string(kBuriedNames[static_cast<std::size_t>(scene.buried)]));
     }

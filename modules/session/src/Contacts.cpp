@@ -40,6 +40,7 @@ Contact ownContact(const servo::TickRecord& tick)
     contact.structure = static_cast<std::uint32_t>(tick.felt.structure);
     contact.triangle = tick.felt.triangle;
     contact.layer = 0;
+    contact.stiffnessScale = 1.0;
     contact.friction = (tick.flags & servo::kSlides) != 0  ? Friction::Slides
                        : (tick.flags & servo::kHolds) != 0 ? Friction::Holds
                                                            : Friction::None;
@@ -89,6 +90,7 @@ void unpackLayers(std::string_view layers, servo::TickRecord& tick)
         take(layers, contact.n_W);
         take(layers, contact.f_W);
         contact.depth_mm = depth(contact, tick);
+        contact.stiffnessScale = 1.0;
         contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
     }
 }

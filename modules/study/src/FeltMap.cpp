@@ -57,31 +57,6 @@ FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue, doubl
     return felt;
 }
 
-double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t triangle, const core::Vec3& p_W)
-{
-    const geometry::RepairedMesh& surface = *structure.surface;
-    const auto map = std::find_if(structure.maps.begin(), structure.maps.end(), [](const meshio::SurfaceMap& one) {
-        return one.mapping.quantity == MappedQuantity::Stiffness;
-    });
-    const auto source = std::lower_bound(surface.source.begin(), surface.source.end(), triangle);
-    if (map == structure.maps.end() || source == surface.source.end() || *source != triangle) {
-        return 1.0;
-    }
-    const double own =
-        map->mapping.unit == core::MapUnit::Scale ? 1.0 : structure.description.tissue.stiffness_N_per_mm;
-    const auto scale = [&](std::size_t i) {
-        const double value = map->values[i];
-        return std::isnan(value) || !(own > 0.0) ? 1.0 : value / own;
-    };
-    const auto t = static_cast<std::size_t>(source - surface.source.begin());
-    if (map->isPerTriangle) {
-        return scale(t);
-    }
-    const geometry::Triangle& corners = surface.mesh.triangles[t];
-    const core::Vec3 weights = weightsAt(surface, t, p_W);
-    return weights[0] * scale(corners[0]) + weights[1] * scale(corners[1]) + weights[2] * scale(corners[2]);
-}
-
 double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values, bool isPerTriangle,
                std::size_t triangle, const core::Vec3& p_W)
 {

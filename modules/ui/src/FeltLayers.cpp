@@ -54,7 +54,7 @@ std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N,
         const core::Vec3 sideways = contact.f_W - contact.f_W.dot(contact.n_W) * contact.n_W;
         layers.push_back({std::move(look.name), look.colour, scale * contact.f_W.norm(),
                           scale * contact.f_W.dot(direction), contact.depth_mm, contact.friction,
-                          scale * sideways.norm()});
+                          scale * sideways.norm(), contact.stiffnessScale});
     }
     return layers;
 }

@@ -127,9 +127,9 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
     m_isShowing = false;
 }
 
-void LawEditor::setDepth(double depth_mm)
+void LawEditor::setTouch(double depth_mm, double scale)
 {
-    m_plot->setDepth(depth_mm);
+    m_plot->setTouch(depth_mm, scale);
 }
 
 void LawEditor::choose(core::LawKind kind)

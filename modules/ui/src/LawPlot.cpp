@@ -74,10 +74,11 @@ void LawPlot::fitAxes()
     m_top_N = axisTop(std::max(0.1, m_top_N));
 }
 
-void LawPlot::setDepth(double depth_mm)
+void LawPlot::setTouch(double depth_mm, double scale)
 {
-    if (depth_mm != m_depth_mm) {
+    if (depth_mm != m_depth_mm || scale != m_scale) {
         m_depth_mm = depth_mm;
+        m_scale = scale;
         update();
     }
 }
@@ -105,6 +106,12 @@ QPointF LawPlot::placeOf(double depth_mm, double force_N) const
 {
     const QRectF in = area();
     return {in.left() + depth_mm / m_reach_mm * in.width(), in.bottom() - force_N / m_top_N * in.height()};
+}
+
+QPointF LawPlot::touchedPlace() const
+{
+    const double force_N = m_scale * (m_felt == nullptr ? forceAt(m_depth_mm) : m_felt->force(m_depth_mm));
+    return placeOf(std::min(m_depth_mm, m_reach_mm), std::min(force_N, m_top_N));
 }
 
 QPolygonF LawPlot::curve(const haptics::ForceTable* table) const
@@ -183,8 +190,7 @@ void LawPlot::paintEvent(QPaintEvent*)
         painter.drawRect(QRectF(place - QPointF(3.5, 3.5), QSizeF(7.0, 7.0)));
     }
     if (m_depth_mm > 0.0) {
-        const double force_N = m_felt == nullptr ? forceAt(m_depth_mm) : m_felt->force(m_depth_mm);
-        const QPointF dot = placeOf(std::min(m_depth_mm, m_reach_mm), std::min(force_N, m_top_N));
+        const QPointF dot = touchedPlace();
         painter.setClipping(false);
         painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
         painter.setBrush(palette().color(QPalette::Text));
@@ -192,7 +198,11 @@ void LawPlot::paintEvent(QPaintEvent*)
         painter.setPen(palette().color(QPalette::Text));
         const QFontMetricsF metrics(font());
         const QRectF foot(area().left(), area().bottom() + 2.0, area().width(), metrics.height());
-        painter.drawText(foot, Qt::AlignLeft, tr("now %1 mm").arg(plotText(m_depth_mm)));
+        constexpr double kSeen = 0.01; // a difference from 1 that is worth a word
+        painter.drawText(foot, Qt::AlignLeft,
+                         std::abs(m_scale - 1.0) < kSeen
+                             ? tr("now %1 mm").arg(plotText(m_depth_mm))
+                             : tr("now %1 mm, here × %2").arg(plotText(m_depth_mm), plotText(m_scale)));
     }
 }
 

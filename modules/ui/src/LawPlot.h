@@ -22,9 +22,12 @@ class LawPlot : public QWidget
     /// @param greatest_N_per_mm  that the device holds; infinite: nothing is known
     void show(const core::Tissue& tissue, double greatest_N_per_mm);
     /// @param depth_mm  of the hand in this tissue; 0: it does not touch
-    void setDepth(double depth_mm);
+    /// @param scale  by which maps and lumps below scale the law where it touches [1]
+    void setTouch(double depth_mm, double scale);
     /// Where a force at a depth is drawn.
     [[nodiscard]] QPointF placeOf(double depth_mm, double force_N) const;
+    /// Where the dot of the live touch is: the law times the scale where it touches.
+    [[nodiscard]] QPointF touchedPlace() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
@@ -54,6 +57,7 @@ class LawPlot : public QWidget
     std::shared_ptr<const haptics::ForceTable> m_felt;  ///< as far as the device holds it
     double m_greatest = std::numeric_limits<double>::infinity();
     double m_depth_mm = 0.0;
+    double m_scale = 1.0;
     double m_reach_mm = 12.0, m_top_N = 1.0; ///< ends of the axes
     std::optional<std::size_t> m_held;       ///< point under the mouse button
     std::size_t m_chosen = 1;                ///< point that keys move

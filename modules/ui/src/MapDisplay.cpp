@@ -148,6 +148,14 @@ void MapDisplay::show(int row, const QString& what)
     refresh();
 }
 
+std::optional<meshio::ShownMap> MapDisplay::shown() const
+{
+    if (m_row < 0 || m_row >= m_model.rowCount() || m_what.isEmpty()) {
+        return std::nullopt;
+    }
+    return meshio::ShownMap{m_model.structure(m_row).name, m_what.toStdString()};
+}
+
 QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W) const
 {
     if (row != m_row || m_shown.values.empty()) {

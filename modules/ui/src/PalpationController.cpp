@@ -4,7 +4,6 @@
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/study/EffortDepth.h>
-#include <palpate/study/FeltMap.h>
 
 #include <QLocale>
 
@@ -409,9 +408,8 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
             const haptics::Contact& contact = tick.felt.contacts[i];
             const int row = static_cast<int>(contact.structure);
             if (row < m_model.rowCount()) {
-                const meshio::LoadedStructure& touched = m_model.rows()[contact.structure].loaded;
-                reading.stiffness_N_per_mm += study::stiffnessScaleAt(touched, contact.triangle, contact.p_WG) *
-                                              haptics::stiffnessAt(touched.description.tissue, contact.depth_mm);
+                reading.stiffness_N_per_mm +=
+                    contact.stiffnessScale * haptics::stiffnessAt(m_model.structure(row).tissue, contact.depth_mm);
             }
         }
         reading.force_N = f_W.norm();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/RecordedTouch.h"
 
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/session/Findings.h>
+#include <palpate/study/RecordedScale.h>
 
 #include <QLocale>
 
@@ -47,7 +49,16 @@ std::optional<servo::TickRecord> RecordedTouch::at(double time_s) const
 {
     const session::RecordingExtent& extent = m_reader->extent();
     const auto offset = static_cast<std::int64_t>(std::llround(std::max(0.0, time_s) * m_reader->info().rate_Hz));
-    return m_reader->at(std::min(extent.firstTick + offset, extent.lastTick));
+    const std::int64_t number = std::min(extent.firstTick + offset, extent.lastTick);
+    std::optional<servo::TickRecord> tick = m_reader->at(number);
+    const session::SceneRecord* scene = tick ? m_reader->scene(tick->scene) : nullptr;
+    if (scene != nullptr) {
+        const auto before = number > extent.firstTick ? m_reader->at(number - 1) : std::nullopt;
+        const core::Vec3 v_WH =
+            before ? core::Vec3((tick->p_WH - before->p_WH) * m_reader->info().rate_Hz) : core::Vec3::Zero();
+        study::findScales(*tick, *scene, v_WH);
+    }
+    return tick;
 }
 
 std::string RecordedTouch::structureName(const servo::TickRecord& tick, std::uint32_t number) const
@@ -75,8 +86,11 @@ double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
     double stiffness = 0.0;
     for (std::size_t i = 0; scene != nullptr && i < tick.felt.contactCount; ++i) {
-        const std::size_t number = tick.felt.contacts[i].structure;
-        stiffness += number < scene->structures.size() ? scene->structures[number].tissue.stiffness_N_per_mm : 0.0;
+        const haptics::Contact& contact = tick.felt.contacts[i];
+        if (contact.structure < scene->structures.size()) {
+            stiffness += contact.stiffnessScale *
+                         haptics::stiffnessAt(scene->structures[contact.structure].tissue, contact.depth_mm);
+        }
     }
     return stiffness;
 }

@@ -35,17 +35,26 @@ bool OpenedScene::areMeshes() const
 
 SceneLoader::SceneLoader(QObject* parent)
     : QObject(parent)
+    , m_maps(std::make_shared<Job>())
 {
 }
 
 SceneLoader::~SceneLoader()
 {
     finish();
+    cancel();
     m_builders.clear();
     m_builders.waitForDone();
 }
 
 void SceneLoader::cancel()
+{
+    cancelOpening();
+    m_maps->isCancelled = true;
+    m_maps = std::make_shared<Job>(); // of those that are asked for from now on
+}
+
+void SceneLoader::cancelOpening()
 {
     if (m_job != nullptr) {
         m_job->isCancelled = true;
@@ -54,7 +63,7 @@ void SceneLoader::cancel()
 
 void SceneLoader::finish()
 {
-    cancel();
+    cancelOpening();
     if (m_worker.joinable()) {
         m_worker.join();
     }
@@ -324,22 +333,31 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
 
 void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
 {
-    m_builders.start([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene] {
-        std::vector<std::string> warnings, losses;
-        meshio::resolveMaps(*made, warnings, losses);
-        QStringList problems;
-        for (const std::string& line : losses) {
-            problems << QString::fromStdString(line);
-        }
-        QMetaObject::invokeMethod(
-            this,
-            [this, row, made, problems, scene] {
-                if (scene == m_scene) {
-                    Q_EMIT mapsBuilt(row, made, problems);
-                }
-            },
-            Qt::QueuedConnection);
-    });
+    ++m_mapJobs;
+    m_builders.start(
+        [this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene, job = m_maps] {
+            std::vector<std::string> warnings, losses;
+            meshio::resolveMaps(*made, warnings, losses, [&job] { return !job->isCancelled; });
+            QStringList problems;
+            for (const std::string& line : losses) {
+                problems << QString::fromStdString(line);
+            }
+            QMetaObject::invokeMethod(
+                this,
+                [this, row, made, problems, scene, job]() mutable {
+                    --m_mapJobs;
+                    if (job->isCancelled && problems.isEmpty()) { // what was ready by then is not wanted either
+                        for (const meshio::SurfaceMap& map : made->maps) {
+                            problems << QString::fromStdString(map.mapping.file + ": reading was cancelled");
+                        }
+                        made->maps.clear();
+                    }
+                    if (scene == m_scene) {
+                        Q_EMIT mapsBuilt(row, made, problems);
+                    }
+                },
+                Qt::QueuedConnection);
+        });
 }
 
 } // namespace palpate::ui

@@ -549,10 +549,26 @@ void StructurePanel::showTissue(const haptics::Tissue& tissue)
     showFrictionTerms();
 }
 
+void StructurePanel::colourBy(const meshio::ShownMap& shown)
+{
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (m_model.structure(row).name == shown.structure) {
+            m_colouredRow = row;
+            m_coloured = QString::fromStdString(shown.numbers);
+            Q_EMIT colourChosen(row, m_coloured);
+            showSelection();
+            return;
+        }
+    }
+}
+
 void StructurePanel::showTouch(const TouchReading& reading)
 {
-    const bool isHere = currentRow() >= 0 && reading.structure == readableName(m_model.structure(currentRow()).name);
-    m_law->setDepth(isHere ? reading.depth_mm : 0.0);
+    const QString name = currentRow() >= 0 ? readableName(m_model.structure(currentRow()).name) : QString();
+    const auto here = std::find_if(reading.layers.begin(), reading.layers.end(),
+                                   [&name](const FeltLayer& layer) { return layer.name == name; });
+    const bool isHere = here != reading.layers.end();
+    m_law->setTouch(isHere ? here->depth_mm : 0.0, isHere ? here->stiffnessScale : 1.0);
 }
 
 void StructurePanel::showLayer(int row)

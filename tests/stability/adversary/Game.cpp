@@ -106,6 +106,7 @@ class Game
         for (const Alone& alone : m_alone) {
             m_tally.sheetTicks += alone.judge->sheetTicks();
             m_tally.restTicks += alone.judge->restTicks();
+            m_tally.energyTicks += alone.judge->energyTicks();
         }
         m_tally.failedSeeds += m_said.empty() ? 0 : 1;
     }
@@ -263,13 +264,14 @@ class Game
 std::string Tally::summary() const
 {
     char text[400];
-    std::snprintf(
-        text, sizeof text,
-        "%lld ticks, %lld in contact, %lld at the bound; %lld sides of sheets, %lld times at rest judged, %lld "
-        "restored, %lld layers switched; %lld seeds failed",
-        static_cast<long long>(ticks), static_cast<long long>(inContact), static_cast<long long>(atBound),
-        static_cast<long long>(sheetTicks), static_cast<long long>(restTicks), static_cast<long long>(restores),
-        static_cast<long long>(switches), static_cast<long long>(failedSeeds));
+    std::snprintf(text, sizeof text,
+                  "%lld ticks, %lld in contact, %lld at the bound; %lld sides of sheets, %lld times at rest judged, "
+                  "%lld times energy, %lld "
+                  "restored, %lld layers switched; %lld seeds failed",
+                  static_cast<long long>(ticks), static_cast<long long>(inContact), static_cast<long long>(atBound),
+                  static_cast<long long>(sheetTicks), static_cast<long long>(restTicks),
+                  static_cast<long long>(energyTicks), static_cast<long long>(restores),
+                  static_cast<long long>(switches), static_cast<long long>(failedSeeds));
     std::string result = text;
     for (const auto& [what, seeds] : seedsByFault) {
         result += "; " + what + ": " + std::to_string(seeds);

@@ -34,6 +34,7 @@ void LayerJudge::forget()
     m_bodies.assign(m_layer.bodies.size(), {});
     m_sheets.assign(m_layer.sheets.size(), {});
     m_near_mm = 0.0;
+    m_energy.forget();
 }
 
 void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH, bool isRestJudged,
@@ -59,6 +60,11 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
     }
     if (m_scene.fingertip_mm > 0.0) {
         judgeBall(god, faults);
+    }
+    if (m_isDeep) {
+        m_energy.forget(); // it is let out, and nothing holds it
+    } else if (const double made = m_energy.made_mJ(m_structures, tick, hip, v_WH, m_rounding_mm); made > 0.0) {
+        faults.push_back({"energy from nothing", made, "mJ", m_god, god});
     }
     // Where the bound stopped it, the god-object may be on its way.
     if (m_isRough) {

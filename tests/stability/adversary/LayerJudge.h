@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "EnergyJudge.h"
 #include "JudgedLayer.h"
 
 #include <palpate/haptics/Palpator.h>
@@ -34,6 +35,8 @@ class LayerJudge
     /// Ticks in which the ways of a sheet's two sides were told apart, and in which rest was judged.
     [[nodiscard]] std::int64_t sheetTicks() const { return m_sheetTicks; }
     [[nodiscard]] std::int64_t restTicks() const { return m_restTicks; }
+    /// Ticks whose energy was summed.
+    [[nodiscard]] std::int64_t energyTicks() const { return m_energy.ticks(); }
 
   private:
     struct BodyWatch
@@ -70,6 +73,7 @@ class LayerJudge
     Vec3 m_god = Vec3::Zero();
     std::vector<BodyWatch> m_bodies;
     std::vector<SheetWatch> m_sheets;
+    EnergyJudge m_energy;
     double m_near_mm = 0.0; ///< of a ball's centre, to whatever is nearest; its radius where that is less
     std::int64_t m_sheetTicks = 0, m_restTicks = 0;
 };

@@ -57,6 +57,26 @@ double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& 
 
 } // namespace
 
+PlaceOnTriangle::PlaceOnTriangle(const geometry::SurfaceIndex& surface, std::uint32_t triangle, const Vec3& p)
+    : m_triangle(triangle)
+{
+    const geometry::Triangle t = surface.triangle(triangle);
+    const Vec3 &a = surface.vertex(t[0]), &b = surface.vertex(t[1]), &c = surface.vertex(t[2]);
+    m_ab = b - a;
+    m_ac = c - a;
+    m_shares = nearestShares(p, a, b, c);
+}
+
+double PlaceOnTriangle::valueOf(const haptics::TissueMap& map) const
+{
+    return at(map, m_triangle, m_shares);
+}
+
+double PlaceOnTriangle::slopeOf(const haptics::TissueMap& map) const
+{
+    return slope(map, m_triangle, m_ab, m_ac);
+}
+
 ForceOfTissue::ForceOfTissue(const haptics::HapticStructure& structure, const haptics::ActiveConstraint& plane,
                              const Vec3& god, const Vec3& hip)
     : m_on(structure)

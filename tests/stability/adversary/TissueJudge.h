@@ -7,6 +7,23 @@ namespace palpate::adversary {
 
 using core::Vec3;
 
+/// A place on a triangle, by the shares of its corners.
+class PlaceOnTriangle
+{
+  public:
+    /// The nearest to `p`. @param triangle  position in the surface
+    PlaceOnTriangle(const geometry::SurfaceIndex& surface, std::uint32_t triangle, const Vec3& p);
+    [[nodiscard]] double valueOf(const haptics::TissueMap& map) const;
+    /// How steep a map is there. [1/mm of its unit]
+    [[nodiscard]] double slopeOf(const haptics::TissueMap& map) const;
+    /// Neither on an edge nor at a corner.
+    [[nodiscard]] bool isInside() const { return m_shares.minCoeff() > 1e-6; }
+
+  private:
+    std::uint32_t m_triangle;
+    Vec3 m_ab, m_ac, m_shares;
+};
+
 /// The force of one structure by its law, maps and damping, from the formulas alone: where the god-object stands on a
 /// triangle, and how far the HIP is.
 class ForceOfTissue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/Foot.h"
 #include "law/Touch.h"
 
 namespace palpate::haptics::law {
@@ -20,13 +21,17 @@ struct LinearDamper
 };
 
 /// The same, with b as a map has it at the god-object's foot.
-struct Damper
+struct MapDamper
 {
     [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept
     {
         return LinearDamper::isIn(structure) || !structure.maps.damping.isEmpty();
     }
-    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept;
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const MappedTouch& touch) noexcept
+    {
+        const TissueMap& map = touch.structure.maps.damping;
+        return map.isEmpty() ? LinearDamper::force(touch) : Vec3(-touch.foot.numberOf(map) * touch.v_WH);
+    }
 };
 
 } // namespace palpate::haptics::law

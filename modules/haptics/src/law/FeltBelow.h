@@ -3,6 +3,8 @@
 
 #include "law/Foot.h"
 
+#include <palpate/core/Realtime.h>
+
 #include <array>
 #include <cstddef>
 
@@ -20,8 +22,8 @@ struct FeltBelow
 
     /// @param depth_mm  d > 0; @param law  the structure's there
     /// @par Real-time Wait-free.
-    [[nodiscard]] static FeltBelow at(const Foot& foot, const HapticStructure& on, double depth_mm,
-                                      const ForceTable::Value& law) noexcept
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const Foot& foot, const HapticStructure& on,
+                                                            double depth_mm, const ForceTable::Value& law) noexcept
     {
         constexpr std::size_t kCount = kFeltPress_mm.size();
         constexpr auto kPerWidth = [] {
@@ -62,7 +64,7 @@ struct FeltBelow
             toSecond += energies[j] * s.toSecond;
             toThird += energies[j] * s.toThird;
         }
-        felt.gradient = foot.place().gradientOf(toSecond, toThird);
+        felt.gradient = foot.place().slopes().gradientOf(toSecond, toThird);
         return felt;
     }
 };

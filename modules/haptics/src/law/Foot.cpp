@@ -5,23 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 namespace palpate::haptics::law {
 
-Vec3 Foot::freePart(const Vec3& v) const noexcept
+Vec3 Foot::heldPart(Vec3 gradient, std::span<const ActiveConstraint> planes, bool isOnEdge, Vec3 along) noexcept
 {
     std::array<Vec3, 3> normals;
-    const std::size_t count = std::min(normals.size(), m_touch.planes.size());
+    const std::size_t count = std::min(normals.size(), planes.size());
     for (std::size_t i = 0; i < count; ++i) {
-        normals[i] = m_touch.planes[i].n_W;
+        normals[i] = planes[i].n_W;
     }
-    const Vec3 free = internal::freePart(v, std::span<const Vec3>(normals).first(count));
-    if (m_touch.fingertip_mm > 0.0 && m_nearest.isCurved) {
-        // A ball that rolls over an edge touches it all the while: its foot moves along the edge alone.
-        return m_nearest.along.dot(free) * m_nearest.along;
-    }
-    return free;
+    const Vec3 free = internal::freePart(gradient, std::span<const Vec3>(normals).first(count));
+    // A ball that rolls over an edge touches it all the while: its foot moves along the edge alone.
+    return isOnEdge ? Vec3(along.dot(free) * along) : free;
 }
 
 } // namespace palpate::haptics::law

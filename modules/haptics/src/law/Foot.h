@@ -5,6 +5,10 @@
 #include "law/Touch.h"
 #include "probe/BallProbe.h"
 
+#include <palpate/core/Realtime.h>
+
+#include <span>
+
 namespace palpate::haptics::law {
 
 /// Where the god-object stands on the triangle that it touches.
@@ -12,26 +16,56 @@ namespace palpate::haptics::law {
 class Foot
 {
   public:
-    explicit Foot(const Touch& touch) noexcept
-        : m_touch(touch)
-        , m_facet(internal::Facet::of(*touch.structure.surface, 0, touch.triangle))
-        , m_nearest(internal::nearestOn(m_facet, touch.p_WG))
-        , m_place(touch.triangle, {m_facet.a, m_facet.b, m_facet.c}, m_nearest.q)
+    PALPATE_ALWAYS_INLINE explicit Foot(const Touch& touch) noexcept
+        : Foot(touch.facet, touch.planes, nearestOn(touch))
     {
     }
 
+    [[nodiscard]] PALPATE_ALWAYS_INLINE double numberOf(const TissueMap& map) const noexcept
+    {
+        return m_place.risesOf(map).value;
+    }
+    [[nodiscard]] PALPATE_ALWAYS_INLINE MapValue valueOf(const TissueMap& map) const noexcept
+    {
+        return m_place.valueOf(map);
+    }
     [[nodiscard]] const MapPlace& place() const noexcept { return m_place; }
-    [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept { return m_place.valueOf(map); }
 
-    /// The part of a vector along which the foot moves with the HIP, to first order: in the face, along the crease or
-    /// the edge, nowhere in a corner.
-    [[nodiscard]] Vec3 freePart(const Vec3& v) const noexcept;
+    /// The part of a map's gradient along which the foot moves with the HIP, to first order: in the face, along the
+    /// crease or the edge, nowhere in a corner.
+    [[nodiscard]] PALPATE_ALWAYS_INLINE Vec3 freePart(const Vec3& gradient) const noexcept
+    {
+        return m_planes.size() == 1 && !m_isOnEdge ? gradient : heldPart(gradient, m_planes, m_isOnEdge, m_along);
+    }
 
   private:
-    const Touch& m_touch;
-    internal::Facet m_facet;
-    internal::Nearest m_nearest;
+    PALPATE_ALWAYS_INLINE Foot(const internal::Facet& facet, std::span<const ActiveConstraint> planes,
+                               const internal::Nearest& nearest) noexcept
+        : m_planes(planes)
+        , m_isOnEdge(nearest.isCurved)
+        , m_along(nearest.along)
+        , m_place(facet, nearest.q)
+    {
+    }
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static internal::Nearest nearestOn(const Touch& touch) noexcept
+    {
+        // A point is above its foot, where it has the same barycentric coordinates.
+        return touch.fingertip_mm > 0.0 ? internal::nearestOn(touch.facet, touch.p_WG) : internal::Nearest{touch.p_WG};
+    }
+    // By value, so that what is not passed in most ticks stays in registers.
+    [[nodiscard]] static Vec3 heldPart(Vec3 gradient, std::span<const ActiveConstraint> planes, bool isOnEdge,
+                                       Vec3 along) noexcept;
+
+    std::span<const ActiveConstraint> m_planes;
+    bool m_isOnEdge; ///< of a ball: it rolls around it
+    Vec3 m_along;    ///< of the edge, unit; zero on the face and at a corner
     MapPlace m_place;
+};
+
+/// A touch where a map of the force is.
+struct MappedTouch : Touch
+{
+    const Foot& foot;
 };
 
 } // namespace palpate::haptics::law

@@ -133,6 +133,12 @@ double ForceTable::greatestSlope(const Cell& cell)
     return std::max({cell.rise, slopeAt(length), within});
 }
 
+bool ForceTable::falls(const Cell& cell)
+{
+    const Cell turned{cell.start_mm, cell.end_mm, -cell.force_N, -cell.rise, -cell.square, -cell.cube, 0.0, 0.0};
+    return greatestSlope(turned) > 0.0;
+}
+
 ForceTable::ForceTable(std::vector<Knot> knots)
     : m_knots(std::move(knots))
 {
@@ -141,6 +147,7 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Cell& cell = m_cells.emplace_back(cellBetween(m_knots[i], m_knots[i + 1], energy_mJ));
         m_greatestSlope = std::max(m_greatestSlope, greatestSlope(cell));
+        m_neverFalls = m_neverFalls && !falls(cell);
         const double t = cell.end_mm - cell.start_mm;
         m_moments.push_back(above);
         above += moment(cell, t);
@@ -152,15 +159,15 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     m_moments.push_back(above);
     m_greatestSlope = std::max(m_greatestSlope, last.slopeAfter);
 
-    constexpr double kPlaces = kIndexSize;
-    m_scale = last.depth_mm > 0.0 ? kPlaces * kPlaces / last.depth_mm : 0.0;
+    m_firstPlace = placeOf(last.depth_mm) + 2 - kIndexSize; // the last place lies in the last cell
     std::uint16_t cell = 0;
-    for (std::size_t place = 0; place < kIndexSize && m_scale > 0.0; ++place) {
-        const double shallowest_mm = double(place) * double(place) / m_scale * (1.0 - 1e-12); // that may mean the place
+    for (std::int64_t i = 0; i < kIndexSize; ++i) {
+        const std::int64_t place = m_firstPlace + i; // the first stands for all before it, too
+        const double shallowest_mm = i > 0 && place > 0 ? std::bit_cast<double>(place << kPlaceShift) : 0.0;
         while (shallowest_mm > m_cells[cell].end_mm) {
             ++cell;
         }
-        m_index[place] = cell;
+        m_index[static_cast<std::size_t>(i)] = cell;
     }
 }
 

@@ -7,55 +7,87 @@
 
 namespace palpate::haptics::internal {
 
+namespace {
+
+constexpr double kSliver = 1e-6; // squared sine of a triangle's angle below which its area has lost digits
+
+/// True when |grad ln s| is at most `most_per_mm` all over the facet; false also where its edges alone don't tell.
+bool isGentle(const TissueMap& map, const Facet& facet, double most_per_mm) noexcept
+{
+    const std::array<float, 3>& at = (*map.corners)[facet.triangle];
+    const double d1 = double{at[1]} - double{at[0]}, d2 = double{at[2]} - double{at[0]};
+    const Vec3 e1 = facet.b - facet.a, e2 = facet.c - facet.a;
+    const double e11 = e1.squaredNorm(), e12 = e1.dot(e2), e22 = e2.squaredNorm();
+    const double area2 = e11 * e22 - e12 * e12;                               // the square of twice the area
+    const double rise2 = d1 * d1 * e22 - 2.0 * d1 * d2 * e12 + d2 * d2 * e11; // |grad s|^2 times that
+    const double most = most_per_mm * double{std::min({at[0], at[1], at[2]})};
+    return area2 > kSliver * e11 * e22 && rise2 <= most * most * area2;
+}
+
+} // namespace
+
 void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept
 {
     const HapticStructure& on = m_layer.frictional[facet.structure];
-    const std::array<Vec3, 3> corners{facet.a, facet.b, facet.c};
-    const TissueMap& scale = on.maps.friction;
-    const double by = scale.isEmpty() ? 1.0 : law::MapPlace(facet.triangle, corners, foot).risesOf(scale).value;
-    double atRest = by * on.tissue.friction_static, sliding = by * on.tissue.friction_dynamic;
-    double k = on.tissue.stiffness_N_per_mm;
-    if (on.law != nullptr || !on.maps.stiffness.isEmpty()) {
-        const ForceTable::Value law = on.lawAt(lambda_mm);
-        k = lambda_mm > 0.0 ? law.force_N / lambda_mm : k;
-        if (!on.maps.stiffness.isEmpty()) {
-            // A stiffness that varies pulls the foot along the surface by (W/F) |grad ln s|, times the push. Friction
-            // of that size takes all the energy that leaving this pull out of the force could make.
-            const law::MapValue s = law::MapPlace(facet.triangle, corners, foot).valueOf(on.maps.stiffness);
-            const double least = law.force_N > 0.0 ? law.energy_mJ / law.force_N * s.gradient.norm() / s.value : 0.0;
-            atRest = std::max(atRest, least);
-            sliding = std::max(sliding, least);
-            k *= s.value;
-        }
+    double atRest = on.tissue.friction_static, sliding = on.tissue.friction_dynamic;
+    if (!on.maps.friction.isEmpty()) {
+        const double by = law::MapPlace(facet, foot).risesOf(on.maps.friction).value;
+        atRest *= by;
+        sliding *= by;
+    }
+    if (!on.maps.stiffness.isEmpty() && on.tissue.hasFriction()) { // without, the force has that pull
+        raise(on, facet, foot, lambda_mm, atRest, sliding);
     }
     m_still_mm += atRest * lambda_mm;
     m_sliding_mm += sliding * lambda_mm;
-    m_drag = std::max(m_drag, on.tissue.friction_drag_Ns_per_mm);
-    m_stiffest = std::max(m_stiffest, k);
+    if (m_layer.drags) {
+        const TissueMap& map = on.maps.stiffness;
+        const double s = map.isEmpty() ? 1.0 : law::MapPlace(facet, foot).risesOf(map).value;
+        const double k = lambda_mm > 0.0 ? on.lawAt(lambda_mm).force_N / lambda_mm : on.tissue.stiffness_N_per_mm;
+        m_drag = std::max(m_drag, on.tissue.friction_drag_Ns_per_mm);
+        m_stiffest = std::max(m_stiffest, s * k);
+    }
 }
 
-double CoulombFriction::share(double r_mm, double rounding_mm) noexcept
+/// A stiffness that varies pulls the foot along the surface by (W/F) |grad ln s|, times the push. Friction of that size
+/// takes all the energy that leaving this pull out of the force could make.
+void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const Vec3& foot, double lambda_mm,
+                            double& atRest, double& sliding) const noexcept
+{
+    // W <= lambda F where the force never falls: in most places that tells that there is friction enough.
+    const TissueMap& map = on.maps.stiffness;
+    if (on.neverFalls() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
+        return;
+    }
+    const ForceTable::Value law = on.lawAt(lambda_mm);
+    const law::MapValue s = law::MapPlace(facet, foot).valueOf(map);
+    const double least = law.force_N > 0.0 ? law.energy_mJ / law.force_N * s.gradient.norm() / s.value : 0.0;
+    atRest = std::max(atRest, least);
+    sliding = std::max(sliding, least);
+}
+
+double CoulombFriction::left(double r_mm, double rounding_mm) noexcept
 {
     m_lastSlid = false;
     if (!m_slides) {
         if (r_mm <= m_still_mm + rounding_mm) {
-            return 0.0;
+            return 1.0;
         }
         m_slides = true;
     }
     if (r_mm <= m_sliding_mm + rounding_mm) {
         m_slides = !(r_mm < kCaught * m_sliding_mm);
-        return 0.0;
+        return 1.0;
     }
-    if (!m_isBehind) {
+    if (m_drag > 0.0 && m_dt_s > 0.0 && !m_isBehind) {
         // k (r' - R) = (c/dt) (r - r'): what lags behind, by the implicit Euler step, once a tick.
         m_isBehind = true;
         const double c = m_drag / m_dt_s;
-        m_behind_mm = m_drag > 0.0 && m_dt_s > 0.0 ? (r_mm - m_sliding_mm) * (c / (m_stiffest + c)) : 0.0;
+        m_behind_mm = (r_mm - m_sliding_mm) * (c / (m_stiffest + c));
     }
-    const double share = std::max(0.0, 1.0 - (m_sliding_mm + m_behind_mm) / r_mm);
-    m_lastSlid = share > 0.0;
-    return share;
+    const double left = std::min(1.0, (m_sliding_mm + m_behind_mm) / r_mm);
+    m_lastSlid = left < 1.0;
+    return left;
 }
 
 } // namespace palpate::haptics::internal

@@ -36,7 +36,7 @@ class CoulombFriction
     }
 
     [[nodiscard]] bool slides() const noexcept { return m_slides; }
-    /// True when the last `share` let it go on.
+    /// True when the last `left` let it go on.
     [[nodiscard]] bool lastSlid() const noexcept { return m_lastSlid; }
 
     /// Begins with another set of contacts, or another place on them.
@@ -44,8 +44,8 @@ class CoulombFriction
     /// Adds a contact. @param foot  of the god-object on the facet [mm]; @param lambda_mm  its multiplier
     void press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept;
     /// @param r_mm  from the god-object to g*; @param rounding_mm  no difference
-    /// @return the share of the way to g* that is made: 0 where friction holds
-    [[nodiscard]] double share(double r_mm, double rounding_mm) noexcept;
+    /// @return the share of the way to g* that is left when friction has let it go on: 1 where that holds
+    [[nodiscard]] double left(double r_mm, double rounding_mm) noexcept;
     /// @return true when friction alone holds it against a pull, measured as the spring's length along the way.
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
     {
@@ -53,6 +53,9 @@ class CoulombFriction
     }
 
   private:
+    void raise(const HapticStructure& on, const Facet& facet, const Vec3& foot, double lambda_mm, double& atRest,
+               double& sliding) const noexcept;
+
     const HapticLayer& m_layer;
     double m_dt_s;
     bool m_slides;

@@ -11,7 +11,9 @@ namespace palpate::haptics::law {
 template<class... Terms>
 struct Sum
 {
-    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
+    /// @param touch  a Touch, or a MappedTouch where a term asks for the foot
+    template<class TouchOfTerms>
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const TouchOfTerms& touch) noexcept
     {
         Vec3 f_W = Vec3::Zero();
         (add<Terms>(touch, f_W), ...);
@@ -19,8 +21,8 @@ struct Sum
     }
 
   private:
-    template<class Term>
-    static void add(const Touch& touch, Vec3& f_W) noexcept
+    template<class Term, class TouchOfTerms>
+    PALPATE_ALWAYS_INLINE static void add(const TouchOfTerms& touch, Vec3& f_W) noexcept
     {
         if (Term::isIn(touch.structure)) {
             const Vec3 sum = f_W + Term::force(touch);
@@ -31,9 +33,15 @@ struct Sum
     }
 };
 
-/// What a tissue answers with. A new term is a file here and a name in this list.
-using Law = Sum<Spring, Damper>;
-/// The same where nothing in a layer has friction, a law of its own or a map: most scenes.
+// What a tissue answers with, by what it has: most have no map, and pay for none. A new term is a file here and a name
+// in these lists.
+
+/// Neither friction, a law of its own nor a map: most scenes.
 using LinearLaw = Sum<LinearSpring, LinearDamper>;
+/// No map of the force.
+using UnmappedLaw = Sum<LawSpring, LinearDamper>;
+/// No lumps felt below.
+using MappedLaw = Sum<MapSpring, MapDamper>;
+using FeltLaw = Sum<FeltSpring, MapDamper>;
 
 } // namespace palpate::haptics::law

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "palpate/haptics/HapticScene.h"
+#include "probe/BallProbe.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace palpate::haptics::law {
 
@@ -15,25 +17,53 @@ struct MapValue
     Vec3 gradient = Vec3::Zero(); ///< in the triangle's plane [1/mm times the value's unit]
 };
 
-/// A place on a triangle by its barycentric coordinates: the same for all maps.
+/// How numbers given at a triangle's corners rise over it: the same for all maps.
+/// @par Real-time Wait-free.
+class FacetSlopes
+{
+  public:
+    /// @param facet  with an area, as those of an index have
+    explicit FacetSlopes(const internal::Facet& facet) noexcept
+    {
+        const Vec3 e1 = facet.b - facet.a, e2 = facet.c - facet.a;
+        const Vec3 across = e1.cross(e2);
+        m_perArea2 = 1.0 / across.squaredNorm();
+        m_toSecond = e2.cross(across);
+        m_toThird = across.cross(e1);
+    }
+
+    /// @param toSecond, toThird  how a number rises from the first corner to the second and to the third
+    [[nodiscard]] Vec3 gradientOf(double toSecond, double toThird) const noexcept
+    {
+        return m_perArea2 * (toSecond * m_toSecond + toThird * m_toThird);
+    }
+    /// Barycentric coordinates, of the second corner and of the third. @param from  the first corner to a place [mm]
+    [[nodiscard]] double second(const Vec3& from) const noexcept { return m_toSecond.dot(from) * m_perArea2; }
+    [[nodiscard]] double third(const Vec3& from) const noexcept { return m_toThird.dot(from) * m_perArea2; }
+
+  private:
+    Vec3 m_toSecond, m_toThird; ///< gradients of those coordinates, times the square of twice the area [mm^3]
+    double m_perArea2;          ///< 1 over that square [1/mm^4]
+};
+
+/// A place on a triangle by its barycentric coordinates.
 /// @par Real-time Wait-free.
 class MapPlace
 {
   public:
-    /// @param triangle  position in the SurfaceIndex; @param corners  of it [mm]
-    /// @param p  a place; beyond an edge the value is that of the nearest place in barycentric coordinates
-    /// @pre the triangle has an area, as those of an index do
-    MapPlace(std::uint32_t triangle, const std::array<Vec3, 3>& corners, const Vec3& p) noexcept
-        : m_triangle(triangle)
+    /// @param p  a place, its height above the triangle being nothing; beyond an edge the nearest on it is meant
+    MapPlace(const internal::Facet& facet, const Vec3& p) noexcept
+        : m_slopes(facet)
+        , m_triangle(facet.triangle)
     {
-        const Vec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0];
-        const Vec3 across = e1.cross(e2);
-        const double area2 = across.squaredNorm();
-        m_toSecond = e2.cross(across) / area2;
-        m_toThird = across.cross(e1) / area2;
-        const Vec3 from = p - corners[0];
-        m_b1 = std::clamp(m_toSecond.dot(from), 0.0, 1.0);
-        m_b2 = std::clamp(m_toThird.dot(from), 0.0, 1.0 - m_b1);
+        const Vec3 from = p - facet.a;
+        m_b1 = m_slopes.second(from);
+        m_b2 = m_slopes.third(from);
+        if (!(m_b1 >= 0.0 && m_b2 >= 0.0 && m_b1 + m_b2 <= 1.0)) {
+            const Vec3 nearest = internal::nearestOn(facet, p).q - facet.a;
+            m_b1 = std::clamp(m_slopes.second(nearest), 0.0, 1.0);
+            m_b2 = std::clamp(m_slopes.third(nearest), 0.0, 1.0 - m_b1);
+        }
     }
 
     /// A map's value, and how it rises from the first corner to the second and to the third.
@@ -48,19 +78,16 @@ class MapPlace
                      d2 = map.factor * (double{at[2]} - double{at[0]});
         return {map.factor * double{at[0]} + m_b1 * d1 + m_b2 * d2, d1, d2};
     }
-    [[nodiscard]] Vec3 gradientOf(double toSecond, double toThird) const noexcept
-    {
-        return toSecond * m_toSecond + toThird * m_toThird;
-    }
+    [[nodiscard]] const FacetSlopes& slopes() const noexcept { return m_slopes; }
     [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept
     {
         const Rises rises = risesOf(map);
-        return {rises.value, gradientOf(rises.toSecond, rises.toThird)};
+        return {rises.value, m_slopes.gradientOf(rises.toSecond, rises.toThird)};
     }
 
   private:
+    FacetSlopes m_slopes;
     std::uint32_t m_triangle;
-    Vec3 m_toSecond, m_toThird; ///< gradients of the second and the third barycentric coordinate [1/mm]
     double m_b1, m_b2;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/FeltBelow.h"
+#include "law/Foot.h"
 #include "law/Touch.h"
 
 namespace palpate::haptics::law {
@@ -12,23 +14,70 @@ struct LinearSpring
     [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
     [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
     {
-        return touch.structure.tissue.stiffness_N_per_mm * (touch.p_WG - touch.p_WH);
+        return touch.structure.tissue.stiffness_N_per_mm * touch.push_W;
+    }
+};
+
+/// `f_W = F(d) n` [N] with d = |p_WG - p_WH|, n from the HIP to the god-object, and F the law of force by depth.
+struct LawSpring
+{
+    [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
+    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
+    {
+        if (touch.structure.law == nullptr) {
+            return LinearSpring::force(touch);
+        }
+        return touch.structure.law->force(touch.depth_mm) * touch.up_W;
     }
 };
 
 /// What a tissue stores: `U = s(x) W(d)` with d = |p_WG - p_WH|, W' = F the law of force by depth, and s the map of
 /// stiffness at the god-object's foot x. `f_W = -grad U = s F(d) n - W(d) P grad s` [N] with n from the HIP to the
-/// god-object and P the projector on what the contact leaves the foot free to do. The linear spring where there is
-/// neither law nor map.
-///
-/// Where lumps below are felt through the surface, `s(x) W(d)` becomes `s(x) sum_j s_j(x) W_j(d)`: see FeltBelow.h.
+/// god-object and P the projector on what the contact leaves the foot free to do.
 ///
 /// With friction the foot does not follow the HIP, so the last term is left out; law/Friction.h makes up for it.
 /// @par Source resources/docs/laws.md, "One energy".
-struct Spring
+struct MapSpring
 {
     [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
-    [[nodiscard]] static Vec3 force(const Touch& touch) noexcept;
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const MappedTouch& touch) noexcept
+    {
+        const HapticStructure& on = touch.structure;
+        const TissueMap& map = on.maps.stiffness;
+        if (map.isEmpty()) {
+            return LawSpring::force(touch);
+        }
+        if (on.tissue.hasFriction()) {
+            touch.scale = touch.foot.numberOf(map);
+            return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;
+        }
+        const ForceTable::Value law = on.lawAt(touch.depth_mm);
+        const MapValue s = touch.foot.valueOf(map);
+        touch.scale = s.value;
+        return s.value * law.force_N * touch.up_W - law.energy_mJ * touch.foot.freePart(s.gradient);
+    }
+};
+
+/// The same where lumps below are felt through the surface: `U = s(x) sum_j s_j(x) W_j(d)`, see FeltBelow.h.
+struct FeltSpring
+{
+    [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const MappedTouch& touch) noexcept
+    {
+        if (!(touch.depth_mm > 0.0)) {
+            return Vec3::Zero();
+        }
+        const HapticStructure& on = touch.structure;
+        const ForceTable::Value law = on.lawAt(touch.depth_mm);
+        const FeltBelow felt = FeltBelow::at(touch.foot, on, touch.depth_mm, law);
+        const MapValue s = on.maps.stiffness.isEmpty() ? MapValue{} : touch.foot.valueOf(on.maps.stiffness);
+        touch.scale = s.value * felt.scale;
+        const Vec3 f_W = touch.scale * law.force_N * touch.up_W;
+        if (on.tissue.hasFriction()) {
+            return f_W;
+        }
+        return f_W - touch.foot.freePart(s.value * felt.gradient + felt.energy_mJ * s.gradient);
+    }
 };
 
 } // namespace palpate::haptics::law

@@ -159,15 +159,15 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
         m_friction->press(m_active[i].facet, m_active[i].nearest.q, m_active.lambda_mm(i));
     }
     const Vec3 slide = m_active.freePart(u);
-    const double share = m_friction->share(slide.norm(), kRoundingOfMoves * m_skin_mm);
+    const double left = m_friction->left(slide.norm(), kRoundingOfMoves * m_skin_mm);
     const Vec3 down = u - slide;
     if (isDeep()) {
         return u; // it was put there, and nothing holds it
     }
     // A facet that it has rolled on to, but not reached, holds nothing yet: straight down to it.
-    m_isHeld = share == 0.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
+    m_isHeld = left == 1.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
                std::all_of(m_active.begin(), m_active.end(), [this](const BallContact& c) { return isTouched(c); });
-    return m_isHeld ? Vec3::Zero() : Vec3(down + share * slide);
+    return m_isHeld ? Vec3::Zero() : Vec3(down + (1.0 - left) * slide);
 }
 
 /// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to the secant's

@@ -61,7 +61,6 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     result.slides = result.constraints > 0 && friction.slides();
     m_state.slides = result.slides ? 1 : 0;
     if (result.constraints < 2) {
-        result.push_W = result.active[0].n_W; // its direction alone counts
         return;
     }
     if (!isKnown) {
@@ -131,7 +130,7 @@ bool GodObject::isHeld(const ConstrainedPoint& point, const std::array<HalfSpace
     const Vec3 slide = freePart(point.u, std::span<const Vec3>(normals).first(static_cast<std::size_t>(point.count)));
     const double r = slide.norm(), rounding = kRoundingOfMoves * m_facets[0].skin_mm;
     const bool isOn = (point.u - slide).cwiseAbs().maxCoeff() <= kSupporting * m_facets[0].skin_mm;
-    return point.count > 0 && isOn && friction.share(r, rounding) == 0.0 && (point.count == 1 || r > rounding);
+    return point.count > 0 && isOn && friction.left(r, rounding) == 1.0 && (point.count == 1 || r > rounding);
 }
 
 PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noexcept

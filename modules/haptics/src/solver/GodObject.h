@@ -21,7 +21,7 @@ struct GodObjectStep
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
     bool slides = false; ///< friction lets it slide
-    Vec3 push_W;         ///< along the sum of the multipliers times the normals; only with friction and in contact
+    Vec3 push_W;         ///< sum of the multipliers times the normals [mm]; only with friction and two contacts or more
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
@@ -49,6 +49,8 @@ class GodObject
 
     [[nodiscard]] const GodObjectState& state() const noexcept { return m_state; }
     void restore(const GodObjectState& state) noexcept;
+    /// The facets of the last step's `active`, until the next.
+    [[nodiscard]] const std::array<Facet, 3>& facets() const noexcept { return m_facets; }
 
   private:
     void recallFacets(const HapticLayer& layer) noexcept;

@@ -136,9 +136,9 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
     }
     const Vec3 slide = m_active.freePart(u);
     const double r = slide.norm(), rounding = kRoundingOfMoves * m_skin_mm;
-    const double share = m_friction->share(r, rounding);
-    if (share > 0.0) {
-        return u - (1.0 - share) * slide;
+    const double left = m_friction->left(r, rounding);
+    if (left < 1.0) {
+        return u - left * slide;
     }
     // In a corner there is nothing for friction to hold: whether a way leads out is to be seen.
     m_isHeld = m_active.count() == 1 || r > rounding;

@@ -137,14 +137,14 @@ PALPATE_ALWAYS_INLINE Walk::Next Walk::step() noexcept
 }
 
 /// Where friction lets the god-object go on the way to `target` on the facet here: the same place where it holds.
-Vec3 Walk::slowed(const Vec3& target, double rise) noexcept
+PALPATE_ALWAYS_INLINE Vec3 Walk::slowed(const Vec3& target, double rise) noexcept
 {
-    const Vec3 back = last() - target;
+    const Vec3 back = last() - m_hip;
     const Vec3 behind = back - m_here->n.dot(back) * m_here->n;
     m_friction->lift();
     m_friction->press(*m_here, last(), rise);
-    const double share = m_friction->share(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
-    return share > 0.0 ? Vec3(target + (1.0 - share) * behind) : last();
+    const double left = m_friction->left(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
+    return left < 1.0 ? Vec3(target + left * behind) : last();
 }
 
 PALPATE_ALWAYS_INLINE bool Walk::isFar(const Vec3& target) const noexcept
@@ -243,8 +243,8 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
         m_friction->lift();
         m_friction->press(facet, g, point.lambda_mm[0]);
         m_friction->press(m_beyond, g, point.lambda_mm[1]);
-        const double share = m_friction->share(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
-        crease.target = share > 0.0 ? Vec3(crease.target - (1.0 - share) * ahead * along) : g;
+        const double left = m_friction->left(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
+        crease.target = left < 1.0 ? Vec3(crease.target - left * ahead * along) : g;
     }
     crease.isWithin = along.dot(crease.target - begin) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
     return crease;

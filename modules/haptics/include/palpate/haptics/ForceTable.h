@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,7 @@ namespace palpate::haptics {
 /// Between knots the force is the cubic that meets both ends' forces and slopes (Hermite), and the energy its integral,
 /// a quartic; after the last knot the force is straight on with the last slope. A knot has a slope to either side, so
 /// that a law's corner is a corner. Knots lie where a law needs them (at most 257), not evenly: Hertz's d^1.5 would be
-/// 1e-5 wrong near its start on even ones, and a click's corners would be rounded. At most 16 KiB.
+/// 1e-5 wrong near its start on even ones, and a click's corners would be rounded. At most 18 KiB.
 /// Made and read with + - * / and the square root alone, so that the knots give the same bits on each machine.
 /// resources/docs/laws.md has the laws.
 class ForceTable
@@ -71,7 +72,7 @@ class ForceTable
     static constexpr double kMostSlope = 3001.0;
 
     /// The force [N] and energy [mJ] at a depth [mm]; 0 at and above the surface, and for NaN.
-    /// @par Real-time Bounded; a square root and two cache lines.
+    /// @par Real-time Bounded; two cache lines.
     [[nodiscard]] Value at(double depth_mm) const noexcept PALPATE_NONBLOCKING
     {
         if (!(depth_mm > 0.0)) {
@@ -113,6 +114,8 @@ class ForceTable
 
     /// The largest slope at any depth, between knots too: what a device must hold.
     [[nodiscard]] double greatestSlope_N_per_mm() const noexcept PALPATE_NONBLOCKING { return m_greatestSlope; }
+    /// True when the slope is at least 0 at each depth.
+    [[nodiscard]] bool neverFalls() const noexcept PALPATE_NONBLOCKING { return m_neverFalls; }
     [[nodiscard]] std::span<const Knot> knots() const noexcept { return m_knots; }
     /// Bytes of the table.
     [[nodiscard]] std::size_t byteSize() const noexcept;
@@ -128,11 +131,12 @@ class ForceTable
         double energy_mJ;
         double third; ///< square / 3
     };
-    static constexpr std::size_t kIndexSize = 256;
+    static constexpr std::int64_t kIndexSize = 1024; ///< 16 halvings of the depth, each in 64 places
 
     explicit ForceTable(std::vector<Knot> knots);
     [[nodiscard]] static Cell cellBetween(const Knot& from, const Knot& to, double energy_mJ);
     [[nodiscard]] static double greatestSlope(const Cell& cell);
+    [[nodiscard]] static bool falls(const Cell& cell);
     [[nodiscard]] std::vector<Knot> boundedKnots(double most_N_per_mm) const;
 
     [[nodiscard]] static double force(const Cell& cell, double t) noexcept
@@ -146,20 +150,27 @@ class ForceTable
         return cell.start_mm * energy +
                t * t * (0.5 * cell.force_N + t * (cell.rise / 3.0 + t * (0.25 * cell.square + t * (0.2 * cell.cube))));
     }
-    /// By the root of the depth: laws are curved at their start, and there the knots stand close.
+    /// Of a depth > 0: its exponent and the first six digits of its mantissa, so that places stand close where it is
+    /// small. Laws are curved at their start, and there the knots stand close, too.
+    [[nodiscard]] static std::int64_t placeOf(double depth_mm) noexcept
+    {
+        return std::bit_cast<std::int64_t>(depth_mm) >> kPlaceShift;
+    }
     [[nodiscard]] const Cell& cellAt(double depth_mm) const noexcept
     {
-        const double place = std::min(std::sqrt(depth_mm * m_scale), double(kIndexSize - 1));
-        const Cell* cell = &m_cells[m_index[static_cast<std::size_t>(place)]];
+        const std::int64_t place = std::clamp<std::int64_t>(placeOf(depth_mm) - m_firstPlace, 0, kIndexSize - 1);
+        const Cell* cell = m_cells.data() + m_index[static_cast<std::size_t>(place)];
         while (depth_mm > cell->end_mm) {
             ++cell; // the last cell ends at infinity
         }
         return *cell;
     }
 
-    double m_scale = 0.0; ///< the root of depth times it is the place in the index
+    static constexpr int kPlaceShift = 46;
+    std::int64_t m_firstPlace = 0; ///< of the index
     double m_greatestSlope = 0.0;
-    std::array<std::uint16_t, kIndexSize> m_index{}; ///< the first cell that a place may mean
+    bool m_neverFalls = true;
+    std::array<std::uint16_t, static_cast<std::size_t>(kIndexSize)> m_index{}; ///< the first cell that a place may mean
     std::vector<Cell> m_cells;
     std::vector<double> m_moments; ///< of what lies above each cell
     std::vector<Knot> m_knots;

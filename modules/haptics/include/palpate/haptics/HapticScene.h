@@ -37,6 +37,8 @@ struct HapticStructure
         const double force_N = tissue.stiffness_N_per_mm * depth_mm;
         return law == nullptr ? ForceTable::Value{force_N, 0.5 * force_N * depth_mm} : law->at(depth_mm);
     }
+    /// True when the force by depth falls nowhere.
+    [[nodiscard]] bool neverFalls() const noexcept { return law == nullptr || law->neverFalls(); }
     /// The integral of depth times the law's force [N·mm^2], without the maps.
     [[nodiscard]] double momentAt(double depth_mm) const noexcept
     {
@@ -59,6 +61,7 @@ struct HapticLayer
     bool isLinear = true;             ///< all of its structures are
     /// The scene's structures; null where none of the layer has friction.
     const HapticStructure* frictional = nullptr;
+    bool drags = false; ///< some of its structures' friction does
 
     [[nodiscard]] const geometry::SurfaceIndex& surface(std::uint32_t structure) const noexcept
     {

@@ -51,10 +51,9 @@ struct TissueMaps
     std::array<TissueMap, kFeltPress_mm.size()> felt{};
 
     [[nodiscard]] bool hasFelt() const noexcept { return !felt[0].isEmpty(); }
-    [[nodiscard]] bool isEmpty() const noexcept
-    {
-        return stiffness.isEmpty() && damping.isEmpty() && friction.isEmpty() && !hasFelt();
-    }
+    /// True when a term of the force asks for one: all but friction's.
+    [[nodiscard]] bool hasOfForce() const noexcept { return !stiffness.isEmpty() || !damping.isEmpty() || hasFelt(); }
+    [[nodiscard]] bool isEmpty() const noexcept { return friction.isEmpty() && !hasOfForce(); }
     /// All of them, in the order in which they are declared.
     [[nodiscard]] std::array<TissueMap*, 7> all() noexcept
     {

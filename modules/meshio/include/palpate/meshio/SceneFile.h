@@ -53,6 +53,14 @@ struct SceneCamera : core::ViewPose
     std::string extra{}; ///< fields that this version does not know, as a JSON object
 };
 
+/// Numbers that a structure is coloured by.
+struct ShownMap
+{
+    std::string structure; ///< its name
+    std::string numbers;   ///< "felt:stiffness", "felt:damping", "felt:friction", or "array:" and an array's name
+    friend bool operator==(const ShownMap&, const ShownMap&) = default;
+};
+
 /// How what lies in an organ is felt.
 enum class BuriedTouch : std::uint8_t
 {
@@ -68,6 +76,7 @@ struct SceneFile
     static constexpr int kVersion = 1;
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
+    std::optional<ShownMap> shownMap; ///< nothing: each structure has its own colour
     std::vector<core::Finding> findings;
     BuriedTouch buried = BuriedTouch::Layers;
     std::string sha256; ///< of the file's bytes when it was read, 64 hex digits; empty: of no file. Not written

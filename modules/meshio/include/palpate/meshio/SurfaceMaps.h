@@ -4,6 +4,7 @@
 #include "palpate/meshio/LoadScene.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,11 @@ namespace palpate::meshio {
 /// @param structure  with its surface; its `maps` are replaced
 /// @param warnings  gets a line for values that are missing
 /// @param losses  gets a line for each map that can't be had
+/// @param keepGoing  asked now and then while a volume is sampled, on the calling thread; false cancels: it is lost
 /// @par Thread Any.
 /// @par Cost O(vertices) for an array; a volume is read and sampled, which can take seconds.
-void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses);
+void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
+                 const std::function<bool()>& keepGoing = {});
 
 /// @return how many values of a map are not known: the structure's own is felt there.
 [[nodiscard]] std::size_t missingValues(const SurfaceMap& map) noexcept;

@@ -24,13 +24,6 @@ struct FeltMap
 [[nodiscard]] FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue,
                               double most = std::numeric_limits<double>::infinity());
 
-/// By how much a structure's map of stiffness scales its law at a place [1]; 1 without one, and where it says nothing.
-/// @param triangle  of the mesh as given to `geometry::repair`, as a haptics::Contact says it
-/// @param p_W  a place on it [mm]
-/// @par Cost O(log triangles).
-[[nodiscard]] double stiffnessScaleAt(const meshio::LoadedStructure& structure, std::uint32_t triangle,
-                                      const core::Vec3& p_W);
-
 /// A number over a surface at a place on it; NaN where it is not known.
 /// @param values  one for each vertex, or each triangle; @param triangle  number in `surface`; @param p_W  on it [mm]
 [[nodiscard]] double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,

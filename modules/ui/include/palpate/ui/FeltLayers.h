@@ -25,7 +25,8 @@ struct FeltLayer
     double along_N = 0.0; ///< its share along the whole force: these add up to it
     double depth_mm = 0.0;
     haptics::Friction friction = haptics::Friction::None;
-    double sideways_N = 0.0; ///< part of its share along the surface
+    double sideways_N = 0.0;     ///< part of its share along the surface
+    double stiffnessScale = 1.0; ///< by which maps and lumps below scale its law at the touch [1]
 };
 
 /// What a structure is called and how it is drawn.

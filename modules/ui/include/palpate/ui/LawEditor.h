@@ -29,7 +29,8 @@ class LawEditor : public QWidget
     /// @param greatest_N_per_mm  the largest slope that the device holds; infinite: nothing is known
     void show(const core::Tissue& tissue, double greatest_N_per_mm);
     /// @param depth_mm  of the hand in this tissue; 0: it does not touch
-    void setDepth(double depth_mm);
+    /// @param scale  by which maps and lumps below scale the law where it touches [1]
+    void setTouch(double depth_mm, double scale);
     /// Takes the points of a measured curve from a CSV file, or says why not.
     void load(const std::filesystem::path& path);
 

@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <optional>
+
 #include <vector>
 
 namespace palpate::ui {
@@ -38,6 +40,8 @@ class MapDisplay : public QObject
 
     /// @param what  a `SurfaceNumbers::what`; empty: in its own colour again
     void show(int row, const QString& what);
+    /// What is shown, as a scene file keeps it; nothing where each structure has its own colour.
+    [[nodiscard]] std::optional<meshio::ShownMap> shown() const;
     /// The number that is shown at a place: "stiffness felt 0.42 N/mm"; empty where this structure has no such colours.
     /// @param triangle  number in the structure's repaired mesh; @param p_W  on it [mm]
     [[nodiscard]] QString textAt(int row, std::size_t triangle, const core::Vec3& p_W) const;

@@ -37,7 +37,7 @@ class RecordedTouch : public QObject
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
     /// Of the structure that a tick reports; null in free space, and when its scene is not known.
     [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
-    /// Of all layers that a tick touches together.
+    /// Of all layers that a tick touches together, as they were felt there: with maps and lumps below.
     [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.

@@ -68,11 +68,13 @@ class SceneLoader : public QObject
     void reopen(meshio::SceneFile scene, std::vector<std::filesystem::path> files);
     /// Builds the haptic copy of one structure.
     void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
-    /// Finds what varies over a structure: reads and samples its volumes.
+    /// Finds what varies over a structure: reads and samples its volumes. Where that is cancelled, `mapsBuilt` follows
+    /// with a line that says so, and without the volumes' maps.
     void buildMaps(int row, const meshio::LoadedStructure& structure);
-    /// Stops as soon as the present step allows; `cancelled` follows.
+    /// Stops opening and the building of maps as soon as the present step allows; of opening `cancelled` follows.
     void cancel();
     [[nodiscard]] bool isBusy() const noexcept { return m_isBusy; }
+    [[nodiscard]] bool isBuildingMaps() const noexcept { return m_mapJobs > 0; }
 
   Q_SIGNALS:
     /// @param share  0 … 1
@@ -92,12 +94,15 @@ class SceneLoader : public QObject
     class Opening;
     void finish();
     void begin();
+    void cancelOpening();
 
     Reader m_reader = [](const auto& path, const auto& options) { return meshio::loadScene(path, options); };
     std::shared_ptr<Job> m_job;
     std::thread m_worker;
-    QThreadPool m_builders; ///< of haptic copies and maps: hundreds may be asked for at once
-    int m_scene = 0;        ///< rows are numbers in the scene that is open
+    QThreadPool m_builders;      ///< of haptic copies and maps: hundreds may be asked for at once
+    std::shared_ptr<Job> m_maps; ///< that are being built
+    int m_mapJobs = 0;
+    int m_scene = 0; ///< rows are numbers in the scene that is open
     bool m_isBusy = false;
 };
 

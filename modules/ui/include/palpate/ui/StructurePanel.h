@@ -51,6 +51,9 @@ class StructurePanel : public QWidget
     /// Shows in the curve of the selected structure's law how deep the hand is in it.
     void showTouch(const TouchReading& reading);
 
+    /// Colours a structure by numbers, where it has them, as a scene file says.
+    void colourBy(const meshio::ShownMap& shown);
+
   Q_SIGNALS:
     /// A structure is to be coloured by numbers, and no other. @param what  a `SurfaceNumbers::what`; empty: by none
     void colourChosen(int row, const QString& what);
