@@ -29,9 +29,11 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
 
 QString MainWindow::howToTouch() const
 {
-    return m_live.usesPointer()
-               ? tr("P palpate, drag to press, wheel for depth")
-               : tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
+    if (!m_live.usesPointer()) {
+        return tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
+    }
+    return m_hand->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the hardest press")
+                                         : tr("P palpate, drag to press, wheel for depth");
 }
 
 void MainWindow::useCpu(int cpu)
