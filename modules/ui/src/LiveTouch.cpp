@@ -7,6 +7,7 @@
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
+#include <palpate/study/RecordedLooks.h>
 
 #include <QLocale>
 
@@ -285,7 +286,11 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
         m_handOver.stop();
         handOverScene();
     }
-    return m_session.startRecording(path, scene, embeds);
+    std::vector<study::RecordedLook> looks;
+    for (const StructureRow& row : m_model.rows()) {
+        looks.push_back(study::lookOf(row.loaded.description));
+    }
+    return m_session.startRecording(path, scene, embeds, study::looksText(looks));
 }
 
 core::Status LiveTouch::stopRecording()

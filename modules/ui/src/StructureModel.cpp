@@ -222,8 +222,12 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
     if (layer == 0) {
         return tr("outermost");
     }
-    const std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
-    if (in && !m_rows[static_cast<std::size_t>(*in)].isRemoved && structure(*in).layer + 1 == layer) {
+    std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
+    std::uint32_t most = 1; // layers below it: those that the hand passes through count
+    for (; in && (m_rows[static_cast<std::size_t>(*in)].isRemoved || !structure(*in).palpable); ++most) {
+        in = m_rows[static_cast<std::size_t>(*in)].in;
+    }
+    if (in && structure(*in).layer < layer && layer <= structure(*in).layer + most) {
         return tr("below %1").arg(readableName(structure(*in).name));
     }
     return tr("%1 below").arg(layer);
