@@ -2,6 +2,8 @@
 // The window and the hand's device.
 #include "MainWindow.h"
 
+#include <palpate/ui/EngineTexts.h>
+
 #include <QMenu>
 #include <QMenuBar>
 
@@ -46,8 +48,8 @@ void MainWindow::chooseDevice(const std::string& id)
     // The simulated hand needs something to palpate, the recording has to be open: once all is there.
     const auto take = [this, id] {
         if (const core::Status status = m_devices->choose(id); !status.isOk()) {
-            showError(QString::fromStdString(status.message()));
-            Q_EMIT deviceRefused(QString::fromStdString(status.message()));
+            showError(ui::engineText(status));
+            Q_EMIT deviceRefused(ui::engineText(status));
         }
     };
     if (m_model.rowCount() > 0) {

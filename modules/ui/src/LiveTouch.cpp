@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LiveTouch.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include <algorithm>
 
 #include <palpate/core/Clock.h>
@@ -259,7 +261,7 @@ void LiveTouch::measure()
             fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
         const QJsonObject what{{"what", QString::fromUtf8(fault.message)}};
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
-        Q_EMIT faulted(QString::fromUtf8(fault.message));
+        Q_EMIT faulted(engineText(fault.message));
         if (m_info.actuatedAxes == 0) {
             m_session.loop().rearm(); // it has no motors: touch goes on, eased in
         }

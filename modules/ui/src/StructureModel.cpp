@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructureModel.h"
 
+#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Theme.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
@@ -286,7 +287,7 @@ void StructureModel::resolveMaps(int row)
     meshio::resolveMaps(one.loaded, warnings, losses);
     one.mapProblems.clear();
     for (const std::string& line : losses) {
-        one.mapProblems << QString::fromStdString(line);
+        one.mapProblems << engineText(line);
     }
     refreshFelt(one);
 }
@@ -328,7 +329,7 @@ QStringList StructureModel::findings(int row) const
     const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
     if (surface != nullptr) {
         for (const std::string& sentence : surface->report.sentences()) {
-            lines << QString::fromStdString(sentence);
+            lines << engineText(sentence);
         }
     }
     return lines;
