@@ -276,6 +276,9 @@ class Records : public QObject
         });
         colourButton()->click();
         QCOMPARE(colourOnButton(), chosen);
+        m_desk->window().activateWindow(); // there is no window manager that does it after the dialog
+        QVERIFY(QTest::qWaitForWindowActive(&m_desk->window()));
+        m_desk->window().viewport().setFocus();
         m_desk->pressKeyOf("record");
         QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         QTest::qWait(600);
