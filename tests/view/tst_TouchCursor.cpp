@@ -187,6 +187,20 @@ class TouchCursor : public QObject
         QVERIFY(cursor.labels().texts().empty() && !cursor.innerLine(0)->GetVisibility());
     }
     /// Wherever the hand is, at the border and in the corners too.
+    void labelsStayOffTheLegend()
+    {
+        view::TouchCursor cursor;
+        cursor.setState(contact(Vec3(0, 0, 2)));
+        cursor.place(frameAt(300));
+        const std::vector<Eigen::AlignedBox2d> before = cursor.labels().boxes();
+        QVERIFY(!before.empty());
+        for (const Eigen::AlignedBox2d& legend : before) {
+            cursor.place(frameAt(300), legend);
+            for (const Eigen::AlignedBox2d& label : cursor.labels().boxes()) {
+                QVERIFY(legend.intersection(label).isEmpty());
+            }
+        }
+    }
     void labelsStayInTheViewAndOffTheCursor()
     {
         view::TouchCursor cursor;
