@@ -220,25 +220,6 @@ class Records : public QObject
         QVERIFY(reader.value()->extent().isComplete && reader.value()->extent().ticks > 300);
     }
 
-    /// Another device, which has no hand in the scene yet or none any more, leaves the moment in view.
-    void theMomentStaysWhenTheDeviceChanges()
-    {
-        QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
-        MainWindow& window = m_desk->window();
-        QTRY_VERIFY(window.playback().peakTime_s() > 0.0);
-        const double peak_s = window.playback().peakTime_s();
-        window.playback().seek(peak_s);
-        const view::TouchState before = window.viewport().view().cursor().state();
-        QVERIFY(before.isPresent && before.isInContact);
-        for (const char* id : {"simulated", "mouse"}) {
-            window.chooseDevice(id);
-            QTest::qWait(300);
-        }
-        const view::TouchState after = window.viewport().view().cursor().state();
-        QVERIFY(after.isPresent && after.p_WH == before.p_WH && after.f_W == before.f_W);
-        QCOMPARE(window.playback().position_s(), peak_s);
-    }
-
     /// What it was made on comes with it: the phantom's own tissue, layers and looks, not those of bare meshes.
     void aRecordingAloneBringsItsStructures()
     {
