@@ -6,6 +6,7 @@
 #include <palpate/session/AtomicFile.h>
 #include <palpate/session/Findings.h>
 #include <palpate/study/FindingsFile.h>
+#include <palpate/ui/EngineTexts.h>
 
 #include <QDateTime>
 #include <QLocale>
@@ -184,7 +185,7 @@ void FindingsDesk::exportTo(const std::filesystem::path& path)
     if (status.isOk()) {
         Q_EMIT said(tr("%n finding(s) written to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
     } else {
-        Q_EMIT failed(QString::fromStdString(status.message()));
+        Q_EMIT failed(ui::engineText(status));
     }
 }
 
@@ -192,7 +193,7 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
 {
     auto markups = study::readMarkups(path);
     if (!markups.isOk()) {
-        Q_EMIT failed(QString::fromStdString(markups.status().message()));
+        Q_EMIT failed(ui::engineText(markups.status()));
         return;
     }
     const auto count = static_cast<int>(markups.value().findings.size());
@@ -201,7 +202,7 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
     Q_EMIT said(tr("%n finding(s) taken from %1", nullptr, count).arg(toText(path.filename())));
     QStringList losses;
     for (const std::string& loss : markups.value().losses) {
-        losses << QString::fromStdString(loss);
+        losses << ui::engineText(loss);
     }
     if (!losses.isEmpty()) {
         Q_EMIT failed(losses.join(QLatin1Char('\n')));

@@ -289,6 +289,8 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_palpation, &PalpationController::handGone, m_touch, &TouchPanel::showNoHand);
+    connect(m_palpation, &PalpationController::handGone, m_playback,
+            &Playback::showAgain); // instead, where one is open
     connect(m_palpation, &PalpationController::textChanged, this, &MainWindow::showMode);
     connect(m_palpation, &PalpationController::palpationWanted, this, [this] { setPalpating(true); });
     connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
@@ -324,7 +326,12 @@ void MainWindow::connectTouch()
     };
     connect(m_handControl, &HandControl::settingsTaken, this, takePress);
     takePress(m_hand->settings());
-    connect(m_effortAction, &QAction::toggled, m_handControl, &HandControl::setByEffort);
+    connect(m_effortAction, &QAction::toggled, this, [this](bool isByEffort) {
+        m_handControl->setByEffort(isByEffort);
+        if (m_model.rowCount() > 0) {
+            say(howToTouch(), 60000); // what was said of the wheel is no longer so
+        }
+    });
     connect(m_palpation, &PalpationController::effortTurned, m_handControl, &HandControl::setEffort);
     connect(m_clutchAction, &QAction::toggled, m_handControl, &HandControl::setClutched);
     connect(m_fitSceneAction, &QAction::triggered, this, [this] { m_handControl->fit(MapFill::Scene); });

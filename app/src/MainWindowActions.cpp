@@ -137,7 +137,7 @@ void MainWindow::makeSessionActions()
 {
     m_palpateAction = m_actions.add(
         "palpate", ActionGroup::Session, tr("Palpate"),
-        tr("Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera"),
+        tr("Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera"),
         {QKeySequence(Qt::Key_P)}, Symbol::Hand);
     m_palpateAction->setCheckable(true);
     m_effortAction = m_actions.add("effort", ActionGroup::Session, tr("Press by effort"),

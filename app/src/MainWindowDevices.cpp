@@ -2,6 +2,8 @@
 // The window and the hand's device.
 #include "MainWindow.h"
 
+#include <palpate/ui/EngineTexts.h>
+
 #include <QMenu>
 #include <QMenuBar>
 
@@ -29,9 +31,11 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
 
 QString MainWindow::howToTouch() const
 {
-    return m_live.usesPointer()
-               ? tr("P palpate, drag to press, wheel for depth")
-               : tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
+    if (!m_live.usesPointer()) {
+        return tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
+    }
+    return m_hand->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the hardest press")
+                                         : tr("P palpate, drag to press, wheel for depth");
 }
 
 void MainWindow::useCpu(int cpu)
@@ -44,8 +48,8 @@ void MainWindow::chooseDevice(const std::string& id)
     // The simulated hand needs something to palpate, the recording has to be open: once all is there.
     const auto take = [this, id] {
         if (const core::Status status = m_devices->choose(id); !status.isOk()) {
-            showError(QString::fromStdString(status.message()));
-            Q_EMIT deviceRefused(QString::fromStdString(status.message()));
+            showError(ui::engineText(status));
+            Q_EMIT deviceRefused(ui::engineText(status));
         }
     };
     if (m_model.rowCount() > 0) {

@@ -6,6 +6,7 @@
 
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/ui/EngineTexts.h>
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -125,7 +126,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     m_palpation->setSceneSize(view.bounds().diagonal().norm());
     const core::Status started = m_live.start();
     if (!started.isOk()) {
-        showError(QString::fromStdString(started.message()));
+        showError(ui::engineText(started));
     }
     m_structures->select(0);
     if (const auto& shown = scene->scene.shownMap) {
@@ -189,8 +190,8 @@ void MainWindow::openRecording(const std::filesystem::path& path)
 {
     auto recording = RecordedTouch::open(path);
     if (!recording.isOk()) {
-        showError(QString::fromStdString(recording.status().message()));
-        Q_EMIT openFailed(QString::fromStdString(recording.status().message()));
+        showError(ui::engineText(recording.status()));
+        Q_EMIT openFailed(ui::engineText(recording.status()));
         return;
     }
     const QString losses = recording.value()->losses();
@@ -258,7 +259,7 @@ bool MainWindow::saveSceneTo(const std::filesystem::path& path)
         remember(path);
         say(tr("Scene saved to %1").arg(toText(path)));
     } else {
-        showError(QString::fromStdString(saved.message()));
+        showError(ui::engineText(saved));
     }
     return saved.isOk();
 }

@@ -2,6 +2,8 @@
 // What lies in something is felt below it: set for mesh files, offered for a scene that says nothing of layers.
 #include "MainWindow.h"
 
+#include <palpate/ui/EngineTexts.h>
+
 using namespace palpate;
 using namespace palpate::ui;
 
@@ -10,9 +12,9 @@ namespace {
 /// One or two sentences as one line; of more, the first, and how many there are.
 QString oneLine(const std::vector<std::string>& sentences)
 {
-    const QString first = QString::fromStdString(sentences.front());
+    const QString first = engineText(sentences.front());
     if (sentences.size() <= 2) {
-        return (sentences.size() == 1 ? first : first + QStringLiteral("; ") + QString::fromStdString(sentences[1])) +
+        return (sentences.size() == 1 ? first : first + QStringLiteral("; ") + engineText(sentences[1])) +
                QLatin1Char('.');
     }
     return MainWindow::tr("%1; %2 more of that kind: Felt in the panel has each.").arg(first).arg(sentences.size() - 1);

@@ -150,7 +150,7 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
         return;
     }
     if (isAsFound) {
-        const QString line = QString::fromStdString(sentences.back()) + QLatin1Char('.');
+        const QString line = engineText(sentences.back()) + QLatin1Char('.');
         m_message->offer(line, tr("All in one layer"), [this, count = layers.size()] {
             m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
         });

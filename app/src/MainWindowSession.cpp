@@ -4,6 +4,8 @@
 #include "MeasuresDialog.h"
 #include "Paths.h"
 
+#include <palpate/ui/EngineTexts.h>
+
 #include <utility>
 
 using namespace palpate;
@@ -20,7 +22,7 @@ void MainWindow::toggleRecording()
             openRecording(m_recording->path());
             setPalpating(wasPalpating);
             m_message->offer(stopped.isOk() ? tr("Recorded to %1").arg(toText(m_recording->path()))
-                                            : QString::fromStdString(stopped.message()),
+                                            : ui::engineText(stopped),
                              tr("Results…"), [this] { showMeasures(); });
         }
     } else {
@@ -30,7 +32,7 @@ void MainWindow::toggleRecording()
         m_recordAction->setChecked(started.isOk());
         m_findingsDesk->beginRecording(m_recording->path());
         if (!started.isOk()) {
-            showError(QString::fromStdString(started.message()));
+            showError(ui::engineText(started));
         } else {
             m_touch->clearHistory();
             m_session->showTitle(tr("Recording %1").arg(toText(m_recording->path().filename())));

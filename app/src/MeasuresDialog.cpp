@@ -6,6 +6,7 @@
 #include <palpate/session/AtomicFile.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SessionExport.h>
+#include <palpate/ui/EngineTexts.h>
 
 #include <QAccessible>
 #include <QClipboard>
@@ -68,7 +69,7 @@ bool lacksSurface(const session::RecordingReader& reader, const session::MeshesB
 
 QString lineOf(const core::Status& status)
 {
-    return QString::fromStdString(status.message());
+    return ui::engineText(status);
 }
 
 } // namespace

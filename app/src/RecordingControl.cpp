@@ -3,6 +3,8 @@
 
 #include "Paths.h"
 
+#include <palpate/ui/EngineTexts.h>
+
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -57,7 +59,7 @@ bool RecordingControl::mayEnd(QWidget* window)
         return false;
     }
     if (const core::Status stopped = stop(); !stopped.isOk()) {
-        QMessageBox::warning(window, tr("Recording"), QString::fromStdString(stopped.message()));
+        QMessageBox::warning(window, tr("Recording"), ui::engineText(stopped));
     }
     return true;
 }
@@ -73,7 +75,7 @@ void RecordingControl::refresh()
                    Chip::Tone::Recording);
         m_panel.showRecording(now.duration_s, losses);
         if (std::exchange(m_told, now.problem) != now.problem && isTroubled) {
-            Q_EMIT troubled(QString::fromStdString(now.problem));
+            Q_EMIT troubled(ui::engineText(now.problem));
         }
         return;
     }
@@ -83,7 +85,7 @@ void RecordingControl::refresh()
         m_hasFailed = true;
         m_panel.showTitle(tr("%1 ended by itself").arg(toText(m_path.filename())));
         m_panel.showRecording(now.duration_s, lossesText(now.late, now.dropped));
-        Q_EMIT failed(QString::fromStdString(now.problem));
+        Q_EMIT failed(ui::engineText(now.problem));
     }
     m_chip.say(m_failure, Chip::Tone::Recording);
 }

@@ -397,10 +397,6 @@
         <translation>eine Schicht tiefer oder weiter außen gefühlt</translation>
     </message>
     <message>
-        <source>Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera</source>
-        <translation>Mit dem Zeiger tasten: Ziehen drückt, das Rad stellt die Tiefe; aus: der Zeiger bewegt die Kamera</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
@@ -1024,6 +1020,22 @@
         <source>Stop reading; what was open stays</source>
         <translation>Lesen abbrechen; was offen war, bleibt</translation>
     </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
+        <translation>Mit dem Zeiger tasten: ziehen zum Drücken, Rad für Tiefe oder Kraft; aus: der Zeiger bewegt die Ansicht</translation>
+    </message>
+    <message>
+        <source>P palpate, hold to press harder, wheel for the hardest press</source>
+        <translation>P tastet, Halten drückt stärker, das Rad stellt den stärksten Druck</translation>
+    </message>
+    <message>
+        <source>Dent under the finger</source>
+        <translation>Delle unter dem Finger</translation>
+    </message>
+    <message>
+        <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
+        <translation>Weiches Gewebe dort eingedrückt zeichnen, wo gedrückt wird, mit feinem Gitter darauf</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1615,6 +1627,902 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>%1 mJ</source>
         <translation>%1 mJ</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::Engine</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>a web page (HTML), perhaps a failed download</source>
+        <translation>eine Webseite (HTML), vielleicht ein misslungener Download</translation>
+    </message>
+    <message>
+        <source>the content is no known mesh format</source>
+        <translation>der Inhalt ist kein bekanntes Format einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>is %1, which Palpate does not read</source>
+        <translation>ist %1; das liest Palpate nicht</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>eine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>a gzip file</source>
+        <translation>eine gzip-Datei</translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation>ein NRRD-Bild</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>an SQLite database (a recording?)</source>
+        <translation>eine SQLite-Datenbank (eine Aufzeichnung?)</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>an %1 mesh</source>
+        <translation>eine Oberfläche (%1)</translation>
+    </message>
+    <message>
+        <source>an %1 mesh: save it as one of these</source>
+        <translation>eine Oberfläche (%1): in einem dieser Formate speichern</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation>eine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation>eine Datei mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose another folder</source>
+        <translation>kann nicht geschrieben werden: %1; bitte einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>die Datei oder der Ordner ist nicht da</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>no memory to read it</source>
+        <translation>kein Speicher, um sie zu lesen</translation>
+    </message>
+    <message>
+        <source>not enough memory to read it</source>
+        <translation>nicht genug Speicher, um sie zu lesen</translation>
+    </message>
+    <message>
+        <source>a mesh that fits</source>
+        <translation>eine Oberfläche, die hineinpasst</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>die Datei wurde kürzer, während sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>a folder without mesh files</source>
+        <translation>ein Ordner ohne Dateien mit Oberflächen</translation>
+    </message>
+    <message>
+        <source>%1 files in it</source>
+        <translation>Dateien darin: %1</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>der Ordner kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>a folder of meshes</source>
+        <translation>ein Ordner mit Oberflächen</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>die Datei ist nicht da</translation>
+    </message>
+    <message>
+        <source>none of %1 triangle has an area</source>
+        <translation>das eine Dreieck hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>none of %1 triangles has an area</source>
+        <translation>keines von %1 Dreiecken hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>at least one that has</source>
+        <translation>mindestens eines mit Fläche</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>mindestens eines</translation>
+    </message>
+    <message>
+        <source>0 triangles</source>
+        <translation>keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>0 faces</source>
+        <translation>keine Flächen</translation>
+    </message>
+    <message>
+        <source>0 polygons and strips</source>
+        <translation>keine Vielecke und Streifen</translation>
+    </message>
+    <message>
+        <source>%1 triangle</source>
+        <translation>%1 Dreieck</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 byte</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>%1 whole triangle</source>
+        <translation>%1 ganzes Dreieck</translation>
+    </message>
+    <message>
+        <source>%1 whole triangles</source>
+        <translation>%1 ganze Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 polygon</source>
+        <translation>%1 Vieleck</translation>
+    </message>
+    <message>
+        <source>%1 polygons</source>
+        <translation>%1 Vielecke</translation>
+    </message>
+    <message>
+        <source>%1 face</source>
+        <translation>%1 Fläche</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>%1 corner</source>
+        <translation>%1 Ecke</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are not numbers</source>
+        <translation>%1 von %2 haben Koordinaten, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are farther than 10 km from the origin</source>
+        <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind</translation>
+    </message>
+    <message>
+        <source>finite coordinates within 10 km</source>
+        <translation>endliche Koordinaten innerhalb von 10 km</translation>
+    </message>
+    <message>
+        <source>the file ends in the STL header</source>
+        <translation>die Datei endet im Kopf der STL-Datei</translation>
+    </message>
+    <message>
+        <source>the file ends in the header</source>
+        <translation>die Datei endet in ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>at least %1 bytes</source>
+        <translation>mindestens %1 Byte</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>the binary STL declares %1 but its %2 hold %3</source>
+        <translation>die binäre STL-Datei kündigt %1 an, aber in ihren %2 sind nur %3</translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 lost</source>
+        <translation>die Datei endet dort: %1 von %2 fehlen</translation>
+    </message>
+    <message>
+        <source>the file ends after %1</source>
+        <translation>die Datei endet nach %1</translation>
+    </message>
+    <message>
+        <source>what came after %1 lost</source>
+        <translation>was nach %1 kam, fehlt</translation>
+    </message>
+    <message>
+        <source>the file ends in a line: that line and what came after it lost</source>
+        <translation>die Datei endet mitten in einer Zeile: diese Zeile und was danach kam fehlen</translation>
+    </message>
+    <message>
+        <source>too many elements</source>
+        <translation>zu viele Elemente</translation>
+    </message>
+    <message>
+        <source>%1 elements declared</source>
+        <translation>%1 Elemente sind angekündigt</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>the vertex has fewer than three coordinates</source>
+        <translation>der Eckpunkt hat weniger als drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>it uses point %1</source>
+        <translation>verwendet den Punkt %1</translation>
+    </message>
+    <message>
+        <source>no faces with a list of vertex indices</source>
+        <translation>keine Flächen mit einer Liste von Eckpunkten</translation>
+    </message>
+    <message>
+        <source>no vertices with x, y and z</source>
+        <translation>keine Eckpunkte mit x, y und z</translation>
+    </message>
+    <message>
+        <source>one of each</source>
+        <translation>beides</translation>
+    </message>
+    <message>
+        <source>vertex index %1 (%2 vertices so far)</source>
+        <translation>der Eckpunkt mit der Nummer %1 (bis hier gibt es %2)</translation>
+    </message>
+    <message>
+        <source>face %1 uses vertex %2</source>
+        <translation>die Fläche %1 verwendet den Eckpunkt %2</translation>
+    </message>
+    <message>
+        <source>a zero byte</source>
+        <translation>ein Null-Byte</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>das Ende der Zeile</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>das XML ist fehlerhaft: %1</translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end</source>
+        <translation>fehlerfreies XML bis zum Ende</translation>
+    </message>
+    <message>
+        <source>its mesh is larger than %1 MiB</source>
+        <translation>die Oberfläche ist größer als %1 MiB</translation>
+    </message>
+    <message>
+        <source>a mesh that fits its file&apos;s size</source>
+        <translation>eine Oberfläche, die zur Größe der Datei passt</translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 MiB of memory</source>
+        <translation>sie zu lesen braucht mehr als %1 MiB Speicher</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s</source>
+        <translation>sie zu lesen dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s of processor time</source>
+        <translation>sie zu lesen brauchte mehr als %1 s Rechenzeit</translation>
+    </message>
+    <message>
+        <source>a mesh that can be read sooner</source>
+        <translation>eine Oberfläche, die schneller zu lesen ist</translation>
+    </message>
+    <message>
+        <source>the system ended the process that read it, perhaps for want of memory</source>
+        <translation>das System beendete das Lesen, vielleicht aus Mangel an Speicher</translation>
+    </message>
+    <message>
+        <source>a file that can be read</source>
+        <translation>eine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>no structure %1</source>
+        <translation>keine Struktur %1</translation>
+    </message>
+    <message>
+        <source>one of that name</source>
+        <translation>eine dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1 open edge: the surface has holes or a rim</source>
+        <translation>%1 offene Kante: die Oberfläche hat Löcher oder einen Rand</translation>
+    </message>
+    <message>
+        <source>%1 open edges: the surface has holes or a rim</source>
+        <translation>%1 offene Kanten: die Oberfläche hat Löcher oder einen Rand</translation>
+    </message>
+    <message>
+        <source>%1 triangle without area left out</source>
+        <translation>%1 Dreieck ohne Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area left out</source>
+        <translation>%1 Dreiecke ohne Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle left out</source>
+        <translation>%1 doppeltes Dreieck weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles left out</source>
+        <translation>%1 doppelte Dreiecke weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangle turned round to face the same way as the rest</source>
+        <translation>%1 Dreieck gewendet, damit es zur selben Seite zeigt wie die übrigen</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned round to face the same way as the rest</source>
+        <translation>%1 Dreiecke gewendet, damit sie zur selben Seite zeigen wie die übrigen</translation>
+    </message>
+    <message>
+        <source>%1 edge shared by more than two triangles</source>
+        <translation>%1 Kante gehört zu mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 edges shared by more than two triangles</source>
+        <translation>%1 Kanten gehören zu mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 part without a consistent front</source>
+        <translation>%1 Teil ohne einheitliche Vorderseite</translation>
+    </message>
+    <message>
+        <source>%1 parts without a consistent front</source>
+        <translation>%1 Teile ohne einheitliche Vorderseite</translation>
+    </message>
+    <message>
+        <source>%1 part without an inside, touched from both sides</source>
+        <translation>%1 Teil ohne Inneres, von beiden Seiten zu fühlen</translation>
+    </message>
+    <message>
+        <source>%1 parts without an inside, touched from both sides</source>
+        <translation>%1 Teile ohne Inneres, von beiden Seiten zu fühlen</translation>
+    </message>
+    <message>
+        <source>%1 closed part looks inside out: touched from within unless flipped</source>
+        <translation>%1 geschlossener Teil ist wohl umgestülpt: von innen zu fühlen, außer man wendet ihn</translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within unless flipped</source>
+        <translation>%1 geschlossene Teile sind wohl umgestülpt: von innen zu fühlen, außer man wendet sie</translation>
+    </message>
+    <message>
+        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation>%1 Werte wichen um mehr als 10 % von einem anderen am selben Eckpunkt ab: das Mittel gilt</translation>
+    </message>
+    <message>
+        <source>no SPACE tag: coordinates taken as LPS</source>
+        <translation>ohne Angabe SPACE: die Koordinaten gelten als LPS</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more file</source>
+        <translation>%1 und %2 weitere Datei</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more files</source>
+        <translation>%1 und %2 weitere Dateien</translation>
+    </message>
+    <message>
+        <source>tagged SPACE=RAS: x and y negated to get LPS</source>
+        <translation>Angabe SPACE=RAS: x und y umgekehrt, so dass es LPS ist</translation>
+    </message>
+    <message>
+        <source>tagged SPACE=%1, but taken as %2, as was chosen</source>
+        <translation>Angabe SPACE=%1, aber als %2 gelesen, wie gewählt wurde</translation>
+    </message>
+    <message>
+        <source>taken as %1, as the scene file says; not as %2</source>
+        <translation>als %1 gelesen, wie die Szene es sagt; nicht als %2</translation>
+    </message>
+    <message>
+        <source>only %1 units wide, taken as %2; looks like %3: open with --unit %4</source>
+        <translation>nur %1 Einheiten breit, als %2 gelesen; wahrscheinlich sind es %3: mit --unit %4 öffnen</translation>
+    </message>
+    <message>
+        <source>%1 units wide, taken as %2; looks like %3: open with --unit %4</source>
+        <translation>%1 Einheiten breit, als %2 gelesen; wahrscheinlich sind es %3: mit --unit %4 öffnen</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>larger ones</source>
+        <translation>größere</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same surface twice</source>
+        <translation>%1 und %2 sind zweimal dieselbe Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it</source>
+        <translation>%1 liegt in %2 und wird darunter gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
+        <translation>%1 liegt in %2, das in der letzten von %3 Schichten gefühlt wird: beide werden in dieser gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
+        <translation>%1 liegt wohl in %2, dessen Oberfläche offen oder umgestülpt ist: es wird nicht darunter gefühlt</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its %1</source>
+        <translation>die Farben werden nicht gelesen: %1</translation>
+    </message>
+    <message>
+        <source>changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now</source>
+        <translation>geändert, seit die Szene gespeichert wurde: Prüfsumme %1, erwartet %2; geöffnet, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
+        <translation>ist eine Liste von Marken aus 3D Slicer, keine Szene von Palpate: erst die Anatomie öffnen, dann die Marken mit Datei &gt; Befunde einlesen dazunehmen</translation>
+    </message>
+    <message>
+        <source>is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
+        <translation>ist keine Szene von Palpate: weder `version` noch `structures` ist darin; erwartet: eine Datei, die Palpate gespeichert hat (.palpate.json)</translation>
+    </message>
+    <message>
+        <source>version: found %1, expected at most %2: it was made by a newer Palpate</source>
+        <translation>Version: gefunden %1, erwartet höchstens %2: eine neuere Fassung von Palpate hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>no JSON object</source>
+        <translation>kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a scene as a JSON object</source>
+        <translation>eine Szene als JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>an array of %1</source>
+        <translation>eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a fraction</source>
+        <translation>ein Bruch</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the path of a mesh file</source>
+        <translation>der Pfad einer Datei mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>the path of a recording</source>
+        <translation>der Pfad einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the name of a structure of this scene</source>
+        <translation>der Name einer Struktur dieser Szene</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von: %1</translation>
+    </message>
+    <message>
+        <source>no such file, expected a recording</source>
+        <translation>die Datei ist nicht da, erwartet: eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>found no SQLite database, expected a recording</source>
+        <translation>keine Aufzeichnung von Palpate (keine SQLite-Datenbank)</translation>
+    </message>
+    <message>
+        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
+        <translation>die Datenbank eines anderen Programms, erwartet: eine Aufzeichnung von Palpate</translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
+        <translation>eine Aufzeichnung der Version %1, erwartet höchstens %2: eine neuere Fassung von Palpate hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>found no tick with a hand, expected at least one</source>
+        <translation>kein Augenblick mit einer Hand darin, erwartet: mindestens einer</translation>
+    </message>
+    <message>
+        <source>damaged: %1</source>
+        <translation>beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>die Datei ist keine Datenbank</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>die Datenbank ist beschädigt</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>der Datenträger antwortet nicht richtig</translation>
+    </message>
+    <message>
+        <source>the recording ended at %1 s because %2; what was felt after is not in it</source>
+        <translation>die Aufzeichnung endete bei %1 s, weil %2; was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>nothing was recorded because %1</source>
+        <translation>nichts wurde aufgezeichnet, weil %1</translation>
+    </message>
+    <message>
+        <source>the disk cannot be written (%1)</source>
+        <translation>der Datenträger nicht beschrieben werden kann (%1)</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
+        <translation>endete bei %1 s, weil der Datenträger voll war; was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
+        <translation>endete bei %1 s, weil der Datenträger nicht beschrieben werden konnte; was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
+        <translation>endete bei %1 s, ohne geschlossen zu werden (ein Absturz oder ein voller Datenträger); was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>%1 ticks were lost</source>
+        <translation>%1 Augenblicke gingen verloren</translation>
+    </message>
+    <message>
+        <source>cannot be recorded: the servo loop is not running</source>
+        <translation>kann nicht aufgezeichnet werden: die Hand läuft nicht</translation>
+    </message>
+    <message>
+        <source>cannot be recorded: the servo loop does not answer</source>
+        <translation>kann nicht aufgezeichnet werden: die Hand antwortet nicht</translation>
+    </message>
+    <message>
+        <source>found none of the surfaces that it was made on</source>
+        <translation>keine der Oberflächen, auf denen sie gemacht wurde, ist da</translation>
+    </message>
+    <message>
+        <source>it holds none and names no mesh</source>
+        <translation>sie enthält keine und nennt keine</translation>
+    </message>
+    <message>
+        <source>no such file, neither where it was nor beside the recording</source>
+        <translation>die Datei ist nicht da, weder an ihrem Ort noch neben der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>is another surface now than was recorded; opened as it is now</source>
+        <translation>ist jetzt eine andere Oberfläche als die aufgezeichnete; geöffnet, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>its recorded map is of another surface; it is not felt</source>
+        <translation>die aufgezeichnete Karte gehört zu einer anderen Oberfläche; sie wird nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>what lumps below it made is of another surface; it is not felt</source>
+        <translation>was Knoten darunter bewirkten, gehört zu einer anderen Oberfläche; es wird nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>the recording does not say what scene it was made on</source>
+        <translation>die Aufzeichnung sagt nicht, auf welcher Szene sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
+        <translation>Takt und Prozessor lassen sich nicht ändern, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
+    </message>
+    <message>
+        <source>the device cannot be changed while a recording runs; stop it first</source>
+        <translation>das Gerät lässt sich nicht wechseln, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse is the hand now; choose another device for it first</source>
+        <translation>die SpaceMouse ist jetzt die Hand; bitte erst ein anderes Gerät dafür wählen</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view; switch that off first</source>
+        <translation>die SpaceMouse bewegt die Ansicht; bitte das erst ausschalten</translation>
+    </message>
+    <message>
+        <source>no device is called %1</source>
+        <translation>kein Gerät heißt %1</translation>
+    </message>
+    <message>
+        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
+        <translation>die simulierte Hand tastet, was in der Mitte der Ansicht ist: dort ist nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>no recording is open whose motion could be felt anew</source>
+        <translation>keine Aufzeichnung ist offen, deren Bewegung neu gefühlt werden könnte</translation>
+    </message>
+    <message>
+        <source>the motion to play has no rows</source>
+        <translation>die Bewegung, die gespielt werden soll, ist leer</translation>
+    </message>
+    <message>
+        <source>the device could not be started: %1</source>
+        <translation>das Gerät ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>its driver failed</source>
+        <translation>sein Treiber versagte</translation>
+    </message>
+    <message>
+        <source>skipped, it hung when it was started</source>
+        <translation>übergangen: beim Start blieb es hängen</translation>
+    </message>
+    <message>
+        <source>skipped, it ended the process when it was started</source>
+        <translation>übergangen: beim Start beendete es das Programm</translation>
+    </message>
+    <message>
+        <source>skipped, it failed when it was started</source>
+        <translation>übergangen: der Start misslang</translation>
+    </message>
+    <message>
+        <source>skipped, %1 comes first</source>
+        <translation>übergangen: %1 geht vor</translation>
+    </message>
+    <message>
+        <source>CPU %1: this machine has no such CPU</source>
+        <translation>Prozessor %1: diesen gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
+        <translation>Das Gerät gab eine Position an, die keine Zahl ist. Bitte den Treiber prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
+        <translation>Das Gerät gab Positionen außerhalb seines Arbeitsraums an. Bitte kalibrieren, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
+        <translation>Die Position des Geräts sprang weiter, als eine Hand sich bewegen kann. Bitte Kabel und Kalibrierung prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
+        <translation>Das Gerät gibt keine neuen Positionen mehr an. Bitte die Verbindung prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device no longer answers. Plug it in again, then re-arm.</source>
+        <translation>Das Gerät antwortet nicht mehr. Bitte neu einstecken, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
+        <translation>Die berechnete Kraft ist keine Zahl. Bitte die Oberfläche verlassen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
+        <translation>Der Rechner hielt den Takt nicht ein. Bitte andere Programme schließen oder den Takt senken, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The servo thread ended by an error. Start the device again.</source>
+        <translation>Die Berechnung der Kraft endete durch einen Fehler. Bitte das Gerät neu starten.</translation>
+    </message>
+    <message>
+        <source>lumps felt through their organ: %1</source>
+        <translation>Knoten, durch ihr Organ gefühlt: %1</translation>
+    </message>
+    <message>
+        <source>it has %1 points; expected 2 to %2</source>
+        <translation>es sind %1 Punkte; erwartet: 2 bis %2</translation>
+    </message>
+    <message>
+        <source>it has more points; expected 2 to %1</source>
+        <translation>es sind mehr Punkte; erwartet: 2 bis %1</translation>
+    </message>
+    <message>
+        <source>left out, its surface is open: it has no volume to be felt</source>
+        <translation>weggelassen: die Oberfläche ist offen, es gibt kein Volumen zu fühlen</translation>
+    </message>
+    <message>
+        <source>left out, its surface is inside out</source>
+        <translation>weggelassen: die Oberfläche ist umgestülpt</translation>
+    </message>
+    <message>
+        <source>left out, it lies outside %1</source>
+        <translation>weggelassen: liegt außerhalb von %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
+        <translation>%1 und %2 reichen ineinander: wo beide zu fühlen sind, wird nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>%1 was read as %2</source>
+        <translation>%1 wurde als %2 gelesen</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>polygon %1</source>
+        <translation>Vieleck %1</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>%1; expected %2</source>
+        <translation>%1; erwartet: %2</translation>
+    </message>
+    <message>
+        <source>found %1, expected %2</source>
+        <translation>gefunden: %1, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (in English)</source>
+        <extracomment>around a line that has no translation</extracomment>
+        <translation>%1 (auf Englisch)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are not numbers (first: triangle %3)</source>
+        <translation>%1 von %2 haben Koordinaten, die keine Zahlen sind (als erstes Dreieck %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
+        <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind (als erstes Dreieck %3)</translation>
     </message>
 </context>
 <context>

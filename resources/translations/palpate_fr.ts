@@ -213,10 +213,6 @@
         <translation>Interrompre</translation>
     </message>
     <message>
-        <source>Stop opening; what was open stays</source>
-        <translation>Arrêter&#x202f;; ce qui était ouvert le reste</translation>
-    </message>
-    <message>
         <source>Research, training and planning rehearsal. Not a medical device.</source>
         <translation>Recherche, formation et répétition du geste planifié. Pas un dispositif médical.</translation>
     </message>
@@ -527,10 +523,6 @@
     <message>
         <source>Palpate</source>
         <translation>Palper</translation>
-    </message>
-    <message>
-        <source>Palpate with the pointer: drag to press, wheel for the depth; off: the pointer moves the camera</source>
-        <translation>Palper au pointeur&#x202f;: glisser pour appuyer, molette pour la profondeur&#x202f;; sinon le pointeur déplace la caméra</translation>
     </message>
     <message>
         <source>Press by effort</source>
@@ -1023,6 +1015,26 @@
     <message>
         <source>Turning the view</source>
         <translation>Rotation de la vue</translation>
+    </message>
+    <message>
+        <source>Stop reading; what was open stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dent under the finger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P palpate, hold to press harder, wheel for the hardest press</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1618,6 +1630,902 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
 </context>
 <context>
+    <name>palpate::ui::Engine</name>
+    <message>
+        <source>the file is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a web page (HTML), perhaps a failed download</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the content is no known mesh format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, which Palpate does not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gzip file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NRRD image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an SQLite database (a recording?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an %1 mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an %1 mesh: save it as one of these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; choose another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no memory to read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not enough memory to read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mesh that fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a folder without mesh files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a folder of meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of %1 triangle has an area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of %1 triangles has an area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least one that has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 polygons and strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 whole triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 whole triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 polygon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 polygons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are not numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are farther than 10 km from the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are not numbers (first: triangle %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finite coordinates within 10 km</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends in the STL header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends in the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the binary STL declares %1 but its %2 hold %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends after %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what came after %1 lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends in a line: that line and what came after it lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 elements declared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vertex has fewer than three coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it uses point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no faces with a list of vertex indices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vertices with x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex index %1 (%2 vertices so far)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 uses vertex %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a zero byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its mesh is larger than %1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mesh that fits its file&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 MiB of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s of processor time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mesh that can be read sooner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system ended the process that read it, perhaps for want of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file that can be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no structure %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of that name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 open edge: the surface has holes or a rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 open edges: the surface has holes or a rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangle without area left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles without area left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangle left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangle turned round to face the same way as the rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles turned round to face the same way as the rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edge shared by more than two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edges shared by more than two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 part without a consistent front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 parts without a consistent front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 part without an inside, touched from both sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 parts without an inside, touched from both sides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closed part looks inside out: touched from within unless flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within unless flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no SPACE tag: coordinates taken as LPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tagged SPACE=RAS: x and y negated to get LPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tagged SPACE=%1, but taken as %2, as was chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken as %1, as the scene file says; not as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 units wide, taken as %2; looks like %3: open with --unit %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units wide, taken as %2; looks like %3: open with --unit %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>larger ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same surface twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colours not read: those of its %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>version: found %1, expected at most %2: it was made by a newer Palpate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no JSON object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scene as a JSON object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path of a mesh file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path of a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a structure of this scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file, expected a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found no SQLite database, expected a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found no tick with a hand, expected at least one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>damaged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording ended at %1 s because %2; what was felt after is not in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was recorded because %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk cannot be written (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ticks were lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be recorded: the servo loop is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be recorded: the servo loop does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found none of the surfaces that it was made on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds none and names no mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such file, neither where it was nor beside the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is another surface now than was recorded; opened as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its recorded map is of another surface; it is not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what lumps below it made is of another surface; it is not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording does not say what scene it was made on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device cannot be changed while a recording runs; stop it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the SpaceMouse is the hand now; choose another device for it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view; switch that off first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no device is called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no recording is open whose motion could be felt anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motion to play has no rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device could not be started: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its driver failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped, it hung when it was started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped, it ended the process when it was started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped, it failed when it was started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped, %1 comes first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU %1: this machine has no such CPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device no longer answers. Plug it in again, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo thread ended by an error. Start the device again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lumps felt through their organ: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 points; expected 2 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has more points; expected 2 to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out, its surface is open: it has no volume to be felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out, its surface is inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out, it lies outside %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was read as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>polygon %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1, expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>%1 (in English)</source>
+        <extracomment>around a line that has no translation</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::EngineeringPanel</name>
     <message>
         <source>%1 µs</source>
@@ -1805,7 +2713,7 @@ laisse la boucle aller où il y a de la place.</translation>
     </message>
     <message>
         <source>%1 of %2, %3 left out</source>
-        <translation>%1 sur %2, sautés : %3</translation>
+        <translation>%1 sur %2, sautés&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1 mJ</source>
@@ -2597,6 +3505,10 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>now %1 mm</source>
         <translation>ici %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>now %1 mm, here × %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

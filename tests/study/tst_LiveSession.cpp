@@ -7,6 +7,7 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/LiveSession.h>
+#include <palpate/study/RecordedLooks.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 
@@ -69,7 +70,8 @@ class LiveSession : public QObject
         study::LiveSession live;
         feel(live, box(0.3));
         QVERIFY(live.start(*device, {}).isOk());
-        QVERIFY(live.startRecording(path("r.palpate"), "box.palpate.json", embeds).isOk());
+        const std::string looks = study::looksText({{"box", {0.1, 0.25, 1.0}, 0.5}});
+        QVERIFY(live.startRecording(path("r.palpate"), "box.palpate.json", embeds, looks).isOk());
         QTRY_VERIFY(live.recording().ticks > 300);
         feel(live, box(0.9)); // stiffer from now on
         live.note("note", R"({"text": "harder"})");
@@ -101,8 +103,20 @@ class LiveSession : public QObject
         if (embeds) { // the file is the whole session
             const auto whole = study::openScene(path("r.palpate"));
             QVERIFY2(whole.isOk(), whole.status().message().c_str());
-            QCOMPARE(whole.value().structures.at(0).description.tissue.stiffness_N_per_mm, 0.3);
+            const meshio::SceneStructure& one = whole.value().structures.at(0).description;
+            QCOMPARE(one.tissue.stiffness_N_per_mm, 0.3);
+            QVERIFY(one.colour == (std::array<double, 3>{0.1, 0.25, 1.0}) && one.opacity == 0.5);
         }
+    }
+
+    void looksThatAreNotValidAreLeftOut()
+    {
+        const auto looks = study::looksFrom(R"([{"name":"a","colour":[0,0.5,2],"opacity":1},7,
+            {"name":"b","colour":[0,0.5,1],"opacity":"1"},{"name":"c","colour":[0,0.5,1],"opacity":0.25}])");
+        QCOMPARE(looks.size(), std::size_t{4});
+        QVERIFY(looks[0].name.empty() && looks[1].name.empty() && looks[2].name.empty());
+        QVERIFY(looks[3].name == "c" && looks[3].colour[1] == 0.5 && looks[3].opacity == 0.25);
+        QVERIFY(study::looksFrom("{").empty() && study::looksFrom("").empty());
     }
 
     void givesTicksToWhoTakesThemOneself()

@@ -79,6 +79,23 @@ class StructureTable : public QObject
         model.undoStack().redo();
         QCOMPARE(model.structure(1).layer, 1u);
     }
+    /// The organ that holds it, not a vessel in between that the hand passes through.
+    void whatItIsBelowIsTheOrganThatIsFelt()
+    {
+        StructureModel model;
+        std::vector<ui::StructureRow> rows = test::twoRows();
+        rows.push_back(test::row("portal vein", test::ball(20.0, 3)));
+        rows[2].in = 0;
+        rows[1].in = 2;
+        model.setRows(std::move(rows));
+        model.setLayers({0, 2, 1}, QStringLiteral("Feel below"));
+        QCOMPARE(model.feltText(1, 2), QStringLiteral("below portal vein"));
+        model.setData(model.index(2, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole);
+        QCOMPARE(model.feltText(1, 2), QStringLiteral("below liver capsule"));
+        QCOMPARE(model.feltText(1, 1), QStringLiteral("below liver capsule"));
+        QCOMPARE(model.feltText(1, 3), QStringLiteral("3 below")); // something else must be in between
+        QCOMPARE(model.feltText(2, 1), QStringLiteral("below liver capsule"));
+    }
     void stepsOfOneDragUndoTogether()
     {
         StructureModel model;

@@ -76,6 +76,16 @@ class LabelLayout : public QObject
             }
             QTest::addRow("20 in 160 pixels, seed %u", seed) << discs;
         }
+        // A large screen, and places far outside of the view.
+        for (const double middle_px : {0.0, 1200.0, -1e6}) {
+            std::mt19937 random(7);
+            std::vector<Point> discs;
+            for (int i = 0; i < 400; ++i) {
+                const double x = middle_px + 0.01 * static_cast<double>(random() % 200000) - 1000.0;
+                discs.emplace_back(x, middle_px + 0.01 * static_cast<double>(random() % 200000) - 1000.0);
+            }
+            QTest::addRow("400 in 2000 pixels about %.0f", middle_px) << discs;
+        }
     }
     void nothingIsCovered()
     {

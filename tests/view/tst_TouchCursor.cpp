@@ -127,7 +127,7 @@ class TouchCursor : public QObject
             cursor.place(frameAt(300));
             return cursor.arrow().circle()->GetVisibility() ? cursor.arrow().radius_px() : 0.0;
         };
-        const Vec3 at = (Vec3(0, 0, 300) - contact({}).p_WG).normalized();
+        const Vec3 at = (Vec3(0, 0, 300) - contact(Vec3::Zero()).p_WG).normalized();
         const double one = radius_px(at), three = radius_px(3.0 * at);
         QVERIFY(!cursor.arrow().shaft()->GetVisibility());
         QVERIFY2(one > 0.5 * view::TouchCursor::kBall_px && three > one + 10.0, qPrintable(QString::number(three)));
@@ -187,6 +187,20 @@ class TouchCursor : public QObject
         QVERIFY(cursor.labels().texts().empty() && !cursor.innerLine(0)->GetVisibility());
     }
     /// Wherever the hand is, at the border and in the corners too.
+    void labelsStayOffTheLegend()
+    {
+        view::TouchCursor cursor;
+        cursor.setState(contact(Vec3(0, 0, 2)));
+        cursor.place(frameAt(300));
+        const std::vector<Eigen::AlignedBox2d> before = cursor.labels().boxes();
+        QVERIFY(!before.empty());
+        for (const Eigen::AlignedBox2d& legend : before) {
+            cursor.place(frameAt(300), legend);
+            for (const Eigen::AlignedBox2d& label : cursor.labels().boxes()) {
+                QVERIFY(legend.intersection(label).isEmpty());
+            }
+        }
+    }
     void labelsStayInTheViewAndOffTheCursor()
     {
         view::TouchCursor cursor;

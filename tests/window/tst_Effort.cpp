@@ -3,6 +3,7 @@
 #include "TestRunner.h"
 
 #include <palpate/meshio/MeshFile.h>
+#include <palpate/ui/HintLine.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -96,6 +97,17 @@ class Effort : public QObject
             m_desk->picture().save(QString::fromLocal8Bit(folder) + QStringLiteral("/effort-panel.png"));
             window().findChild<QDockWidget*>(QStringLiteral("touch"))->raise();
         }
+    }
+    void theHintSaysWhatTheWheelDoes()
+    {
+        const auto* hint = window().findChild<ui::HintLine*>();
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
+        m_desk->pressKeyOf("effort");
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for depth")), qPrintable(hint->said()));
+        m_desk->pressKeyOf("effort");
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
+        QVERIFY(m_desk->openPhantom());
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
     }
     void theWheelSetsTheBound()
     {

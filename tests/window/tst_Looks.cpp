@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSettings>
+#include <QTreeView>
 
 using namespace palpate;
 
@@ -113,6 +114,10 @@ class Looks : public QObject
         const double light = ground();
         const QColor lightText = panel->findChild<QLabel*>()->palette().color(QPalette::WindowText);
         QVERIFY(choose("appearance-contrast-black"));
+        QTest::qWait(100);
+        for (const QTreeView* list : window().findChildren<QTreeView*>()) { // swatches and symbols on the selected row
+            QVERIFY(list->palette().color(QPalette::Highlight).lightness() < 128);
+        }
         QCOMPARE(QSettings().value("look/appearance").toString(), QStringLiteral("contrast-black"));
         QCOMPARE(ground(), 0.0);
         QCOMPARE(view().textStyle().groundOpacity, 1.0);

@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QColorDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QMenu>
@@ -16,6 +17,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <csignal>
@@ -74,6 +76,22 @@ class Records : public QObject
         qFatal("no chip of the recording");
     }
     ui::MessageBar& message() const { return *m_desk->window().findChild<ui::MessageBar*>(); }
+
+    QToolButton* colourButton() const
+    {
+        for (QToolButton* one : m_desk->window().findChildren<QToolButton*>()) {
+            if (one->accessibleName() == QStringLiteral("Colour")) {
+                return one;
+            }
+        }
+        qFatal("no button \"Colour\"");
+    }
+    /// Of the structure that is selected.
+    QColor colourOnButton() const
+    {
+        const QImage image = colourButton()->icon().pixmap(32, 32).toImage();
+        return image.pixelColor(image.rect().center());
+    }
 
     /// The newest recording in the documents.
     std::filesystem::path newest() const
@@ -224,6 +242,35 @@ class Records : public QObject
         }
         QVERIFY2(fields.contains(QStringLiteral("0.2")), qPrintable(fields.join(QLatin1Char(' '))));
         picture("alone.png");
+    }
+
+    /// A colour chosen by hand and never saved comes back with the recording.
+    void aRecordingKeepsTheColours()
+    {
+        QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
+        const QColor chosen(20, 200, 90);
+        QTimer::singleShot(300, qApp, [&chosen] {
+            if (auto* dialog = qobject_cast<QColorDialog*>(QApplication::activeModalWidget())) {
+                dialog->setCurrentColor(chosen);
+                dialog->accept();
+            }
+        });
+        colourButton()->click();
+        QCOMPARE(colourOnButton(), chosen);
+        m_desk->window().activateWindow(); // there is no window manager that does it after the dialog
+        QVERIFY(QTest::qWaitForWindowActive(&m_desk->window()));
+        m_desk->window().viewport().setFocus();
+        m_desk->pressKeyOf("record");
+        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        QTest::qWait(600);
+        m_desk->pressKeyOf("record");
+        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        const std::filesystem::path file = newest();
+        const auto reader = session::RecordingReader::open(file);
+        QVERIFY2(reader.isOk() && reader.value()->verify().isOk(), file.c_str());
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({file}));
+        QCOMPARE(colourOnButton(), chosen);
     }
 
     /// The fingertip of a recording is touched with until another scene is open; what a person chose is kept.

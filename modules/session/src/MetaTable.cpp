@@ -25,7 +25,9 @@ std::string text(double value)
 
 /// What only recordings have to which it applies.
 constexpr std::pair<const char*, std::string RecordingInfo::*> kOptional[] = {
-    {"scene_beside", &RecordingInfo::sceneBeside}, {"scene_sha256", &RecordingInfo::sceneSha256}};
+    {"scene_beside", &RecordingInfo::sceneBeside},
+    {"scene_sha256", &RecordingInfo::sceneSha256},
+    {"looks", &RecordingInfo::looks}};
 
 /// Takes values out of the table and keeps the first complaint.
 class MetaReader

@@ -47,10 +47,12 @@ void LiveSession::stop()
     m_loop.stop();
 }
 
-Status LiveSession::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene, bool embeds)
+Status LiveSession::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene, bool embeds,
+                                   std::string looks)
 {
     m_embeds = embeds;
     session::RecordingInfo info;
+    info.looks = std::move(looks);
     nameScene(info, scene, path);
     info.device = m_device;
     return m_recorder.start(path, info, sceneRecord());

@@ -3,6 +3,7 @@
 
 #include "palpate/study/BuriedLumps.h"
 #include "palpate/study/HapticCopy.h"
+#include "palpate/study/RecordedLooks.h"
 #include "palpate/study/StructureSources.h"
 
 #include <palpate/session/Findings.h>
@@ -114,8 +115,9 @@ class Reopening
         : m_reader(reader)
         , m_options(options)
         , m_records(reader.scenes().empty() ? std::vector<StructureRecord>() : reader.scenes().front().structures)
+        , m_looks(looksFrom(reader.info().looks))
     {
-        // What a recording does not hold: how the scene looked.
+        // What a recording does not hold: camera and maps, in an older one also how the scene looked.
         if (const auto file = recordedSceneFile(reader); file && meshio::isSceneFile(*file)) {
             if (auto read = meshio::readScene(*file); read.isOk()) {
                 m_look = std::move(read).value();
@@ -153,8 +155,18 @@ class Reopening
     }
 
   private:
-    /// As it is recorded, looking as in the scene file.
+    /// As it is recorded, looking as it did then, in an older recording as in the scene file.
     meshio::SceneStructure description(const StructureRecord& record, std::size_t number) const
+    {
+        meshio::SceneStructure out = lookingAsInTheScene(record, number);
+        if (number < m_looks.size() && m_looks[number].name == record.name) {
+            out.colour = m_looks[number].colour;
+            out.opacity = m_looks[number].opacity;
+        }
+        return out;
+    }
+
+    meshio::SceneStructure lookingAsInTheScene(const StructureRecord& record, std::size_t number) const
     {
         meshio::SceneStructure out = descriptionOf(record);
         const auto look = std::find_if(m_look.structures.begin(), m_look.structures.end(),
@@ -298,6 +310,7 @@ class Reopening
     const RecordingReader& m_reader;
     const meshio::ReadOptions& m_options;
     std::vector<StructureRecord> m_records;
+    std::vector<RecordedLook> m_looks; ///< by number in `m_records`
     meshio::SceneFile m_look;
     std::vector<std::optional<meshio::LoadedStructure>> m_found; ///< by number in `m_records`
     meshio::LoadedScene m_out;

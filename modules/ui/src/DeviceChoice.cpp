@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/DeviceChoice.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include <palpate/device/OtherDevices.h>
 #include <palpate/device/PlaybackDevice.h>
 #include <palpate/device/SimulatedHand.h>
@@ -77,7 +79,7 @@ void DeviceChoice::fill(QMenu& menu)
         m_group->addAction(action);
         connect(action, &QAction::triggered, this, [this, id] {
             if (const Status status = choose(id); !status.isOk()) {
-                Q_EMIT refused(QString::fromStdString(status.message()));
+                Q_EMIT refused(engineText(status));
             }
         });
     };
@@ -95,7 +97,7 @@ void DeviceChoice::fill(QMenu& menu)
             } else {
                 QAction* action = menu.addAction(tr("%1 (skipped)").arg(QString::fromStdString(entry.file.filename())));
                 action->setEnabled(false);
-                action->setToolTip(QString::fromStdString(entry.status.message()));
+                action->setToolTip(engineText(entry.status));
             }
         }
         if (hasPuck) {
@@ -109,7 +111,7 @@ void DeviceChoice::fill(QMenu& menu)
     menu.addSeparator();
     QAction* calibrate = menu.addAction(tr("Calibrate"), this, [this] {
         if (const Status status = m_live.calibrate(); !status.isOk()) {
-            Q_EMIT refused(QString::fromStdString(status.message()));
+            Q_EMIT refused(engineText(status));
         }
     });
     calibrate->setToolTip(tr("Takes the pose that the device is in now as its calibration pose"));
@@ -129,7 +131,7 @@ void DeviceChoice::movePicture(bool isWanted, QAction& action)
     }
     action.setChecked(m_puck.isOn());
     if (!status.isOk()) {
-        Q_EMIT refused(QString::fromStdString(status.message()));
+        Q_EMIT refused(engineText(status));
     }
 }
 
@@ -282,7 +284,7 @@ void DeviceChoice::tellWhatIsOnTheBus()
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
             if (!entry.status.isOk()) {
-                lines << QString::fromStdString(entry.status.message());
+                lines << engineText(entry.status);
             }
         }
     }

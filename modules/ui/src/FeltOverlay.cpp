@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FeltOverlay.h"
 
+#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/FeltWords.h"
 #include "palpate/ui/VtkViewport.h"
 
@@ -227,13 +228,13 @@ void FeltOverlay::begin()
             auto felt = study::feltSurface(scene, organ, how);
             if (felt.isOk()) {
                 for (const std::string& note : felt.value().notes) {
-                    found->notes << QString::fromStdString(note);
+                    found->notes << engineText(note);
                 }
                 found->organs.push_back(shown({organ, std::move(felt).value()},
                                               scene.structures[organ.organ].surface->mesh.triangles.size(),
                                               pictures[organ.organ]));
             } else {
-                found->notes << QString::fromStdString(felt.status().message());
+                found->notes << engineText(felt.status());
             }
         }
         QMetaObject::invokeMethod(this, [this, job, found] {

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -98,11 +99,25 @@ void FeltPanel::makeTable()
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    fitRows();
+}
+
+/// Two lines of text in each row.
+void FeltPanel::fitRows()
+{
+    m_table->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
     m_table->setMinimumHeight(4 * fontMetrics().height() + 16);
+}
+
+void FeltPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::FontChange) {
+        fitRows();
+    }
+    QWidget::changeEvent(event);
 }
 
 QWidget* FeltPanel::makeChoices()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandControl.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include <palpate/geometry/Inside.h>
 
 #include <QLocale>
@@ -94,15 +96,14 @@ void HandControl::takeLoop()
         m_panel.setSettings(settings);
         // After what else is said of a device just chosen.
         QMetaObject::invokeMethod(
-            this,
-            [this, line = tr("%1; any is used").arg(QString::fromStdString(allowed.message()))] { Q_EMIT said(line); },
+            this, [this, line = tr("%1; any is used").arg(engineText(allowed))] { Q_EMIT said(line); },
             Qt::QueuedConnection);
     }
     if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
         settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
         settings.cpu = m_live.cpu();
         m_panel.setSettings(settings);
-        Q_EMIT said(QString::fromStdString(status.message()));
+        Q_EMIT said(engineText(status));
     }
 }
 

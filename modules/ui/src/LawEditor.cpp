@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LawEditor.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include "LawPlot.h"
 #include "palpate/ui/TermTexts.h"
 
@@ -154,7 +156,7 @@ void LawEditor::load(const std::filesystem::path& path)
     if (points.isOk()) {
         Q_EMIT edited({core::LawKind::Points, {}, std::move(points).value()});
     } else {
-        Q_EMIT refused(QString::fromStdString(points.status().message()));
+        Q_EMIT refused(engineText(points.status()));
     }
 }
 

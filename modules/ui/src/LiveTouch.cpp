@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LiveTouch.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include <algorithm>
 
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
+#include <palpate/study/RecordedLooks.h>
 
 #include <QLocale>
 
@@ -258,7 +261,7 @@ void LiveTouch::measure()
             fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
         const QJsonObject what{{"what", QString::fromUtf8(fault.message)}};
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
-        Q_EMIT faulted(QString::fromUtf8(fault.message));
+        Q_EMIT faulted(engineText(fault.message));
         if (m_info.actuatedAxes == 0) {
             m_session.loop().rearm(); // it has no motors: touch goes on, eased in
         }
@@ -285,7 +288,11 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
         m_handOver.stop();
         handOverScene();
     }
-    return m_session.startRecording(path, scene, embeds);
+    std::vector<study::RecordedLook> looks;
+    for (const StructureRow& row : m_model.rows()) {
+        looks.push_back(study::lookOf(row.loaded.description));
+    }
+    return m_session.startRecording(path, scene, embeds, study::looksText(looks));
 }
 
 core::Status LiveTouch::stopRecording()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/SceneLoader.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
@@ -164,7 +166,7 @@ class SceneLoader::Opening
         if (loaded.isOk()) {
             add(std::move(loaded).value(), file);
         } else if (loaded.status().code() != core::StatusCode::Cancelled) {
-            m_problems << QString::fromStdString(loaded.status().message());
+            m_problems << engineText(loaded.status());
         }
     }
 
@@ -183,10 +185,10 @@ class SceneLoader::Opening
         }
         m_opened->unopened.insert(m_opened->unopened.end(), part.unopened.begin(), part.unopened.end());
         for (const std::string& line : part.losses) {
-            m_problems << QString::fromStdString(line);
+            m_problems << engineText(line);
         }
         for (const std::string& line : part.warnings) {
-            m_opened->warnings << QString::fromStdString(line);
+            m_opened->warnings << engineText(line);
         }
     }
 
@@ -340,7 +342,7 @@ void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
             meshio::resolveMaps(*made, warnings, losses, [&job] { return !job->isCancelled; });
             QStringList problems;
             for (const std::string& line : losses) {
-                problems << QString::fromStdString(line);
+                problems << engineText(line);
             }
             QMetaObject::invokeMethod(
                 this,

@@ -177,6 +177,8 @@ void StructureList::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         takeLook();
+    } else if (event->type() == QEvent::StyleChange) { // a style sheet set anew gives the view its old palette back
+        QMetaObject::invokeMethod(this, &StructureList::takeLook, Qt::QueuedConnection);
     }
     QWidget::changeEvent(event);
 }

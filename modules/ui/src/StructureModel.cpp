@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructureModel.h"
 
+#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Theme.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
@@ -222,8 +223,12 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
     if (layer == 0) {
         return tr("outermost");
     }
-    const std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
-    if (in && !m_rows[static_cast<std::size_t>(*in)].isRemoved && structure(*in).layer + 1 == layer) {
+    std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
+    std::uint32_t most = 1; // layers below it: those that the hand passes through count
+    for (; in && (m_rows[static_cast<std::size_t>(*in)].isRemoved || !structure(*in).palpable); ++most) {
+        in = m_rows[static_cast<std::size_t>(*in)].in;
+    }
+    if (in && structure(*in).layer < layer && layer <= structure(*in).layer + most) {
         return tr("below %1").arg(readableName(structure(*in).name));
     }
     return tr("%1 below").arg(layer);
@@ -282,7 +287,7 @@ void StructureModel::resolveMaps(int row)
     meshio::resolveMaps(one.loaded, warnings, losses);
     one.mapProblems.clear();
     for (const std::string& line : losses) {
-        one.mapProblems << QString::fromStdString(line);
+        one.mapProblems << engineText(line);
     }
     refreshFelt(one);
 }
@@ -324,7 +329,7 @@ QStringList StructureModel::findings(int row) const
     const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
     if (surface != nullptr) {
         for (const std::string& sentence : surface->report.sentences()) {
-            lines << QString::fromStdString(sentence);
+            lines << engineText(sentence);
         }
     }
     return lines;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructurePanel.h"
 
+#include "palpate/ui/EngineTexts.h"
+
 #include "StructureList.h"
 
 #include "palpate/ui/TermTexts.h"
@@ -621,7 +623,7 @@ void StructurePanel::showBound(int row)
 QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const
 {
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
-        QString why = QString::fromStdString(law.message());
+        QString why = engineText(law);
         for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) { // as the field is called, not the file's key
             why.replace(QLatin1String(term.key.data()), termText(term.name));
         }

@@ -270,13 +270,27 @@ void ColourLegend::placeLines(const Place& at)
     shape->Modified();
 }
 
+/// Letters so small that the marks' words have room above the cube, each by itself.
+TextStyle ColourLegend::fitting(const ViewFrame& frame, double height, double cubeTop_px) const
+{
+    TextStyle style = frame.text;
+    const double r = frame.pixelRatio;
+    const double letter = letterSize_px(style, TextUse::Usual, r);
+    const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // that letters have no part in
+    const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + markedHeight(letter);
+    const double room = height - r * (cubeTop_px + kAboveCube_px) - apart;
+    style.size_px *= std::clamp(room / words, 0.3, 1.0);
+    return style;
+}
+
 void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
 {
     if (!isShown()) {
         return;
     }
     const double r = frame.pixelRatio;
-    const double letter = letterSize_px(frame.text, TextUse::Usual, r);
+    const TextStyle style = m_marks.empty() ? frame.text : fitting(frame, renderer.GetSize()[1], cubeTop_px);
+    const double letter = letterSize_px(style, TextUse::Usual, r);
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
     const double room = r * kBeside_px;
     const double greyHeight = std::max(r * kGreyHeight_px, letter);
@@ -300,7 +314,7 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
     m_texts[4]->SetPosition(beside, 0.5 * (greyLow + greyHigh));
     double end = right, top = high;
     for (const auto& text : m_texts) {
-        setFont(*text->GetTextProperty(), frame.text, TextUse::Usual, r);
+        setFont(*text->GetTextProperty(), style, TextUse::Usual, r);
         if (text->GetVisibility() != 0) {
             double size[2] = {0.0, 0.0};
             text->GetSize(&renderer, size);
@@ -313,12 +327,16 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
     }
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         double size[2] = {0.0, 0.0};
-        setFont(*m_markTexts[i]->GetTextProperty(), frame.text, TextUse::Usual, r);
+        setFont(*m_markTexts[i]->GetTextProperty(), style, TextUse::Usual, r);
         m_markTexts[i]->GetSize(&renderer, size);
         end = std::max(end, m_markTexts[i]->GetPosition()[0] + size[0]);
     }
     m_back->GetProperty()->SetOpacity(frame.text.groundOpacity);
-    placeColumn(*m_back, 2, {left - room, end + room, (m_hasUnknown ? greyLow : low) - room, top + room});
+    const double bottom = (m_hasUnknown ? greyLow : low) - room;
+    placeColumn(*m_back, 2, {left - room, end + room, bottom, top + room});
+    const Eigen::Vector2d middle(0.5 * renderer.GetSize()[0], 0.5 * renderer.GetSize()[1]);
+    m_box = {(Eigen::Vector2d(left - room, bottom) - middle) / r,
+             (Eigen::Vector2d(end + room, top + room) - middle) / r};
 }
 
 } // namespace palpate::view

@@ -43,27 +43,110 @@ bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
     return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
 }
 
+Eigen::AlignedBox2d boxAbout(const Point& middle, const Point& size, double gap)
+{
+    const Point half = 0.5 * size + Point::Constant(gap);
+    return {middle - half, middle + half};
+}
+
+Eigen::AlignedBox2d lineBox(const Point& from, const Point& to)
+{
+    return {from.cwiseMin(to), from.cwiseMax(to)};
+}
+
+/// What lies where: square cells, each with the numbers of the boxes that touch it, so that a box is compared with its
+/// neighbours only. The cells lie about the origin; boxes beyond the cells count to the outermost ones.
+class ScreenCells
+{
+  public:
+    void add(std::size_t number, const Eigen::AlignedBox2d& box)
+    {
+        visit(box, [&](int& first) {
+            m_entries.push_back({number, first});
+            first = static_cast<int>(m_entries.size()) - 1;
+            return false;
+        });
+    }
+
+    /// Whether `test` holds for a number whose box shares a cell with this one; it may be asked for one number twice.
+    template<typename Test>
+    [[nodiscard]] bool any(const Eigen::AlignedBox2d& box, const Test& test)
+    {
+        return visit(box, [&](const int& first) {
+            for (int i = first; i >= 0; i = m_entries[static_cast<std::size_t>(i)].next) {
+                if (test(m_entries[static_cast<std::size_t>(i)].number)) {
+                    return true;
+                }
+            }
+            return false;
+        });
+    }
+
+  private:
+    static constexpr int kCells = 96;           // a side
+    static constexpr double kCell_px = 24.0;    // about a number's text
+    static constexpr double kRounding_px = 0.1; // boxes that touch but for rounding share a cell
+
+    struct Entry
+    {
+        std::size_t number;
+        int next; ///< entry of the same cell, -1: none
+    };
+
+    /// Until one cell's answer is true.
+    template<typename Visitor>
+    bool visit(const Eigen::AlignedBox2d& box, const Visitor& visitor)
+    {
+        const auto cell = [&](const Point& p) {
+            return (p / kCell_px + Point::Constant(0.5 * kCells))
+                .cwiseMax(0.0)
+                .cwiseMin(kCells - 1.0)
+                .cast<int>()
+                .eval();
+        };
+        const Eigen::Vector2i low = cell(box.min() - Point::Constant(kRounding_px));
+        const Eigen::Vector2i high = cell(box.max() + Point::Constant(kRounding_px));
+        for (int y = low.y(); y <= high.y(); ++y) {
+            for (int x = low.x(); x <= high.x(); ++x) {
+                if (visitor(m_first[static_cast<std::size_t>(y * kCells + x)])) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Entry of each cell, row by row; -1: none.
+    std::vector<int> m_first = std::vector<int>(static_cast<std::size_t>(kCells) * kCells, -1);
+    std::vector<Entry> m_entries;
+};
+
 } // namespace
 
 void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
 {
     const Point disc = Point::Constant(2.0 * discRadius_px);
+    ScreenCells discs, texts, lines;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        discs.add(i, boxAbout(labels[i].disc_px, disc, 0.0));
+    }
     for (std::size_t i = 0; i < labels.size(); ++i) {
         DiscLabel& own = labels[i];
         const auto isFree = [&](const Point& offset, bool mayCross) {
             const Point centre = own.disc_px + offset;
-            for (std::size_t k = 0; k < labels.size(); ++k) {
-                const DiscLabel& other = labels[k];
-                if (overlap(centre, own.size_px, other.disc_px, disc, 0.5 * kGap_px)) {
-                    return false;
-                }
-                const Point otherCentre = other.disc_px + other.offset_px;
-                if (k < i && (overlap(centre, own.size_px, otherCentre, other.size_px, kGap_px) ||
-                              (!mayCross && cross(own.disc_px, centre, other.disc_px, otherCentre)))) {
-                    return false;
-                }
-            }
-            return true;
+            const auto coversDisc = [&](std::size_t k) {
+                return overlap(centre, own.size_px, labels[k].disc_px, disc, 0.5 * kGap_px);
+            };
+            const auto coversText = [&](std::size_t k) {
+                const Point otherCentre = labels[k].disc_px + labels[k].offset_px;
+                return overlap(centre, own.size_px, otherCentre, labels[k].size_px, kGap_px);
+            };
+            const auto crosses = [&](std::size_t k) {
+                return cross(own.disc_px, centre, labels[k].disc_px, labels[k].disc_px + labels[k].offset_px);
+            };
+            return !discs.any(boxAbout(centre, own.size_px, 0.5 * kGap_px), coversDisc) &&
+                   !texts.any(boxAbout(centre, own.size_px, kGap_px), coversText) &&
+                   (mayCross || !lines.any(lineBox(own.disc_px, centre), crosses));
         };
         const Point usual = offsetTowards(kDirections[0], 0, own, discRadius_px);
         Point best = usual;
@@ -84,6 +167,8 @@ void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
         }
         own.offset_px = best;
         own.isMoved = best != usual;
+        texts.add(i, boxAbout(own.disc_px + best, own.size_px, 0.0));
+        lines.add(i, lineBox(own.disc_px, own.disc_px + best));
     }
 }
 

@@ -230,8 +230,12 @@ void SceneView::prepareFrame(double pixelRatio)
 {
     ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     frame.text = m_text;
+    if (m_window != nullptr) {
+        m_cube.place(camera(), m_window->GetSize(), frame);
+    }
+    m_legend.place(*m_overlay, frame, m_cube.top_px());
     bendTissue(frame);
-    m_cursor.place(frame);
+    m_cursor.place(frame, m_legend.box());
     findHiddenFindings(frame);
     m_findings.place(frame);
     core::Box box = bounds();
@@ -247,10 +251,6 @@ void SceneView::prepareFrame(double pixelRatio)
     }
     const int* size = m_solid->GetSize();
     m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, size[0]);
-    if (m_window != nullptr) {
-        m_cube.place(camera(), m_window->GetSize(), frame);
-    }
-    m_legend.place(*m_overlay, frame, m_cube.top_px());
     // Unsorted, colours of several structures would be mixed by another rule and so be others.
     const auto translucent = std::count_if(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;

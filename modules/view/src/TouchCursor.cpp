@@ -148,7 +148,7 @@ Colour TouchCursor::ballColour() const
     return m_state.isInContact ? cividis(m_state.f_W.norm() / m_limit_N) : kLight;
 }
 
-void TouchCursor::place(const ViewFrame& frame)
+void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken)
 {
     const bool isThere = m_state.isPresent && m_state.p_WH.allFinite() && m_state.p_WG.allFinite();
     const bool isTouching = isThere && m_state.isInContact;
@@ -165,7 +165,7 @@ void TouchCursor::place(const ViewFrame& frame)
     placeContact(frame, isTouching);
     placeCrosshair(frame, isThere);
     if (!isThere) {
-        placeLabels(frame, false);
+        placeLabels(frame, false, taken);
         return;
     }
     const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
@@ -180,7 +180,7 @@ void TouchCursor::place(const ViewFrame& frame)
     placeBillboard(*m_hip, m_state.p_WH, frame);
     placeBillboard(*m_hipDark, m_state.p_WH, frame);
     if (!isTouching) {
-        placeLabels(frame, false);
+        placeLabels(frame, false, taken);
         return;
     }
     placeBall(*m_rim, ball_W, ball_mm + 1.4 * pixel_mm);
@@ -192,7 +192,7 @@ void TouchCursor::place(const ViewFrame& frame)
     // Dark blue, the colour of a light touch, is lost against tissue in shade: the arrow keeps to the brighter half.
     const double share = m_state.f_W.norm() / m_limit_N;
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
-    placeLabels(frame, true);
+    placeLabels(frame, true, taken);
 }
 
 /// From the surface at rest to the bottom of the dent.
@@ -247,7 +247,7 @@ void TouchCursor::placeCrosshair(const ViewFrame& frame, bool isThere)
     }
 }
 
-void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
+void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend)
 {
     const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
     const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
@@ -260,6 +260,9 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching)
     const double patch_px = std::min(m_patch_mm / frame.mmPerPixel(m_state.p_WG), 2.0 * kLargestPatch_px);
     std::vector<Eigen::AlignedBox2d> taken{boxAbout(g, std::max(m_arrow.radius_px() + 4.0, patch_px)),
                                            boxAbout(h, m_state.hasCrosshair ? kCross_px : kPointer_px)};
+    if (!legend.isEmpty()) {
+        taken.push_back(legend);
+    }
     constexpr int kPieces = 6; // boxes that cover a line
     for (int i = 0; i <= kPieces; ++i) {
         const double share = static_cast<double>(i) / kPieces;

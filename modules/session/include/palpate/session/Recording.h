@@ -91,6 +91,7 @@ struct RecordingInfo
     /// The same from the recording's folder, where it lay in it or below: with it a moved pair is found.
     std::string sceneBeside;
     std::string sceneSha256; ///< of the scene file when recording began, 64 hex digits; empty: not said
+    std::string looks;       ///< how the structures of the first scene looked, JSON; empty: not said
     double rate_Hz = 1000.0;
     double dt_s = 1e-3; ///< period that the solver was given [s]
     device::DeviceInfo device;

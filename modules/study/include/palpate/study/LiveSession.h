@@ -41,9 +41,10 @@ class LiveSession
     /// Records from the next tick on.
     /// @param scene   file that was opened; empty when it is several
     /// @param embeds  put the surfaces into the recording too
+    /// @param looks   how they look, see `looksText`; empty: not said
     /// @return one line when the file cannot be made or the loop is not running
     core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
-                                bool embeds = false);
+                                bool embeds = false, std::string looks = {});
     /// Notes something in the recording, at this tick; nothing when there is none. @param json  an object
     void note(const std::string& kind, const std::string& json) { m_recorder.addEvent(kind, json); }
     /// @return what was lost, if anything

@@ -31,8 +31,9 @@ void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
                                                                    const std::filesystem::path& scene = {});
 
 /// Opens the first scene of a recording as it was felt: its structures with the recorded tissue, laws, maps and layers,
-/// and its findings. Surfaces are those that it holds itself, else those of the mesh files. A recording has no colours:
-/// they, opacity, camera and what is hidden come from the scene file, where that is still there.
+/// and its findings. Surfaces are those that it holds itself, else those of the mesh files. Colours and opacity are
+/// those of then; an older recording has none: they, and of any the camera and what is hidden, come from the scene
+/// file, where that is still there.
 /// @return NotFound when no surface can be had. One that is another now than was recorded is a loss, and is opened.
 [[nodiscard]] core::Result<meshio::LoadedScene> sceneOfRecording(const std::filesystem::path& recording,
                                                                  const meshio::ReadOptions& options = {});

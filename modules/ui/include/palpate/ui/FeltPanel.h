@@ -41,6 +41,9 @@ class FeltPanel : public QWidget
     /// Both must outlive this.
     FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* parent = nullptr);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     /// Entries of the choice of where a ratio comes from, before the presets.
     enum Source
@@ -58,6 +61,7 @@ class FeltPanel : public QWidget
     };
     QWidget* makeChoices();
     void makeTable();
+    void fitRows();
     void fill();
     void addRow(const Row& row);
     void showChosen();

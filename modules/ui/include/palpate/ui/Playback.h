@@ -34,6 +34,8 @@ class Playback : public QObject
     void toStart();
     /// Goes there and fills the chart with the seconds before.
     void seek(double position_s);
+    /// Shows where it is, after the view has shown something else; nothing without a recording.
+    void showAgain() { seek(position_s()); }
     /// Where it is. [s]
     [[nodiscard]] double position_s() const { return m_panel.transport().position_s(); }
     /// The moment of greatest force. [s]

@@ -85,7 +85,7 @@ class StructureModel : public QAbstractTableModel
     /// Gives each structure its layer, as one step to undo. @param text  what is undone, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
     /// In which order a structure would be felt in a layer: "outermost", "below liver" when it lies in the liver and
-    /// that is felt just outside of it, else "2 below".
+    /// that is felt just outside of it (what the hand passes through in between is not named), else "2 below".
     [[nodiscard]] QString feltText(int row, std::uint32_t layer) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
     /// Gives a structure its haptic copy, or takes it back with null.

@@ -4,6 +4,8 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/SurfaceColours.h"
 
+#include <Eigen/Geometry>
+
 #include <vtkActor2D.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -49,6 +51,9 @@ class ColourLegend
     [[nodiscard]] std::vector<std::string> markTexts() const;
     /// @param renderer  that it was added to; @param cubeTop_px  what is below it ends there, logical pixels
     void place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
+    /// Where it stands after `place`, for what is to stay clear of it; empty when it is not shown. Logical pixels from
+    /// the view's middle.
+    [[nodiscard]] Eigen::AlignedBox2d box() const { return isShown() ? m_box : Eigen::AlignedBox2d(); }
 
   private:
     /// Where the bar and what is below it stand. [device px]
@@ -57,6 +62,7 @@ class ColourLegend
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
     [[nodiscard]] double markedHeight(double letter) const;
+    [[nodiscard]] TextStyle fitting(const ViewFrame& frame, double height, double cubeTop_px) const;
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
 
@@ -64,6 +70,7 @@ class ColourLegend
     vtkSmartPointer<vtkActor2D> m_bar;
     vtkSmartPointer<vtkActor2D> m_grey;
     std::array<vtkSmartPointer<vtkTextActor>, 5> m_texts;
+    Eigen::AlignedBox2d m_box;
     bool m_hasUnknown = false;
     ColourRange m_range;
     std::vector<Mark> m_marks;

@@ -8,7 +8,7 @@
 
 namespace palpate::view {
 
-/// A text beside a disc on screen. Logical pixels, x right, y up, any origin.
+/// A text beside a disc on screen. Logical pixels from the view's middle, x right, y up.
 struct DiscLabel
 {
     Eigen::Vector2d disc_px = Eigen::Vector2d::Zero();
@@ -23,7 +23,7 @@ struct DiscLabel
 /// that it doesn't jump while the view turns, else at the nearest free place about the disc, whose line crosses no
 /// other's if there is such a one. Without a free place it takes the usual one.
 ///
-/// Each tries at most 146 places against all.
+/// Each tries at most 146 places against its neighbours on screen.
 void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px);
 
 /// A text beside a point on screen, at one of a number of places about it.

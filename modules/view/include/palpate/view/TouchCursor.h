@@ -5,6 +5,8 @@
 #include "palpate/view/ForceArrow.h"
 #include "palpate/view/TouchLabels.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 
@@ -68,7 +70,8 @@ class TouchCursor
     void setForceLimit(double force_N);
 
     /// Fits everything to the view. Before each frame.
-    void place(const ViewFrame& frame);
+    /// @param taken  what its labels stay clear of, logical pixels from the view's middle; empty: nothing
+    void place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken = {});
 
     /// Box of what is drawn, for the clipping range [mm]; empty when hidden.
     [[nodiscard]] core::Box bounds() const;
@@ -89,8 +92,8 @@ class TouchCursor
   private:
     void placeContact(const ViewFrame& frame, bool isTouching);
     void placeCrosshair(const ViewFrame& frame, bool isThere);
-    void placeLabels(const ViewFrame& frame, bool isTouching);
     [[nodiscard]] Vec3 sunk_W() const;
+    void placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend);
     [[nodiscard]] double patchRadius_mm(const ViewFrame& frame) const;
     void placeFriction(bool isTouching);
     void placeInner(const ViewFrame& frame, bool isTouching);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/RecordedLooks.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace palpate::study {
+
+namespace {
+
+bool isShare(const QJsonValue& value)
+{
+    return value.isDouble() && value.toDouble() >= 0.0 && value.toDouble() <= 1.0;
+}
+
+RecordedLook lookIn(const QJsonObject& json)
+{
+    const QJsonArray colour = json["colour"].toArray();
+    if (colour.size() != 3 || !std::all_of(colour.begin(), colour.end(), isShare) || !isShare(json["opacity"])) {
+        return {};
+    }
+    return {json["name"].toString().toStdString(),
+            {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
+            json["opacity"].toDouble()};
+}
+
+} // namespace
+
+std::string looksText(const std::vector<RecordedLook>& looks)
+{
+    QJsonArray all;
+    for (const RecordedLook& one : looks) {
+        all.append(QJsonObject{{"name", QString::fromStdString(one.name)},
+                               {"colour", QJsonArray{one.colour[0], one.colour[1], one.colour[2]}},
+                               {"opacity", one.opacity}});
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::vector<RecordedLook> looksFrom(std::string_view text)
+{
+    std::vector<RecordedLook> looks;
+    const QByteArray bytes(text.data(), static_cast<qsizetype>(text.size()));
+    for (const QJsonValue& one : QJsonDocument::fromJson(bytes).array()) {
+        looks.push_back(lookIn(one.toObject()));
+    }
+    return looks;
+}
+
+RecordedLook lookOf(const meshio::SceneStructure& structure)
+{
+    return {structure.name, structure.colour, structure.opacity};
+}
+
+} // namespace palpate::study

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/EngineTexts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace palpate::ui {
+
+namespace {
+
+/// What stands at the places of a sentence that hold no part.
+enum class Holds
+{
+    Numbers,
+    Names, ///< or numbers, or words that may be known
+};
+
+/// A sentence, or a part of one, with places for names, numbers and parts: %1, %2 and so on.
+struct Template
+{
+    const char* english;
+    unsigned parts; ///< bit i: place i + 1 holds a part that must be known itself
+    Holds holds;
+};
+
+// What fits much comes last: the first that fits is taken.
+constexpr Template kTemplates[] = {
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file is empty"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a web page (HTML), perhaps a failed download"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the content is no known mesh format"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is %1, which Palpate does not read"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a glTF file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a ZIP archive"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a gzip file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an NRRD image"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a PNG image"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a PDF document"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an SQLite database (a recording?)"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a DICOM file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an %1 mesh"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an %1 mesh: save it as one of these"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a readable file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a mesh file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is a folder"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is not a regular file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be opened"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be read"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be written"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be written: %1; choose another folder"), 0b1, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "No such file or directory"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "Permission denied"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "Read-only file system"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "No space left on device"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "Is a directory"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the disk is full"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no memory to read it"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "not enough memory to read it"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a mesh that fits"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file became shorter while it was read"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a folder without mesh files"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 files in it"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the folder cannot be read: %1"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a folder of meshes"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no such file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "none of %1 triangle has an area"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "none of %1 triangles has an area"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "at least one that has"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "at least one"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "0 triangles"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "0 faces"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "0 polygons and strips"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangle"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangles"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 point"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 points"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 byte"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 bytes"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 whole triangle"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 whole triangles"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 polygon"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 polygons"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 face"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 faces"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 corner"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 corners"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 to %2"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 of %2 have coordinates that are not numbers"), 0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 of %2 have coordinates that are farther than 10 km from the origin"),
+     0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 of %2 have coordinates that are not numbers (first: triangle %3)"),
+     0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)"),
+     0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "finite coordinates within 10 km"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file ends in the STL header"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file ends in the header"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "at least %1 bytes"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "at most %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the binary STL declares %1 but its %2 hold %3"), 0b11, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file ends there: %1 of %2 lost"), 0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file ends after %1"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "what came after %1 lost"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file ends in a line: that line and what came after it lost"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "too many elements"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 elements declared"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 is not a number"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "three numbers"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the vertex has fewer than three coordinates"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "it uses point %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no faces with a list of vertex indices"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no vertices with x, y and z"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "one of each"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "vertex index %1 (%2 vertices so far)"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "face %1 uses vertex %2"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a zero byte"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "text"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the end of the line"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the XML is broken: %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "well-formed XML to the end"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "its mesh is larger than %1 MiB"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a mesh that fits its file's size"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "reading it takes more than %1 MiB of memory"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "reading it took more than %1 s"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "reading it took more than %1 s of processor time"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a mesh that can be read sooner"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the system ended the process that read it, perhaps for want of memory"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a file that can be read"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no structure %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "one of that name"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 open edge: the surface has holes or a rim"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 open edges: the surface has holes or a rim"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangle without area left out"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangles without area left out"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 duplicate triangle left out"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 duplicate triangles left out"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangle turned round to face the same way as the rest"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 triangles turned round to face the same way as the rest"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 edge shared by more than two triangles"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 edges shared by more than two triangles"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 part without a consistent front"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 parts without a consistent front"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 part without an inside, touched from both sides"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 parts without an inside, touched from both sides"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 closed part looks inside out: touched from within unless flipped"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 closed parts look inside out: touched from within unless flipped"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP(
+         "palpate::ui::Engine",
+         "%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no SPACE tag: coordinates taken as LPS"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 more file"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 more files"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "tagged SPACE=RAS: x and y negated to get LPS"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "tagged SPACE=%1, but taken as %2, as was chosen"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "taken as %1, as the scene file says; not as %2"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "only %1 units wide, taken as %2; looks like %3: open with --unit %4"),
+     0b110, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 units wide, taken as %2; looks like %3: open with --unit %4"), 0b110,
+     Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "metres"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "millimetres"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "larger ones"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 are the same surface twice"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 lies in %2 and is felt below it"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one"),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it"),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "colours not read: those of its %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now"),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, "
+                                              "then take the marks in with File > Import findings"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is not a Palpate scene: found neither `version` nor `structures`; "
+                                              "expected a file that Palpate saved (.palpate.json)"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "version: found %1, expected at most %2: it was made by a newer Palpate"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no JSON object"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a scene as a JSON object"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an array"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an object"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a text"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a number"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "true or false"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "an array of %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 numbers"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a whole number"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a fraction"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "nothing"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "none"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the path of a mesh file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the path of a recording"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the name of a structure of this scene"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "one of %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no such file, expected a recording"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found no SQLite database, expected a recording"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found another program's SQLite database, expected a Palpate recording"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "found a recording of version %1, expected at most %2: a newer Palpate made it"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found no tick with a hand, expected at least one"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "damaged: %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "file is not a database"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "database disk image is malformed"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "unable to open database file"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "database or disk is full"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "attempt to write a readonly database"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "disk I/O error"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "the recording ended at %1 s because %2; what was felt after is not in it"),
+     0b10, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "nothing was recorded because %1"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the disk cannot be written (%1)"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "ended at %1 s because the disk was full; what was felt after is not in it"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "ended at %1 s because the disk could not be written; what was felt after is not in it"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP(
+         "palpate::ui::Engine",
+         "ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 ticks were lost"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be recorded: the servo loop is not running"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "cannot be recorded: the servo loop does not answer"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found none of the surfaces that it was made on"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "it holds none and names no mesh"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no such file, neither where it was nor beside the recording"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "is another surface now than was recorded; opened as it is now"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "its recorded map is of another surface; it is not felt"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "what lumps below it made is of another surface; it is not felt"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the recording does not say what scene it was made on"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "rate and CPU cannot be changed while a recording runs; stop it first"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the device cannot be changed while a recording runs; stop it first"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the SpaceMouse is the hand now; choose another device for it first"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the SpaceMouse moves the view; switch that off first"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no device is called %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "the simulated hand palpates what is in the middle of the view: found nothing palpable there"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no recording is open whose motion could be felt anew"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the motion to play has no rows"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the device could not be started: %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "its driver failed"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "skipped, it hung when it was started"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "skipped, it ended the process when it was started"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "skipped, it failed when it was started"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "skipped, %1 comes first"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "CPU %1: this machine has no such CPU"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "The device gave a position that is not a number. Check its driver, then re-arm."),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "The device gave positions outside its workspace. Calibrate it, then re-arm."),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP(
+         "palpate::ui::Engine",
+         "The device's position jumped farther than a hand can move. Check its cable and calibration, then re-arm."),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "The device stopped giving new positions. Check its connection, then re-arm."),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "The device no longer answers. Plug it in again, then re-arm."), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "The model gave a force that is not a number. Leave the surface, then re-arm."),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP(
+         "palpate::ui::Engine",
+         "The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm."),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "The servo thread ended by an error. Start the device again."), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "lumps felt through their organ: %1"), 0b1, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "it has %1 points; expected 2 to %2"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "it has more points; expected 2 to %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, its surface is open: it has no volume to be felt"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, its surface is inside out"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, it lies outside %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 reach into each other: where both are felt is not judged"),
+     0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 was read as %2"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 or %2"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "line %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "byte %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "polygon %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "point %1"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "header"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "structures"), 0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1; expected %2"), 0b11, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found %1, expected %2"), 0b11, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1: %2"), 0b10, Holds::Names},
+};
+
+QString translated(const char* english)
+{
+    return QCoreApplication::translate("palpate::ui::Engine", english);
+}
+
+struct Pattern
+{
+    const Template* sentence;
+    QRegularExpression expression;
+};
+
+const std::vector<Pattern>& patterns()
+{
+    static const std::vector<Pattern> kAll = [] {
+        std::vector<Pattern> all;
+        static const QRegularExpression place(QStringLiteral("%\\d"));
+        for (const Template& one : kTemplates) {
+            const QStringList words = QString::fromUtf8(one.english).split(place);
+            QString expression = QRegularExpression::escape(words.front());
+            for (qsizetype i = 1; i < words.size(); ++i) {
+                const bool isPart = (one.parts & (1U << (i - 1))) != 0;
+                expression += isPart                        ? QStringLiteral("(.+?)")
+                              : one.holds == Holds::Numbers ? QStringLiteral("(-?[\\d.,]+)")
+                                                            : QStringLiteral("((?:(?!: |; ).)+?)");
+                expression += QRegularExpression::escape(words[i]);
+            }
+            all.push_back({&one, QRegularExpression(QRegularExpression::anchoredPattern(expression))});
+        }
+        return all;
+    }();
+    return kAll;
+}
+
+/// A number as the window's language writes it; what is none stays as it is.
+QString withNumber(const QString& text)
+{
+    static const QRegularExpression number(QStringLiteral("\\d{1,3}(,\\d{3})+|\\d+\\.\\d+"));
+    if (!number.match(text, 0, QRegularExpression::NormalMatch, QRegularExpression::AnchorAtOffsetMatchOption)
+             .hasMatch() ||
+        text != number.match(text).captured()) {
+        return text;
+    }
+    return text.contains(QLatin1Char('.')) ? QString(text).replace(QLatin1Char('.'), QLocale().decimalPoint())
+                                           : QLocale().toString(QString(text).remove(QLatin1Char(',')).toLongLong());
+}
+
+/// Whether a part can stay as it is: a name in quotes, or one word.
+bool isName(const QString& text)
+{
+    return (text.startsWith(QLatin1Char('"')) && text.endsWith(QLatin1Char('"'))) || !text.contains(QLatin1Char(' '));
+}
+
+/// @return nothing when the text, or a part of it that must be known, is not.
+std::optional<QString> find(const QString& text)
+{
+    for (const Pattern& pattern : patterns()) {
+        const QRegularExpressionMatch match = pattern.expression.match(text);
+        if (!match.hasMatch()) {
+            continue;
+        }
+        QString out = translated(pattern.sentence->english);
+        bool isKnown = true;
+        for (int i = match.lastCapturedIndex(); i > 0 && isKnown; --i) {
+            const QString held = match.captured(i);
+            const std::optional<QString> part = find(held);
+            isKnown = part || (pattern.sentence->parts & (1U << (i - 1))) == 0 || isName(held);
+            // Not by arg(): what is put in may hold a per cent sign and a digit.
+            out.replace(QLatin1Char('%') + QString::number(i), part.value_or(withNumber(held)));
+        }
+        if (isKnown) {
+            return out;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+QString engineText(std::string_view line)
+{
+    const QString text = QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size()));
+    //: around a line that has no translation
+    const char* const unknown = QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 (in English)");
+    const QString untranslated = translated(unknown);
+    if (text.isEmpty() || untranslated == QLatin1String(unknown)) {
+        return text; // the window speaks English
+    }
+    const std::optional<QString> found = find(text);
+    return found ? *found : QString(untranslated).replace(QStringLiteral("%1"), text);
+}
+
+} // namespace palpate::ui
