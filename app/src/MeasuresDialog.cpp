@@ -5,6 +5,7 @@
 
 #include <palpate/session/AtomicFile.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
 #include <palpate/ui/EngineTexts.h>
 
@@ -159,6 +160,14 @@ void MeasuresDialog::measure(session::MeshesByHash meshes)
             options.distance_mm = study::usualDistance_mm(*reader.value());
             isFingertip = study::hasFingertip(*reader.value());
             *measured = session::measureSession(*reader.value(), meshes, options);
+            const auto scene = study::sceneOfRecording(m_recording);
+            if (measured->isOk() && scene.isOk()) {
+                auto lumps = study::searchedLumps(*reader.value(), scene.value(), options.distance_mm,
+                                                  [this](double) { return !m_isClosing; });
+                if (lumps.isOk()) {
+                    measured->value().lumps = std::move(lumps).value();
+                }
+            }
         }
         if (!m_isClosing) {
             QMetaObject::invokeMethod(

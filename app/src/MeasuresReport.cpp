@@ -41,6 +41,16 @@ void printMeasures(const session::SessionMeasures& m)
               surface.structure.c_str(), 100.0 * surface.coverage(), 0.01 * surface.area_mm2, m.distance_mm,
               surface.longestDwell_s);
     }
+    for (const session::LumpSearch& one : m.lumps) {
+        if (!one.share()) {
+            print("  %s in %s: no hand tells it by pressing (an estimate)\n", one.lump.c_str(), one.organ.c_str());
+            continue;
+        }
+        print("  %s in %s: pressed hard enough to feel it over %.3g %% of the %.3g cm² from where a trained hand tells "
+              "it; greatest change under the hand %.3g %% (an estimate)\n",
+              one.lump.c_str(), one.organ.c_str(), 100.0 * *one.share(), 0.01 * one.told_mm2,
+              one.greatestChange_percent);
+    }
     for (const session::FindingMeasures& one : m.findings) {
         if (!one.finding.hasPlace) {
             print("  note at %.1f s: %s\n", one.marked_s, one.finding.note.c_str());

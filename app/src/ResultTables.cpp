@@ -127,6 +127,20 @@ ResultTable noteTable(const session::SessionMeasures& m)
     return table;
 }
 
+ResultTable lumpTable(const session::SessionMeasures& m)
+{
+    ResultTable table{
+        ResultTexts::tr("Pressed hard enough to feel the lump (an estimate)"),
+        {{ResultTexts::tr("Lump"), ResultTexts::tr("In"), ResultTexts::tr("Felt by a trained hand from [cm²]"),
+          ResultTexts::tr("Of that pressed hard enough [%]"), ResultTexts::tr("Greatest change under the hand [%]")}}};
+    for (const session::LumpSearch& one : m.lumps) {
+        table.rows.push_back({ui::readableName(one.lump), ui::readableName(one.organ), number(0.01 * one.told_mm2, 1),
+                              one.share() ? number(100.0 * *one.share(), 1) : ResultTexts::tr("not by hand"),
+                              number(one.greatestChange_percent, 0)});
+    }
+    return table;
+}
+
 ResultTable layerTable(const session::SessionMeasures& m)
 {
     ResultTable table{ResultTexts::tr("Findings, layer by layer"),
@@ -166,7 +180,7 @@ std::vector<ResultTable> resultTables(const session::SessionMeasures& measures, 
 {
     std::vector<ResultTable> tables{sessionTable(measures), touchTable(measures), phaseTable(measures),
                                     surfaceTable(measures, isFingertip)};
-    for (ResultTable table : {findingTable(measures), noteTable(measures), layerTable(measures)}) {
+    for (ResultTable table : {lumpTable(measures), findingTable(measures), noteTable(measures), layerTable(measures)}) {
         if (table.rows.size() > 1) {
             tables.push_back(std::move(table));
         }

@@ -10,6 +10,7 @@
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
 #include <palpate/study/StructureSources.h>
 
@@ -117,6 +118,15 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
             names += (names.empty() ? "" : ", ") + name;
         }
         isWhole = names.empty();
+        const auto scene =
+            options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
+        if (scene.isOk()) {
+            auto lumps = study::searchedLumps(reader, scene.value(), how.distance_mm);
+            if (!lumps.isOk()) {
+                return lumps.status();
+            }
+            measures.value().lumps = std::move(lumps).value();
+        }
         if (!isWhole) {
             printError(options.file.string() + ": no coverage of " + names + ": " +
                        (surfaces.isOk() ? "its surface is another one now" : surfaces.status().message()) +

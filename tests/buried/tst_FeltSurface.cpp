@@ -163,9 +163,18 @@ class FeltSurface : public QObject
 
     void oneThreadOrManyGiveTheSameBits()
     {
-        const auto a = felt({lumpAt(Vec3(0.0, 0.0, 62.0))}), b = felt({lumpAt(Vec3(0.0, 0.0, 62.0))});
-        QVERIFY(a.value().press[1].ratio == b.value().press[1].ratio);
-        QCOMPARE(a.value().lumps[0].press[1].area_mm2[0], b.value().lumps[0].press[1].area_mm2[0]);
+        FeltOptions how;
+        how.threads = 1;
+        const auto one = felt({lumpAt(Vec3(0.0, 0.0, 62.0))}, how);
+        for (const unsigned threads : {2u, 3u, 7u}) {
+            how.threads = threads;
+            const auto many = felt({lumpAt(Vec3(0.0, 0.0, 62.0))}, how);
+            for (std::size_t press = 0; press < one.value().press.size(); ++press) {
+                QVERIFY(many.value().press[press].ratio == one.value().press[press].ratio);
+                const auto &a = one.value().lumps[0].press[press], &b = many.value().lumps[0].press[press];
+                QVERIFY(a.area_mm2 == b.area_mm2 && a.best == b.best);
+            }
+        }
     }
 
     void softAndStiffAreToldApart()

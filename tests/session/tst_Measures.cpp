@@ -175,10 +175,10 @@ class Measures : public QObject
         for (const int n : {1, 8, 80}) { // one coarse mesh, one fine: the same surface
             session::TouchedSurface surface(test::sheet(20.0, n), 4.0);
             QVERIFY(std::abs(surface.area_mm2() - 1600.0) < 1e-9);
-            surface.add(Vec3(0, 0, 0), 3.0, 1e-3);
-            surface.add(Vec3(0, 0, 0), 2.0, 1e-3);
-            surface.add(Vec3(10, 0, 0), 5.0, 1e-3);
-            surface.add(Vec3(0, 0, 4.5), 9.0, 1e-3); // too far off
+            surface.add(Vec3(0, 0, 0), 3.0, 6.0, 1e-3);
+            surface.add(Vec3(0, 0, 0), 2.0, 7.0, 1e-3);
+            surface.add(Vec3(10, 0, 0), 5.0, 4.0, 1e-3);
+            surface.add(Vec3(0, 0, 4.5), 9.0, 9.0, 1e-3); // too far off
             const double exact_mm2 = 2.0 * M_PI * 16.0;
             QVERIFY2(std::abs(surface.coveredArea_mm2() - exact_mm2) < 0.25 * exact_mm2,
                      std::to_string(surface.coveredArea_mm2()).c_str());
@@ -188,10 +188,11 @@ class Measures : public QObject
                 const bool isAside = (p - Vec3(10, 0, 0)).norm() <= 4.0;
                 QCOMPARE(surface.dwell_s()[i], isMiddle ? 2e-3 : isAside ? 1e-3 : 0.0);
                 QCOMPARE(surface.peakForce_N()[i], isMiddle ? 3.0 : isAside ? 5.0 : 0.0);
+                QCOMPARE(surface.peakDepth_mm()[i], isMiddle ? 7.0 : isAside ? 4.0 : 0.0);
             }
         }
         session::TouchedSurface fine(test::sheet(20.0, 400), 4.0);
-        fine.add(Vec3(0, 0, 0), 1.0, 1e-3);
+        fine.add(Vec3(0, 0, 0), 1.0, 1.0, 1e-3);
         QVERIFY(std::abs(fine.coveredArea_mm2() - M_PI * 16.0) < 0.01 * M_PI * 16.0);
     }
 

@@ -181,20 +181,23 @@ class Run
         m_best.resize(blocks);
         std::atomic<bool> isCancelled = false;
         std::atomic<std::size_t> done = 0;
-        core::parallelFor(blocks, [&](std::size_t block, unsigned thread) {
-            if (isCancelled) {
-                return;
-            }
-            m_best[block].assign(m_lumps.size(), std::vector<FeltSurface::LumpPress>(m_options.press_mm.size()));
-            Room room;
-            for (std::size_t v = block * kBlock; v < std::min(vertices, (block + 1) * kBlock); ++v) {
-                judge(v, m_best[block], room);
-            }
-            const std::size_t now = ++done;
-            if (thread == 0 && m_options.progress && !m_options.progress(double(now) / double(blocks))) {
-                isCancelled = true;
-            }
-        });
+        core::parallelFor(
+            blocks,
+            [&](std::size_t block, unsigned thread) {
+                if (isCancelled) {
+                    return;
+                }
+                m_best[block].assign(m_lumps.size(), std::vector<FeltSurface::LumpPress>(m_options.press_mm.size()));
+                Room room;
+                for (std::size_t v = block * kBlock; v < std::min(vertices, (block + 1) * kBlock); ++v) {
+                    judge(v, m_best[block], room);
+                }
+                const std::size_t now = ++done;
+                if (thread == 0 && m_options.progress && !m_options.progress(double(now) / double(blocks))) {
+                    isCancelled = true;
+                }
+            },
+            m_options.threads);
         if (isCancelled) {
             return false;
         }

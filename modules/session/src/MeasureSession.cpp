@@ -53,7 +53,7 @@ class Surfaces
                 last = {tick.scene, contact.structure, surfaceOf(tick.scene, contact.structure)};
             }
             if (last.surface != nullptr) {
-                last.surface->add(contact.p_WG, contact.f_W.norm(), dt_s);
+                last.surface->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, dt_s);
             }
         }
     }

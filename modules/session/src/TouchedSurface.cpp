@@ -72,6 +72,7 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
     m_share_mm2.assign(count, 0.0);
     m_dwell_s.assign(count, 0.0);
     m_peakForce_N.assign(count, 0.0);
+    m_peakDepth_mm.assign(count, 0.0);
     for (const Triangle& t : m_mesh.triangles) {
         const Vec3& a = m_mesh.vertices[t[0]];
         const double area_mm2 = 0.5 * (m_mesh.vertices[t[1]] - a).cross(m_mesh.vertices[t[2]] - a).norm();
@@ -96,7 +97,7 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
     }
 }
 
-void TouchedSurface::add(const Vec3& p_WG, double force_N, double dt_s)
+void TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, double dt_s)
 {
     if (!p_WG.allFinite()) {
         return;
@@ -115,6 +116,7 @@ void TouchedSurface::add(const Vec3& p_WG, double force_N, double dt_s)
                     if ((m_mesh.vertices[vertex] - p_WG).squaredNorm() <= square_mm2) {
                         m_dwell_s[vertex] += dt_s;
                         m_peakForce_N[vertex] = std::max(m_peakForce_N[vertex], force_N);
+                        m_peakDepth_mm[vertex] = std::max(m_peakDepth_mm[vertex], depth_mm);
                     }
                 }
             }

@@ -128,6 +128,20 @@ QJsonObject sumsJson(const session::Measures& m)
     return out;
 }
 
+QJsonArray lumpsJson(const std::vector<session::LumpSearch>& lumps)
+{
+    QJsonArray out;
+    for (const session::LumpSearch& one : lumps) {
+        out.append(QJsonObject{{"name", text(one.lump)},
+                               {"organ", text(one.organ)},
+                               {"told_area_mm2", one.told_mm2},
+                               {"pressed_area_mm2", one.pressed_mm2},
+                               {"pressed_hard_enough", orNull(one.share())},
+                               {"greatest_change_percent", one.greatestChange_percent}});
+    }
+    return out;
+}
+
 std::string measuresJson(const session::SessionMeasures& m)
 {
     QJsonObject out = sumsJson(m.sums);
@@ -153,6 +167,7 @@ std::string measuresJson(const session::SessionMeasures& m)
     out["late_ticks"] = m.lateTicks ? QJsonValue(static_cast<qint64>(*m.lateTicks)) : QJsonValue();
     out["phases"] = phasesJson(m.phases);
     out["findings"] = findingsJson(m.findings);
+    out["lumps"] = lumpsJson(m.lumps);
     out["notes"] = notesJson(m.findings);
     return QJsonDocument(out).toJson().toStdString();
 }

@@ -3,6 +3,7 @@
 
 #include "palpate/buried/Stiffening.h"
 
+#include <palpate/core/Parallel.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/MeshReport.h>
 
@@ -34,6 +35,7 @@ struct FeltOptions
     std::vector<double> press_mm{0.0, 2.0, 4.0, 8.0}; ///< how deep the finger is pressed in, ascending
     /// Told the share done, 0 … 1, on the calling thread; false cancels. May be empty.
     std::function<bool(double)> progress;
+    unsigned threads = core::coreCount(); ///< at most, the calling one included
 };
 inline constexpr double kMostRadius_mm = 30.0, kMostPress_mm = 30.0, kMostRatio = 1e4;
 inline constexpr std::size_t kMostPresses = 8;

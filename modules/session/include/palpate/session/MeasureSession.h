@@ -41,6 +41,21 @@ struct SurfaceMeasures
     [[nodiscard]] double coverage() const noexcept { return area_mm2 > 0.0 ? coveredArea_mm2 / area_mm2 : 0.0; }
 };
 
+/// How an organ was searched for one lump in it: see resources/docs/measures.md. An estimate, as what can be felt is.
+struct LumpSearch
+{
+    std::string lump, organ;
+    double told_mm2 = 0.0;             ///< of the organ's surface, where a trained hand tells the lump when it presses
+    double pressed_mm2 = 0.0;          ///< of that, where the hand pressed deep enough to
+    double greatestChange_percent = 0; ///< of the stiffness under the hand by the lump, over all of the session
+
+    /// Nothing: no hand tells it from anywhere.
+    [[nodiscard]] std::optional<double> share() const
+    {
+        return told_mm2 > 0.0 ? std::optional(pressed_mm2 / told_mm2) : std::nullopt;
+    }
+};
+
 /// Everything that a session says in numbers; definitions in resources/docs/measures.md.
 struct SessionMeasures
 {
@@ -50,6 +65,7 @@ struct SessionMeasures
     std::map<std::string, std::vector<Phase>> structurePhases; ///< of each structure that was touched, by name
     std::vector<FindingMeasures> findings;
     std::vector<SurfaceMeasures> surfaces; ///< of each structure that could be felt and whose mesh is there
+    std::vector<LumpSearch> lumps;         ///< empty here; see study/SearchedLumps.h
     std::vector<std::string> unmeasured;   ///< structures whose mesh is not there
     std::int64_t lostTicks = 0;            ///< that the disk was too slow for
     std::optional<std::int64_t> lateTicks; ///< periods that the servo left out; nothing: it is not said

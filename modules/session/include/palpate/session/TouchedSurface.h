@@ -23,13 +23,16 @@ class TouchedSurface
 
     /// Takes a tick in contact. @param p_WG  contact point [mm]
     /// @par Cost of the vertices within about the distance
-    void add(const core::Vec3& p_WG, double force_N, double dt_s);
+    void add(const core::Vec3& p_WG, double force_N, double depth_mm, double dt_s);
 
+    /// The vertices that were given come first.
     [[nodiscard]] const geometry::TriangleMesh& mesh() const noexcept { return m_mesh; }
     /// Time that the contact was within the distance of each vertex. [s]
     [[nodiscard]] const std::vector<double>& dwell_s() const noexcept { return m_dwell_s; }
     /// Greatest force meanwhile. [N]
     [[nodiscard]] const std::vector<double>& peakForce_N() const noexcept { return m_peakForce_N; }
+    /// Greatest depth of the hand below the surface meanwhile. [mm]
+    [[nodiscard]] const std::vector<double>& peakDepth_mm() const noexcept { return m_peakDepth_mm; }
     [[nodiscard]] double area_mm2() const noexcept { return m_area_mm2; }
     /// Area of which the contact came within the distance. [mm²]
     [[nodiscard]] double coveredArea_mm2() const;
@@ -48,6 +51,7 @@ class TouchedSurface
     std::vector<double> m_share_mm2; ///< area that a vertex stands for
     std::vector<double> m_dwell_s;
     std::vector<double> m_peakForce_N;
+    std::vector<double> m_peakDepth_mm;
     double m_area_mm2 = 0.0;
     std::vector<std::uint32_t> m_order; ///< vertices, those of a cell together
     std::unordered_map<Cell, std::pair<std::uint32_t, std::uint32_t>, CellHash> m_cells; ///< range in m_order

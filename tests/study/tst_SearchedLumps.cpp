@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "TestRunner.h"
+
+#include <palpate/session/RecordingWriter.h>
+#include <palpate/study/BuriedLumps.h>
+#include <palpate/study/SearchedLumps.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace palpate;
+using core::Vec3;
+
+/// Whether a lump of 20 mm, 8 mm below the top of an organ of 160 mm, was searched for hard enough, of recordings whose
+/// presses are made by hand.
+class SearchedLumps : public QObject
+{
+    Q_OBJECT
+
+    static constexpr double kRadius_mm = 80.0, kDistance_mm = 5.0;
+    meshio::LoadedScene m_scene;
+
+    static void add(meshio::LoadedScene& scene, const char* name, const geometry::TriangleMesh& mesh, double k)
+    {
+        meshio::LoadedStructure& one = scene.structures.emplace_back();
+        one.description.name = name;
+        one.description.tissue.stiffness_N_per_mm = k;
+        one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+        scene.scene.structures.push_back(one.description);
+    }
+    static Vec3 onOrgan(const Vec3& towards) { return kRadius_mm * towards.normalized(); }
+
+    /// @param places  where the organ is pressed, a tick each
+    session::LumpSearch searched(const std::vector<Vec3>& places, double depth_mm, std::uint32_t structure = 0)
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath(QStringLiteral("a.palpate")).toStdString();
+        session::SceneRecord record;
+        record.generation = 1;
+        for (const char* name : {"organ", "lump"}) {
+            record.structures.emplace_back().name = name;
+        }
+        auto writer = session::RecordingWriter::create(file, {});
+        if (!writer.isOk() || !writer.value()->addScene(record).isOk()) {
+            return {};
+        }
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            servo::TickRecord tick;
+            tick.tick = static_cast<std::int64_t>(i);
+            tick.scene = 1;
+            const Vec3 n_W = places[i].normalized();
+            tick.p_WH = places[i] - depth_mm * n_W;
+            tick.felt.p_WG = places[i];
+            tick.felt.n_W = n_W;
+            tick.felt.f_W = 0.2 * depth_mm * n_W;
+            tick.felt.structure = static_cast<std::int32_t>(structure);
+            tick.felt.constraints = 1;
+            tick.felt.contactCount = 1;
+            tick.felt.contacts[0] = {places[i], n_W, tick.felt.f_W, depth_mm, 1.0, structure, 0, 0, {}};
+            if (!writer.value()->append(tick).isOk()) {
+                return {};
+            }
+        }
+        if (!writer.value()->finish().isOk()) {
+            return {};
+        }
+        const auto reader = session::RecordingReader::open(file);
+        const auto found = study::searchedLumps(*reader.value(), m_scene, kDistance_mm);
+        return found.isOk() && found.value().size() == 1 ? found.value()[0] : session::LumpSearch();
+    }
+    /// 3 mm apart, over all of the top.
+    static std::vector<Vec3> lattice()
+    {
+        std::vector<Vec3> places;
+        for (int i = -15; i <= 15; ++i) {
+            for (int j = -15; j <= 15; ++j) {
+                places.push_back(onOrgan(Vec3(3.0 * i, 3.0 * j, kRadius_mm)));
+            }
+        }
+        return places;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        add(m_scene, "organ", test::sphere(48, kRadius_mm), 0.2);
+        add(m_scene, "lump", test::moved(test::sphere(12, 10.0), Vec3(0, 0, 62)), 0.6);
+    }
+
+    void aSearchThatIsTooLightFindsNothing()
+    {
+        const auto light = searched(lattice(), 0.5);
+        QCOMPARE(light.lump, std::string("lump"));
+        QCOMPARE(light.organ, std::string("organ"));
+        QVERIFY2(light.told_mm2 > 200.0, qPrintable(QString::number(light.told_mm2)));
+        QCOMPARE(light.share().value(), 0.0);
+        QVERIFY(light.greatestChange_percent > 1.0 && light.greatestChange_percent < 14.0);
+    }
+
+    void onePressFeelsItWhereItWasMade()
+    {
+        const auto one = searched({Vec3(0, 0, kRadius_mm)}, 8.0);
+        // All of its surroundings are places from where it is told.
+        QVERIFY2(std::abs(one.pressed_mm2 / (std::numbers::pi * kDistance_mm * kDistance_mm) - 1.0) < 0.15,
+                 qPrintable(QString::number(one.pressed_mm2)));
+        buried::FeltOptions how;
+        how.press_mm = {0.0, 2.0, 4.0, 8.0};
+        const auto felt = study::feltSurface(m_scene, study::organsWithLumps(m_scene).value()[0], how);
+        const double best = 100.0 * (felt.value().lumps[0].press[3].felt.estimate - 1.0);
+        QVERIFY2(std::abs(one.greatestChange_percent / best - 1.0) < 0.02,
+                 qPrintable(QString::number(one.greatestChange_percent)));
+        QVERIFY(std::abs(one.told_mm2 / felt.value().lumps[0].press[3].area_mm2[1] - 1.0) < 1e-4);
+    }
+
+    void aSearchEverywhereMissesNoPlace()
+    {
+        QCOMPARE(searched(lattice(), 8.0).share().value(), 1.0);
+        QCOMPARE(searched(lattice(), 12.0).share().value(), 1.0); // deeper than is judged
+        const double half = searched(lattice(), 4.0).share().value();
+        QVERIFY2(half > 0.1 && half < 0.9, qPrintable(QString::number(half)));
+    }
+
+    void elsewhereOrOnTheLumpItselfIsNoSearch()
+    {
+        QCOMPARE(searched({onOrgan(Vec3(1, 0, 0))}, 8.0).share().value(), 0.0);
+        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).share().value(), 0.0); // of its own layer
+        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).greatestChange_percent, 0.0);
+    }
+
+    void whatNoHandTellsHasNoShare()
+    {
+        m_scene.structures[1].description.young_ratio = 1.0;
+        const auto none = searched({Vec3(0, 0, kRadius_mm)}, 8.0);
+        m_scene.structures[1].description.young_ratio.reset();
+        QVERIFY(none.lump == "lump" && !none.share());
+    }
+};
+
+PALPATE_TEST(SearchedLumps)
+#include "tst_SearchedLumps.moc"
