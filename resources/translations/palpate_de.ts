@@ -1369,6 +1369,34 @@
         <source>Moments lost</source>
         <translation>Verlorene Augenblicke</translation>
     </message>
+    <message>
+        <source>Pressed hard enough to feel the lump (an estimate)</source>
+        <translation>Fest genug gedrückt, um den Knoten zu fühlen (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>Felt by a trained hand from [cm²]</source>
+        <translation>Für geübte Hand fühlbar von [cm²]</translation>
+    </message>
+    <message>
+        <source>Of that pressed hard enough [%]</source>
+        <translation>Davon fest genug gedrückt [%]</translation>
+    </message>
+    <message>
+        <source>Greatest change under the hand [%]</source>
+        <translation>Größte Änderung unter der Hand [%]</translation>
+    </message>
+    <message>
+        <source>not by hand</source>
+        <translation>nicht mit der Hand</translation>
+    </message>
 </context>
 <context>
     <name>SceneDocument</name>
@@ -1785,7 +1813,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     </message>
     <message>
         <source>none of %1 triangle has an area</source>
-        <translation>das eine Dreieck hat keine Fläche</translation>
+        <translation>das Dreieck (%1) hat keine Fläche</translation>
     </message>
     <message>
         <source>none of %1 triangles has an area</source>

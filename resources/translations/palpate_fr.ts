@@ -1018,23 +1018,23 @@
     </message>
     <message>
         <source>Stop reading; what was open stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter la lecture&#x202f;; ce qui était ouvert reste</translation>
     </message>
     <message>
         <source>Dent under the finger</source>
-        <translation type="unfinished"></translation>
+        <translation>Creux sous le doigt</translation>
     </message>
     <message>
         <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessiner le tissu mou enfoncé là où l’on appuie, avec une fine grille</translation>
     </message>
     <message>
         <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Palper avec le pointeur&#x202f;: glisser pour appuyer, molette pour la profondeur ou l’effort&#x202f;; sinon le pointeur déplace la caméra</translation>
     </message>
     <message>
         <source>P palpate, hold to press harder, wheel for the hardest press</source>
-        <translation type="unfinished"></translation>
+        <translation>P palpe, maintenir appuie plus fort, la molette règle l’appui le plus fort</translation>
     </message>
 </context>
 <context>
@@ -1369,6 +1369,34 @@
         <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
         <translation>Presque max.&#x202f;: la force sous laquelle sont restés 95&#x202f;% du contact. Mesures de recherche, pas un diagnostic.</translation>
     </message>
+    <message>
+        <source>Pressed hard enough to feel the lump (an estimate)</source>
+        <translation>Appui assez fort pour sentir le nodule (estimation)</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Nodule</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Dans</translation>
+    </message>
+    <message>
+        <source>Felt by a trained hand from [cm²]</source>
+        <translation>Senti par une main exercée depuis [cm²]</translation>
+    </message>
+    <message>
+        <source>Of that pressed hard enough [%]</source>
+        <translation>Dont assez appuyé [%]</translation>
+    </message>
+    <message>
+        <source>Greatest change under the hand [%]</source>
+        <translation>Plus grand changement sous la main [%]</translation>
+    </message>
+    <message>
+        <source>not by hand</source>
+        <translation>pas à la main</translation>
+    </message>
 </context>
 <context>
     <name>SceneDocument</name>
@@ -1633,896 +1661,896 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     <name>palpate::ui::Engine</name>
     <message>
         <source>the file is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier est vide</translation>
     </message>
     <message>
         <source>a web page (HTML), perhaps a failed download</source>
-        <translation type="unfinished"></translation>
+        <translation>une page web (HTML), peut-être un téléchargement manqué</translation>
     </message>
     <message>
         <source>the content is no known mesh format</source>
-        <translation type="unfinished"></translation>
+        <translation>le contenu n’est d’aucun format de maillage connu</translation>
     </message>
     <message>
         <source>is %1, which Palpate does not read</source>
-        <translation type="unfinished"></translation>
+        <translation>est %1, que Palpate ne lit pas</translation>
     </message>
     <message>
         <source>a glTF file</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier glTF</translation>
     </message>
     <message>
         <source>a ZIP archive</source>
-        <translation type="unfinished"></translation>
+        <translation>une archive ZIP</translation>
     </message>
     <message>
         <source>a gzip file</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier gzip</translation>
     </message>
     <message>
         <source>an NRRD image</source>
-        <translation type="unfinished"></translation>
+        <translation>une image NRRD</translation>
     </message>
     <message>
         <source>a PNG image</source>
-        <translation type="unfinished"></translation>
+        <translation>une image PNG</translation>
     </message>
     <message>
         <source>a PDF document</source>
-        <translation type="unfinished"></translation>
+        <translation>un document PDF</translation>
     </message>
     <message>
         <source>an SQLite database (a recording?)</source>
-        <translation type="unfinished"></translation>
+        <translation>une base de données SQLite (un enregistrement&#x202f;?)</translation>
     </message>
     <message>
         <source>a DICOM file</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier DICOM</translation>
     </message>
     <message>
         <source>an %1 mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>un maillage %1</translation>
     </message>
     <message>
         <source>an %1 mesh: save it as one of these</source>
-        <translation type="unfinished"></translation>
+        <translation>un maillage %1&#x202f;: l’enregistrer dans un de ces formats</translation>
     </message>
     <message>
         <source>a readable file</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier lisible</translation>
     </message>
     <message>
         <source>a mesh file</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier de maillage</translation>
     </message>
     <message>
         <source>is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>est un dossier</translation>
     </message>
     <message>
         <source>is not a regular file</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être ouvert</translation>
     </message>
     <message>
         <source>cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être lu</translation>
     </message>
     <message>
         <source>cannot be written</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être écrit</translation>
     </message>
     <message>
         <source>cannot be written: %1; choose another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être écrit&#x202f;: %1&#x202f;; choisir un autre dossier</translation>
     </message>
     <message>
         <source>No such file or directory</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichier ou dossier introuvable</translation>
     </message>
     <message>
         <source>Permission denied</source>
-        <translation type="unfinished"></translation>
+        <translation>Permission refusée</translation>
     </message>
     <message>
         <source>Read-only file system</source>
-        <translation type="unfinished"></translation>
+        <translation>Système de fichiers en lecture seule</translation>
     </message>
     <message>
         <source>No space left on device</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus de place sur le disque</translation>
     </message>
     <message>
         <source>Is a directory</source>
-        <translation type="unfinished"></translation>
+        <translation>Est un dossier</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>le disque est plein</translation>
     </message>
     <message>
         <source>no memory to read it</source>
-        <translation type="unfinished"></translation>
+        <translation>pas de mémoire pour le lire</translation>
     </message>
     <message>
         <source>not enough memory to read it</source>
-        <translation type="unfinished"></translation>
+        <translation>pas assez de mémoire pour le lire</translation>
     </message>
     <message>
         <source>a mesh that fits</source>
-        <translation type="unfinished"></translation>
+        <translation>un maillage qui y tient</translation>
     </message>
     <message>
         <source>the file became shorter while it was read</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier est devenu plus court pendant la lecture</translation>
     </message>
     <message>
         <source>a folder without mesh files</source>
-        <translation type="unfinished"></translation>
+        <translation>un dossier sans fichiers de maillage</translation>
     </message>
     <message>
         <source>%1 files in it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fichiers dedans</translation>
     </message>
     <message>
         <source>the folder cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>le dossier ne peut pas être lu&#x202f;: %1</translation>
     </message>
     <message>
         <source>a folder of meshes</source>
-        <translation type="unfinished"></translation>
+        <translation>un dossier de maillages</translation>
     </message>
     <message>
         <source>no such file</source>
-        <translation type="unfinished"></translation>
+        <translation>fichier introuvable</translation>
     </message>
     <message>
         <source>none of %1 triangle has an area</source>
-        <translation type="unfinished"></translation>
+        <translation>le seul triangle (%1) n’a pas d’aire</translation>
     </message>
     <message>
         <source>none of %1 triangles has an area</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun des %1 triangles n’a d’aire</translation>
     </message>
     <message>
         <source>at least one that has</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins un qui en ait</translation>
     </message>
     <message>
         <source>at least one</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins un</translation>
     </message>
     <message>
         <source>0 triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>0 triangle</translation>
     </message>
     <message>
         <source>0 faces</source>
-        <translation type="unfinished"></translation>
+        <translation>0 face</translation>
     </message>
     <message>
         <source>0 polygons and strips</source>
-        <translation type="unfinished"></translation>
+        <translation>0 polygone et bande</translation>
     </message>
     <message>
         <source>%1 triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangle</translation>
     </message>
     <message>
         <source>%1 triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles</translation>
     </message>
     <message>
         <source>%1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 point</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 points</translation>
     </message>
     <message>
         <source>%1 byte</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 octet</translation>
     </message>
     <message>
         <source>%1 bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 octets</translation>
     </message>
     <message>
         <source>%1 whole triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangle entier</translation>
     </message>
     <message>
         <source>%1 whole triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles entiers</translation>
     </message>
     <message>
         <source>%1 polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 polygone</translation>
     </message>
     <message>
         <source>%1 polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 polygones</translation>
     </message>
     <message>
         <source>%1 face</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 face</translation>
     </message>
     <message>
         <source>%1 faces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 faces</translation>
     </message>
     <message>
         <source>%1 corner</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 coin</translation>
     </message>
     <message>
         <source>%1 corners</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 coins</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 à %2</translation>
     </message>
     <message>
         <source>%1 of %2 have coordinates that are not numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2 ont des coordonnées qui ne sont pas des nombres</translation>
     </message>
     <message>
         <source>%1 of %2 have coordinates that are farther than 10 km from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2 ont des coordonnées à plus de 10&#xa0;km de l’origine</translation>
     </message>
     <message>
         <source>%1 of %2 have coordinates that are not numbers (first: triangle %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2 ont des coordonnées qui ne sont pas des nombres (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
         <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2 ont des coordonnées à plus de 10&#xa0;km de l’origine (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
         <source>finite coordinates within 10 km</source>
-        <translation type="unfinished"></translation>
+        <translation>des coordonnées finies à moins de 10&#xa0;km</translation>
     </message>
     <message>
         <source>the file ends in the STL header</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier finit dans l’en-tête STL</translation>
     </message>
     <message>
         <source>the file ends in the header</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier finit dans l’en-tête</translation>
     </message>
     <message>
         <source>at least %1 bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins %1 octets</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>au plus %1</translation>
     </message>
     <message>
         <source>the binary STL declares %1 but its %2 hold %3</source>
-        <translation type="unfinished"></translation>
+        <translation>le STL binaire annonce %1 mais ses %2 en contiennent %3</translation>
     </message>
     <message>
         <source>the file ends there: %1 of %2 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier finit là&#x202f;: %1 sur %2 perdus</translation>
     </message>
     <message>
         <source>the file ends after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier finit après %1</translation>
     </message>
     <message>
         <source>what came after %1 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>ce qui suivait %1 est perdu</translation>
     </message>
     <message>
         <source>the file ends in a line: that line and what came after it lost</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier finit au milieu d’une ligne&#x202f;: cette ligne et la suite sont perdues</translation>
     </message>
     <message>
         <source>too many elements</source>
-        <translation type="unfinished"></translation>
+        <translation>trop d’éléments</translation>
     </message>
     <message>
         <source>%1 elements declared</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 éléments annoncés</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’est pas un nombre</translation>
     </message>
     <message>
         <source>three numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>trois nombres</translation>
     </message>
     <message>
         <source>the vertex has fewer than three coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>le sommet a moins de trois coordonnées</translation>
     </message>
     <message>
         <source>it uses point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>il utilise le point %1</translation>
     </message>
     <message>
         <source>no faces with a list of vertex indices</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune face avec une liste d’indices de sommets</translation>
     </message>
     <message>
         <source>no vertices with x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun sommet avec x, y et z</translation>
     </message>
     <message>
         <source>one of each</source>
-        <translation type="unfinished"></translation>
+        <translation>un de chaque</translation>
     </message>
     <message>
         <source>vertex index %1 (%2 vertices so far)</source>
-        <translation type="unfinished"></translation>
+        <translation>indice de sommet %1 (%2 sommets jusque-là)</translation>
     </message>
     <message>
         <source>face %1 uses vertex %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la face %1 utilise le sommet %2</translation>
     </message>
     <message>
         <source>a zero byte</source>
-        <translation type="unfinished"></translation>
+        <translation>un octet nul</translation>
     </message>
     <message>
         <source>text</source>
-        <translation type="unfinished"></translation>
+        <translation>du texte</translation>
     </message>
     <message>
         <source>the end of the line</source>
-        <translation type="unfinished"></translation>
+        <translation>la fin de la ligne</translation>
     </message>
     <message>
         <source>the XML is broken: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>le XML est défectueux&#x202f;: %1</translation>
     </message>
     <message>
         <source>well-formed XML to the end</source>
-        <translation type="unfinished"></translation>
+        <translation>du XML bien formé jusqu’à la fin</translation>
     </message>
     <message>
         <source>its mesh is larger than %1 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>son maillage dépasse %1&#xa0;MiB</translation>
     </message>
     <message>
         <source>a mesh that fits its file&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>un maillage qui corresponde à la taille du fichier</translation>
     </message>
     <message>
         <source>reading it takes more than %1 MiB of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>sa lecture demande plus de %1&#xa0;MiB de mémoire</translation>
     </message>
     <message>
         <source>reading it took more than %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>sa lecture a pris plus de %1&#xa0;s</translation>
     </message>
     <message>
         <source>reading it took more than %1 s of processor time</source>
-        <translation type="unfinished"></translation>
+        <translation>sa lecture a pris plus de %1&#xa0;s de temps processeur</translation>
     </message>
     <message>
         <source>a mesh that can be read sooner</source>
-        <translation type="unfinished"></translation>
+        <translation>un maillage qui se lise plus vite</translation>
     </message>
     <message>
         <source>the system ended the process that read it, perhaps for want of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>le système a arrêté le processus qui le lisait, peut-être faute de mémoire</translation>
     </message>
     <message>
         <source>a file that can be read</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier lisible</translation>
     </message>
     <message>
         <source>no structure %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune structure %1</translation>
     </message>
     <message>
         <source>one of that name</source>
-        <translation type="unfinished"></translation>
+        <translation>une de ce nom</translation>
     </message>
     <message>
         <source>%1 open edge: the surface has holes or a rim</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 arête ouverte&#x202f;: la surface a des trous ou un bord</translation>
     </message>
     <message>
         <source>%1 open edges: the surface has holes or a rim</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 arêtes ouvertes&#x202f;: la surface a des trous ou un bord</translation>
     </message>
     <message>
         <source>%1 triangle without area left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangle sans aire laissé de côté</translation>
     </message>
     <message>
         <source>%1 triangles without area left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles sans aire laissés de côté</translation>
     </message>
     <message>
         <source>%1 duplicate triangle left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangle en double laissé de côté</translation>
     </message>
     <message>
         <source>%1 duplicate triangles left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles en double laissés de côté</translation>
     </message>
     <message>
         <source>%1 triangle turned round to face the same way as the rest</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangle retourné pour regarder du même côté que les autres</translation>
     </message>
     <message>
         <source>%1 triangles turned round to face the same way as the rest</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles retournés pour regarder du même côté que les autres</translation>
     </message>
     <message>
         <source>%1 edge shared by more than two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 arête partagée par plus de deux triangles</translation>
     </message>
     <message>
         <source>%1 edges shared by more than two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 arêtes partagées par plus de deux triangles</translation>
     </message>
     <message>
         <source>%1 part without a consistent front</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 partie sans face avant cohérente</translation>
     </message>
     <message>
         <source>%1 parts without a consistent front</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 parties sans face avant cohérente</translation>
     </message>
     <message>
         <source>%1 part without an inside, touched from both sides</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 partie sans intérieur, touchée des deux côtés</translation>
     </message>
     <message>
         <source>%1 parts without an inside, touched from both sides</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 parties sans intérieur, touchées des deux côtés</translation>
     </message>
     <message>
         <source>%1 closed part looks inside out: touched from within unless flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 partie fermée semble retournée&#x202f;: touchée du dedans à moins d’être inversée</translation>
     </message>
     <message>
         <source>%1 closed parts look inside out: touched from within unless flipped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 parties fermées semblent retournées&#x202f;: touchées du dedans à moins d’être inversées</translation>
     </message>
     <message>
         <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 valeurs de tableaux différaient de plus de 10&#x202f;% d’une autre au même sommet&#x202f;: la moyenne est prise</translation>
     </message>
     <message>
         <source>no SPACE tag: coordinates taken as LPS</source>
-        <translation type="unfinished"></translation>
+        <translation>pas d’indication SPACE&#x202f;: coordonnées prises comme LPS</translation>
     </message>
     <message>
         <source>%1 and %2 more file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 et %2 fichier de plus</translation>
     </message>
     <message>
         <source>%1 and %2 more files</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 et %2 fichiers de plus</translation>
     </message>
     <message>
         <source>tagged SPACE=RAS: x and y negated to get LPS</source>
-        <translation type="unfinished"></translation>
+        <translation>indique SPACE=RAS&#x202f;: x et y changés de signe pour obtenir LPS</translation>
     </message>
     <message>
         <source>tagged SPACE=%1, but taken as %2, as was chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>indique SPACE=%1, mais pris comme %2, ainsi que choisi</translation>
     </message>
     <message>
         <source>taken as %1, as the scene file says; not as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pris comme %1, ainsi que le dit le fichier de scène&#x202f;; non comme %2</translation>
     </message>
     <message>
         <source>only %1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation type="unfinished"></translation>
+        <translation>seulement %1 unités de large, pris en %2&#x202f;; semble être en %3&#x202f;: ouvrir avec --unit %4</translation>
     </message>
     <message>
         <source>%1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 unités de large, pris en %2&#x202f;; semble être en %3&#x202f;: ouvrir avec --unit %4</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>mètres</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>millimètres</translation>
     </message>
     <message>
         <source>larger ones</source>
-        <translation type="unfinished"></translation>
+        <translation>plus grandes</translation>
     </message>
     <message>
         <source>%1 and %2 are the same surface twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 et %2 sont deux fois la même surface</translation>
     </message>
     <message>
         <source>%1 lies in %2 and is felt below it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est dans %2 et se sent dessous</translation>
     </message>
     <message>
         <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est dans %2, qui se sent dans la dernière des %3 couches&#x202f;: les deux se sentent dans celle-là</translation>
     </message>
     <message>
         <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent pas dessous</translation>
     </message>
     <message>
         <source>colours not read: those of its %1</source>
-        <translation type="unfinished"></translation>
+        <translation>couleurs non lues&#x202f;: celles de ses %1</translation>
     </message>
     <message>
         <source>changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>changé depuis que la scène a été enregistrée&#x202f;: trouvé SHA-256 %1, attendu %2&#x202f;; ouvert tel qu’il est maintenant</translation>
     </message>
     <message>
         <source>is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation type="unfinished"></translation>
+        <translation>est une liste de marques de 3D Slicer, non une scène de Palpate&#x202f;: ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
     </message>
     <message>
         <source>is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas une scène de Palpate&#x202f;: ni `version` ni `structures` trouvés&#x202f;; attendu un fichier enregistré par Palpate (.palpate.json)</translation>
     </message>
     <message>
         <source>version: found %1, expected at most %2: it was made by a newer Palpate</source>
-        <translation type="unfinished"></translation>
+        <translation>version&#x202f;: trouvé %1, attendu au plus %2&#x202f;: elle vient d’un Palpate plus récent</translation>
     </message>
     <message>
         <source>no JSON object</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun objet JSON</translation>
     </message>
     <message>
         <source>a scene as a JSON object</source>
-        <translation type="unfinished"></translation>
+        <translation>une scène comme objet JSON</translation>
     </message>
     <message>
         <source>an array</source>
-        <translation type="unfinished"></translation>
+        <translation>un tableau</translation>
     </message>
     <message>
         <source>an object</source>
-        <translation type="unfinished"></translation>
+        <translation>un objet</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>un texte</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre</translation>
     </message>
     <message>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>vrai ou faux</translation>
     </message>
     <message>
         <source>an array of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un tableau de %1</translation>
     </message>
     <message>
         <source>%1 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nombres</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre entier</translation>
     </message>
     <message>
         <source>a fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>une fraction</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>rien</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun</translation>
     </message>
     <message>
         <source>the path of a mesh file</source>
-        <translation type="unfinished"></translation>
+        <translation>le chemin d’un maillage</translation>
     </message>
     <message>
         <source>the path of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>le chemin d’un enregistrement</translation>
     </message>
     <message>
         <source>the name of a structure of this scene</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom d’une structure de cette scène</translation>
     </message>
     <message>
         <source>one of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un de %1</translation>
     </message>
     <message>
         <source>no such file, expected a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>fichier introuvable, attendu un enregistrement</translation>
     </message>
     <message>
         <source>found no SQLite database, expected a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
     </message>
     <message>
         <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé la base SQLite d’un autre programme, attendu un enregistrement de Palpate</translation>
     </message>
     <message>
         <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé un enregistrement de version %1, attendu au plus %2&#x202f;: fait par un Palpate plus récent</translation>
     </message>
     <message>
         <source>found no tick with a hand, expected at least one</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun instant avec une main, attendu au moins un</translation>
     </message>
     <message>
         <source>damaged: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>endommagé&#x202f;: %1</translation>
     </message>
     <message>
         <source>file is not a database</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier n’est pas une base de données</translation>
     </message>
     <message>
         <source>database disk image is malformed</source>
-        <translation type="unfinished"></translation>
+        <translation>l’image disque de la base est mal formée</translation>
     </message>
     <message>
         <source>unable to open database file</source>
-        <translation type="unfinished"></translation>
+        <translation>impossible d’ouvrir le fichier de la base</translation>
     </message>
     <message>
         <source>database or disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>la base ou le disque est plein</translation>
     </message>
     <message>
         <source>attempt to write a readonly database</source>
-        <translation type="unfinished"></translation>
+        <translation>tentative d’écriture dans une base en lecture seule</translation>
     </message>
     <message>
         <source>disk I/O error</source>
-        <translation type="unfinished"></translation>
+        <translation>erreur d’entrée-sortie du disque</translation>
     </message>
     <message>
         <source>the recording ended at %1 s because %2; what was felt after is not in it</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement a fini à %1&#xa0;s car %2&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>nothing was recorded because %1</source>
-        <translation type="unfinished"></translation>
+        <translation>rien n’a été enregistré car %1</translation>
     </message>
     <message>
         <source>the disk cannot be written (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>le disque ne peut pas être écrit (%1)</translation>
     </message>
     <message>
         <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
-        <translation type="unfinished"></translation>
+        <translation>fini à %1&#xa0;s car le disque était plein&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
-        <translation type="unfinished"></translation>
+        <translation>fini à %1&#xa0;s car le disque ne pouvait pas être écrit&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
-        <translation type="unfinished"></translation>
+        <translation>fini à %1&#xa0;s sans être fermé (un arrêt brutal ou un disque plein)&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>%1 ticks were lost</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 instants ont été perdus</translation>
     </message>
     <message>
         <source>cannot be recorded: the servo loop is not running</source>
-        <translation type="unfinished"></translation>
+        <translation>impossible d’enregistrer&#x202f;: la boucle d’asservissement ne tourne pas</translation>
     </message>
     <message>
         <source>cannot be recorded: the servo loop does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>impossible d’enregistrer&#x202f;: la boucle d’asservissement ne répond pas</translation>
     </message>
     <message>
         <source>found none of the surfaces that it was made on</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune des surfaces sur lesquelles il a été fait n’a été trouvée</translation>
     </message>
     <message>
         <source>it holds none and names no mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’en contient aucune et ne nomme aucun maillage</translation>
     </message>
     <message>
         <source>no such file, neither where it was nor beside the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>fichier introuvable, ni là où il était ni à côté de l’enregistrement</translation>
     </message>
     <message>
         <source>is another surface now than was recorded; opened as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>est maintenant une autre surface que celle enregistrée&#x202f;; ouverte telle qu’elle est</translation>
     </message>
     <message>
         <source>its recorded map is of another surface; it is not felt</source>
-        <translation type="unfinished"></translation>
+        <translation>sa carte enregistrée est celle d’une autre surface&#x202f;; elle ne se sent pas</translation>
     </message>
     <message>
         <source>what lumps below it made is of another surface; it is not felt</source>
-        <translation type="unfinished"></translation>
+        <translation>ce que les nodules dessous en faisaient est d’une autre surface&#x202f;; cela ne se sent pas</translation>
     </message>
     <message>
         <source>the recording does not say what scene it was made on</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement ne dit pas sur quelle scène il a été fait</translation>
     </message>
     <message>
         <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
-        <translation type="unfinished"></translation>
+        <translation>fréquence et CPU ne changent pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
     </message>
     <message>
         <source>the device cannot be changed while a recording runs; stop it first</source>
-        <translation type="unfinished"></translation>
+        <translation>l’appareil ne change pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
     </message>
     <message>
         <source>the SpaceMouse is the hand now; choose another device for it first</source>
-        <translation type="unfinished"></translation>
+        <translation>la SpaceMouse est la main&#x202f;; choisir d’abord un autre appareil pour celle-ci</translation>
     </message>
     <message>
         <source>the SpaceMouse moves the view; switch that off first</source>
-        <translation type="unfinished"></translation>
+        <translation>la SpaceMouse déplace la vue&#x202f;; désactiver cela d’abord</translation>
     </message>
     <message>
         <source>no device is called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun appareil ne s’appelle %1</translation>
     </message>
     <message>
         <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
-        <translation type="unfinished"></translation>
+        <translation>la main simulée palpe ce qui est au milieu de la vue&#x202f;: rien de palpable trouvé là</translation>
     </message>
     <message>
         <source>no recording is open whose motion could be felt anew</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun enregistrement ouvert dont le mouvement puisse être ressenti à nouveau</translation>
     </message>
     <message>
         <source>the motion to play has no rows</source>
-        <translation type="unfinished"></translation>
+        <translation>le mouvement à rejouer n’a pas de lignes</translation>
     </message>
     <message>
         <source>the device could not be started: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>l’appareil n’a pas pu démarrer&#x202f;: %1</translation>
     </message>
     <message>
         <source>its driver failed</source>
-        <translation type="unfinished"></translation>
+        <translation>son pilote a échoué</translation>
     </message>
     <message>
         <source>skipped, it hung when it was started</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoré, il s’est bloqué au démarrage</translation>
     </message>
     <message>
         <source>skipped, it ended the process when it was started</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoré, il a arrêté le processus au démarrage</translation>
     </message>
     <message>
         <source>skipped, it failed when it was started</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoré, il a échoué au démarrage</translation>
     </message>
     <message>
         <source>skipped, %1 comes first</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoré, %1 passe avant</translation>
     </message>
     <message>
         <source>CPU %1: this machine has no such CPU</source>
-        <translation type="unfinished"></translation>
+        <translation>CPU %1&#x202f;: cette machine n’a pas ce CPU</translation>
     </message>
     <message>
         <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’appareil a donné une position qui n’est pas un nombre. Vérifier son pilote, puis réarmer.</translation>
     </message>
     <message>
         <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’appareil a donné des positions hors de son espace de travail. Le calibrer, puis réarmer.</translation>
     </message>
     <message>
         <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La position de l’appareil a sauté plus loin qu’une main ne peut aller. Vérifier câble et calibrage, puis réarmer.</translation>
     </message>
     <message>
         <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’appareil ne donne plus de nouvelles positions. Vérifier sa connexion, puis réarmer.</translation>
     </message>
     <message>
         <source>The device no longer answers. Plug it in again, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’appareil ne répond plus. Le rebrancher, puis réarmer.</translation>
     </message>
     <message>
         <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle a donné une force qui n’est pas un nombre. Quitter la surface, puis réarmer.</translation>
     </message>
     <message>
         <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’ordinateur n’a pas pu tenir la fréquence. Fermer d’autres programmes ou baisser la fréquence, puis réarmer.</translation>
     </message>
     <message>
         <source>The servo thread ended by an error. Start the device again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La boucle d’asservissement a fini par une erreur. Redémarrer l’appareil.</translation>
     </message>
     <message>
         <source>lumps felt through their organ: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nodules sentis à travers leur organe&#x202f;: %1</translation>
     </message>
     <message>
         <source>it has %1 points; expected 2 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>il a %1 points&#x202f;; attendu 2 à %2</translation>
     </message>
     <message>
         <source>it has more points; expected 2 to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>il a plus de points&#x202f;; attendu 2 à %1</translation>
     </message>
     <message>
         <source>left out, its surface is open: it has no volume to be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>laissé de côté, sa surface est ouverte&#x202f;: il n’a pas de volume à sentir</translation>
     </message>
     <message>
         <source>left out, its surface is inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>laissé de côté, sa surface est retournée</translation>
     </message>
     <message>
         <source>left out, it lies outside %1</source>
-        <translation type="unfinished"></translation>
+        <translation>laissé de côté, il est hors de %1</translation>
     </message>
     <message>
         <source>%1 and %2 reach into each other: where both are felt is not judged</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 et %2&#xa0;s’interpénètrent&#x202f;: là où les deux se sentent, rien n’est jugé</translation>
     </message>
     <message>
         <source>%1 was read as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été lu comme %2</translation>
     </message>
     <message>
         <source>%1 or %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ou %2</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ligne %1</translation>
     </message>
     <message>
         <source>byte %1</source>
-        <translation type="unfinished"></translation>
+        <translation>octet %1</translation>
     </message>
     <message>
         <source>polygon %1</source>
-        <translation type="unfinished"></translation>
+        <translation>polygone %1</translation>
     </message>
     <message>
         <source>point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>point %1</translation>
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished"></translation>
+        <translation>en-tête</translation>
     </message>
     <message>
         <source>structures</source>
-        <translation type="unfinished"></translation>
+        <translation>structures</translation>
     </message>
     <message>
         <source>%1; expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#x202f;; attendu %2</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé %1, attendu %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1&#x202f;: %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1 (in English)</source>
         <extracomment>around a line that has no translation</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (en anglais)</translation>
     </message>
 </context>
 <context>
@@ -3508,7 +3536,7 @@ Appuyer ici ou F4 pour tous les messages</translation>
     </message>
     <message>
         <source>now %1 mm, here × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>maintenant %1&#xa0;mm, ici × %2</translation>
     </message>
 </context>
 <context>
