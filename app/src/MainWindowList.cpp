@@ -5,6 +5,7 @@
 
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/TissueByName.h>
 
 #include <QFileDialog>
