@@ -184,6 +184,19 @@ class FeltSurface : public QObject
         QVERIFY(press.felt.estimate < 0.8 && press.verdict == buried::Verdict::Plainly);
     }
 
+    void whatIsNotFeltIsJudged()
+    {
+        // As soft as the organ: a best place is known, and it is not felt there.
+        const auto alike = felt({lumpAt(Vec3(0.0, 0.0, 62.0), 10.0, 1.0)});
+        // In the middle of 160 mm: it reaches no place of the surface.
+        const auto deep = felt({lumpAt(Vec3::Zero(), 3.0)});
+        for (std::size_t press = 0; press < alike.value().press.size(); ++press) {
+            QVERIFY(alike.value().lumps[0].press[press].verdict == buried::Verdict::NotByHand);
+            QVERIFY(!deep.value().lumps[0].press[press].best.has_value());
+            QVERIFY(deep.value().lumps[0].press[press].verdict == buried::Verdict::NotByHand);
+        }
+    }
+
     void whereTheModelDoesNotHoldIsSaid()
     {
         // A finger of 25 mm on a ball of 80 mm: curved everywhere.

@@ -187,7 +187,7 @@ class Run
                 if (isCancelled) {
                     return;
                 }
-                m_best[block].assign(m_lumps.size(), std::vector<FeltSurface::LumpPress>(m_options.press_mm.size()));
+                m_best[block].assign(m_lumps.size(), std::vector<Found>(m_options.press_mm.size()));
                 Room room;
                 for (std::size_t v = block * kBlock; v < std::min(vertices, (block + 1) * kBlock); ++v) {
                     judge(v, m_best[block], room);
@@ -207,7 +207,12 @@ class Run
 
   private:
     static constexpr std::size_t kBlock = 256;
-    using Best = std::vector<std::vector<FeltSurface::LumpPress>>; ///< by lump and press
+    struct Found
+    {
+        FeltSurface::LumpPress told;
+        bool isReachedUnjudged = false; ///< its share is above 0 at a place where the model does not hold
+    };
+    using Best = std::vector<std::vector<Found>>; ///< by lump and press
 
     struct Room
     {
@@ -250,7 +255,9 @@ class Run
                 const LumpShare one{room.shares[i * presses + press], m_felt.lumps[i].ratio};
                 room.all.push_back(one);
                 if (reasons == 0) {
-                    enter(best[i][press], v, stiffening(one.share, one.ratio));
+                    enter(best[i][press].told, v, one);
+                } else if (one.share > 0.0) {
+                    best[i][press].isReachedUnjudged = true;
                 }
             }
             const Stiffening felt = stiffening(room.all);
@@ -263,15 +270,17 @@ class Run
 
     [[nodiscard]] static double changeOf(const Stiffening& felt) { return std::abs(std::log(felt.estimate)); }
 
-    void enter(FeltSurface::LumpPress& at, std::size_t v, const Stiffening& felt) const
+    void enter(FeltSurface::LumpPress& at, std::size_t v, const LumpShare& lump) const
     {
+        const Stiffening felt = stiffening(lump.share, lump.ratio);
         const double change = changeOf(felt);
         for (std::size_t i = 0; i < kTold_percent.size(); ++i) {
             if (change >= std::log1p(kTold_percent[i] / 100.0)) {
                 at.area_mm2[i] += m_corners.area_mm2[v];
             }
         }
-        if (change > 0.0 && (!at.best.has_value() || change > changeOf(at.felt))) {
+        // A lump as soft as its organ has a best place too: it is judged, and not felt there.
+        if (lump.share > 0.0 && (!at.best.has_value() || change > changeOf(at.felt))) {
             at.best = v;
             at.felt = felt;
         }
@@ -285,8 +294,10 @@ class Run
             lump.press.resize(m_options.press_mm.size());
             for (std::size_t press = 0; press < lump.press.size(); ++press) {
                 FeltSurface::LumpPress& sum = lump.press[press];
+                bool isReachedUnjudged = false;
                 for (const Best& block : m_best) {
-                    const FeltSurface::LumpPress& part = block[i][press];
+                    const FeltSurface::LumpPress& part = block[i][press].told;
+                    isReachedUnjudged = isReachedUnjudged || block[i][press].isReachedUnjudged;
                     for (std::size_t k = 0; k < sum.area_mm2.size(); ++k) {
                         sum.area_mm2[k] += part.area_mm2[k];
                     }
@@ -295,7 +306,11 @@ class Run
                         sum.felt = part.felt;
                     }
                 }
-                sum.verdict = sum.best.has_value() ? verdictOf(sum.felt.estimate) : Verdict::NotJudged;
+                if (sum.best.has_value()) {
+                    sum.verdict = verdictOf(sum.felt.estimate);
+                } else { // too deep for any place, or reached where the model does not hold alone
+                    sum.verdict = isReachedUnjudged ? Verdict::NotJudged : Verdict::NotByHand;
+                }
             }
         }
     }
