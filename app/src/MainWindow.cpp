@@ -289,6 +289,7 @@ void MainWindow::connectTouch()
         }
     });
     connect(m_palpation, &PalpationController::handGone, m_touch, &TouchPanel::showNoHand);
+    m_sound->follow(*m_touch);
     connect(m_palpation, &PalpationController::handGone, m_playback,
             &Playback::showAgain); // instead, where one is open
     connect(m_palpation, &PalpationController::textChanged, this, &MainWindow::showMode);

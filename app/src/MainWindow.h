@@ -6,6 +6,7 @@
 #include "RecordingControl.h"
 #include "SceneDocument.h"
 #include "ShowAround.h"
+#include "SoundChoice.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
@@ -179,6 +180,7 @@ class MainWindow : public QMainWindow
     palpate::ui::KeysCard* m_keys = nullptr;
     CoordinatesChoice* m_coordinates = nullptr;
     palpate::app::ShowAround* m_around = nullptr;
+    palpate::app::SoundChoice* m_sound = nullptr;
     bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;

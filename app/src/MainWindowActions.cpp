@@ -96,6 +96,8 @@ void MainWindow::makeViewActions()
         m_viewport->update();
         QSettings().setValue(kDent, isOn);
     });
+    m_sound = new palpate::app::SoundChoice(m_actions, this);
+    connect(m_sound, &palpate::app::SoundChoice::said, this, [this](const QString& line) { say(line); });
     m_actions.addSeparator(ActionGroup::View);
     const auto addView = [this](const char* id, const QString& text, const QKeySequence& key, view::ViewFrom from) {
         connect(m_actions.add(id, ActionGroup::View, text, text, {key}), &QAction::triggered, this, [this, from] {
@@ -212,6 +214,7 @@ void MainWindow::makeMenus()
     m_actions.fill(*menuBar()->addMenu(tr("&Edit")), ActionGroup::Edit);
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_actions.fill(*view, ActionGroup::View);
+    m_sound->watch(*view);
     for (QDockWidget* dock : m_docks) {
         view->addAction(dock->toggleViewAction());
     }

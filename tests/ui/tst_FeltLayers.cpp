@@ -29,6 +29,31 @@ class FeltLayers : public QObject
     }
 
   private Q_SLOTS:
+    /// A map, a lump felt through the surface and a lump as a layer: each by what it adds to the outermost tissue.
+    void stiffnessIsToldByThatOfTheOutermostTissue()
+    {
+        core::Tissue liver, lump;
+        liver.stiffness_N_per_mm = 0.2;
+        lump.stiffness_N_per_mm = 0.6;
+        const auto tissueOf = [&](std::uint32_t number) -> const core::Tissue* {
+            return number == 0 ? &liver : number == 1 ? &lump : nullptr;
+        };
+        servo::TickRecord tick = touching();
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0); // touches nothing
+        tick.felt.contactCount = 1;
+        tick.felt.contacts[0].structure = 0;
+        tick.felt.contacts[0].depth_mm = 3.0;
+        tick.felt.contacts[0].stiffnessScale = 1.5;
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).whole_N_per_mm, 1.5 * 0.2);
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.5);
+        tick.felt.contactCount = 2;
+        tick.felt.contacts[1].structure = 1;
+        tick.felt.contacts[1].depth_mm = 1.0;
+        tick.felt.contacts[1].stiffnessScale = 1.0;
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, (1.5 * 0.2 + 0.6) / 0.2);
+        tick.felt.contacts[0].structure = 7; // of which nobody knows the tissue
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0);
+    }
     void softTissueBendsAndBoneDoesNot()
     {
         QVERIFY(bends(0.2));

@@ -4,6 +4,7 @@
 
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/ui/PointedStructure.h>
+#include <palpate/ui/TouchSound.h>
 
 #include <QLabel>
 
@@ -129,6 +130,20 @@ class Picture : public QObject
         }
         QVERIFY2(changed > 30, qPrintable(QString::number(changed)));
         dent->trigger();
+    }
+    /// Where nothing can be heard the command says why and stays off; the touch goes on.
+    void touchIsHeardWhereThereIsALoudspeaker()
+    {
+        QAction* sound = m_desk->window().findChild<QAction*>(QStringLiteral("sound"));
+        QVERIFY(sound != nullptr && !sound->isChecked() && sound->isEnabled());
+        const QString whyNot = ui::TouchSound::whyNot();
+        press(overLump(), 20);
+        sound->trigger();
+        QCOMPARE(sound->isChecked(), whyNot.isEmpty());
+        QCOMPARE(sound->isEnabled(), whyNot.isEmpty());
+        QVERIFY2(sound->text().contains(whyNot), qPrintable(sound->text()));
+        QVERIFY(shown().isInContact);
+        sound->setChecked(false);
     }
     void pressedAtTheBorder()
     {

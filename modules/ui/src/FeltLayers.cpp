@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FeltLayers.h"
 
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/view/Dimple.h>
 
 #include <QCoreApplication>
@@ -57,6 +58,21 @@ std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N,
                           scale * sideways.norm(), contact.stiffnessScale});
     }
     return layers;
+}
+
+FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf)
+{
+    FeltStiffness felt;
+    double alone_N_per_mm = 0.0;
+    for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
+        const haptics::Contact& contact = tick.felt.contacts[i];
+        const core::Tissue* tissue = tissueOf(contact.structure);
+        const double own_N_per_mm = tissue != nullptr ? haptics::stiffnessAt(*tissue, contact.depth_mm) : 0.0;
+        felt.whole_N_per_mm += contact.stiffnessScale * own_N_per_mm;
+        alone_N_per_mm = i == 0 ? own_N_per_mm : alone_N_per_mm;
+    }
+    felt.ratio = alone_N_per_mm > 0.0 ? felt.whole_N_per_mm / alone_N_per_mm : 1.0;
+    return felt;
 }
 
 QString layersText(const std::vector<FeltLayer>& layers)

@@ -404,14 +404,12 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
         reading.structure = readableName(m_model.structure(tick.felt.structure).name);
-        for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
-            const haptics::Contact& contact = tick.felt.contacts[i];
-            const int row = static_cast<int>(contact.structure);
-            if (row < m_model.rowCount()) {
-                reading.stiffness_N_per_mm +=
-                    contact.stiffnessScale * haptics::stiffnessAt(m_model.structure(row).tissue, contact.depth_mm);
-            }
-        }
+        const FeltStiffness stiffness = feltStiffness(tick, [this](std::uint32_t number) {
+            const int row = static_cast<int>(number);
+            return row < m_model.rowCount() ? &m_model.structure(row).tissue : nullptr;
+        });
+        reading.stiffness_N_per_mm = stiffness.whole_N_per_mm;
+        reading.stiffnessRatio = stiffness.ratio;
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;

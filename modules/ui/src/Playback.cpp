@@ -142,7 +142,9 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
     if (tick.felt.structure >= 0) {
         reading.layers = layersOf(tick);
         reading.structure = lookOf(tick, static_cast<std::uint32_t>(tick.felt.structure)).name;
-        reading.stiffness_N_per_mm = m_recording->stiffness_N_per_mm(tick);
+        const FeltStiffness stiffness = m_recording->stiffness(tick);
+        reading.stiffness_N_per_mm = stiffness.whole_N_per_mm;
+        reading.stiffnessRatio = stiffness.ratio;
         reading.force_N = tick.felt.f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/RecordedTouch.h"
 
-#include <palpate/haptics/ForceTable.h>
 #include <palpate/session/Findings.h>
 #include <palpate/study/RecordedScale.h>
 
@@ -81,18 +80,12 @@ const core::Tissue* RecordedTouch::tissue(const servo::TickRecord& tick) const
                : nullptr;
 }
 
-double RecordedTouch::stiffness_N_per_mm(const servo::TickRecord& tick) const
+FeltStiffness RecordedTouch::stiffness(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
-    double stiffness = 0.0;
-    for (std::size_t i = 0; scene != nullptr && i < tick.felt.contactCount; ++i) {
-        const haptics::Contact& contact = tick.felt.contacts[i];
-        if (contact.structure < scene->structures.size()) {
-            stiffness += contact.stiffnessScale *
-                         haptics::stiffnessAt(scene->structures[contact.structure].tissue, contact.depth_mm);
-        }
-    }
-    return stiffness;
+    return feltStiffness(tick, [scene](std::uint32_t number) {
+        return scene != nullptr && number < scene->structures.size() ? &scene->structures[number].tissue : nullptr;
+    });
 }
 
 std::vector<std::pair<double, QString>> RecordedTouch::marks() const

@@ -116,6 +116,11 @@ void TouchPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
+double TouchPanel::forceLimit_N() const
+{
+    return m_bar->limit_N();
+}
+
 void TouchPanel::setForceLimit(double force_N)
 {
     m_bar->setLimit(force_N);

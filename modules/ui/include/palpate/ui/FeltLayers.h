@@ -29,6 +29,16 @@ struct FeltLayer
     double stiffnessScale = 1.0; ///< by which maps and lumps below scale its law at the touch [1]
 };
 
+/// How stiff what a tick touches is.
+struct FeltStiffness
+{
+    double whole_N_per_mm = 0.0; ///< of all layers together, with maps and lumps below
+    double ratio = 1.0;          ///< by that of the outermost layer's tissue alone
+};
+/// @return nothing for a structure that is not known
+using TissueOf = std::function<const core::Tissue*(std::uint32_t structure)>;
+[[nodiscard]] FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
+
 /// What a structure is called and how it is drawn.
 struct LayerLook
 {

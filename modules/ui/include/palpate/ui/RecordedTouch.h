@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/FeltLayers.h"
+
 #include <palpate/core/Finding.h>
 #include <palpate/session/RecordingReader.h>
 
@@ -37,8 +39,8 @@ class RecordedTouch : public QObject
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
     /// Of the structure that a tick reports; null in free space, and when its scene is not known.
     [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
-    /// Of all layers that a tick touches together, as they were felt there: with maps and lumps below.
-    [[nodiscard]] double stiffness_N_per_mm(const servo::TickRecord& tick) const;
+    /// How stiff what a tick touches was felt.
+    [[nodiscard]] FeltStiffness stiffness(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// When something was noted [s], with its kind.
     [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;

@@ -22,6 +22,7 @@ struct TouchReading
     double depth_mm = 0.0;
     QString structure;               ///< of the outermost layer; empty in free space
     double stiffness_N_per_mm = 0.0; ///< of all layers that are touched together
+    double stiffnessRatio = 1.0;     ///< that by the outermost tissue's alone [1]
     int constraints = 0;             ///< active ones of the outermost layer; the engineering panel has them
     bool isSlidOff = false;          ///< pressed, but the surface has given way to the side
     bool isAtBound = false;          ///< the solver stopped at its bound: the force is that of where it got to
@@ -37,6 +38,7 @@ class TouchPanel : public QWidget
 
     /// @param force_N  the device's limit: the end of the bar
     void setForceLimit(double force_N);
+    [[nodiscard]] double forceLimit_N() const;
     void show(const TouchReading& reading);
     /// What was shown last; that of free space without a hand.
     [[nodiscard]] const TouchReading& reading() const noexcept { return m_reading; }
