@@ -21,6 +21,13 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
         menu->addAction(action);
     }
     connect(m_devices, &DeviceChoice::refused, this, &MainWindow::showError);
+    connect(m_devices, &DeviceChoice::pushed, m_palpation, &PalpationController::push);
+    connect(m_devices, &DeviceChoice::pressingWanted, this, [this] {
+        m_effortAction->setChecked(true);
+        say(tr("The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest "
+               "press"),
+            60000);
+    });
     connect(m_devices, &DeviceChoice::changed, this, [this] {
         m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
         showWhatPlays();

@@ -138,9 +138,9 @@ class EffortDepth : public QObject
         QCOMPARE(effort.force_N(9.9), 0.0);
         QCOMPARE(effort.force_N(12.0), 2.0);
         QCOMPARE(effort.force_N(20.0), 3.0);
-        effort.setPen(0.5); // of the bound
+        effort.setShare(0.5); // of the bound
         QCOMPARE(effort.force_N(20.0), 1.5);
-        effort.setPen(7.0);
+        effort.setShare(7.0);
         QCOMPARE(effort.force_N(20.0), 3.0);
         effort.end();
         QCOMPARE(effort.force_N(20.0), 0.0);

@@ -117,6 +117,31 @@ class Palpation : public QObject
         m_palpation->letGo();
         QVERIFY(!m_palpation->isSlidOff());
     }
+    /// A 6-axis mouse presses where the pointer is, with its share of the hardest press, and lets go when it rests.
+    void aPuckPressesWithItsPush()
+    {
+        ui::HandSettings byEffort;
+        byEffort.isByEffort = true;
+        byEffort.effort_N = 4.0;
+        m_palpation->setPress(byEffort);
+        m_palpation->push(0.5); // palpation is off
+        m_palpation->setPalpating(true);
+        m_palpation->push(0.5); // the pointer is nowhere
+        QTest::qWait(50);
+        QVERIFY(!m_reading);
+        m_palpation->moveTo({300, 200});
+        for (const double share : {0.25, 1.0, 0.5}) {
+            m_palpation->push(share);
+            QTRY_VERIFY2_WITH_TIMEOUT(m_reading && std::abs(m_reading->force_N - share * 4.0) < 0.05,
+                                      qPrintable(QString::number(m_reading ? m_reading->force_N : -1.0)), 10000);
+        }
+        m_palpation->push(0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        // What the pointer pressed is not the puck's to let go.
+        m_palpation->pressAt({300, 200});
+        m_palpation->push(0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->force_N > 1.0, 10000);
+    }
     void theDeepestPressIsSaid()
     {
         QSignalSpy said(m_palpation.get(), &ui::PalpationController::said);

@@ -50,8 +50,8 @@ DeviceChoice::DeviceChoice(LiveTouch& live, VtkViewport& viewport, Playback& pla
     , m_live(live)
     , m_viewport(viewport)
     , m_playback(playback)
-    , m_puck(viewport)
 {
+    connect(&m_puck, &PuckReader::moved, this, &DeviceChoice::takePuck);
 }
 
 DeviceChoice::~DeviceChoice()
@@ -102,10 +102,7 @@ void DeviceChoice::fill(QMenu& menu)
         }
         if (hasPuck) {
             menu.addSeparator();
-            QAction* action = menu.addAction(tr("SpaceMouse moves the view"));
-            action->setCheckable(true);
-            action->setToolTip(tr("The puck turns and shifts the anatomy while another device is the hand"));
-            connect(action, &QAction::triggered, this, [this, action](bool isOn) { movePicture(isOn, *action); });
+            addPuck(menu);
         }
     }
     menu.addSeparator();
@@ -118,20 +115,53 @@ void DeviceChoice::fill(QMenu& menu)
     menu.addAction(tr("What is plugged in…"), this, &DeviceChoice::tellWhatIsOnTheBus);
 }
 
-void DeviceChoice::movePicture(bool isWanted, QAction& action)
+void DeviceChoice::addPuck(QMenu& menu)
+{
+    const auto add = [&](std::size_t place, const QString& text, const QString& tip, PuckUse use) {
+        QAction* action = menu.addAction(text);
+        action->setCheckable(true);
+        action->setToolTip(tip);
+        connect(action, &QAction::triggered, this, [this, use](bool isOn) { usePuck(isOn ? use : PuckUse::Nothing); });
+        m_puckActions[place] = action;
+    };
+    add(0, tr("SpaceMouse moves the view"),
+        tr("The puck turns and shifts the anatomy while another device is the hand"), PuckUse::MovesView);
+    add(1, tr("SpaceMouse presses"),
+        tr("The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort"),
+        PuckUse::Presses);
+}
+
+void DeviceChoice::usePuck(PuckUse use)
 {
     Status status;
-    if (!isWanted) {
+    if (use == PuckUse::Nothing) {
         (void)m_puck.use(nullptr);
     } else if (m_chosen == kPuckPlugin) {
         status = Status(StatusCode::Unsupported, "the SpaceMouse is the hand now; choose another device for it first");
-    } else {
+    } else if (!m_puck.isOn()) {
         auto made = m_plugins->make(kPuckPlugin);
         status = made.isOk() ? m_puck.use(std::move(made).value()) : made.status();
     }
-    action.setChecked(m_puck.isOn());
+    if (m_puckUse == PuckUse::Presses) {
+        Q_EMIT pushed(0.0);
+    }
+    m_puckUse = m_puck.isOn() ? use : PuckUse::Nothing;
+    m_puckActions[0]->setChecked(m_puckUse == PuckUse::MovesView);
+    m_puckActions[1]->setChecked(m_puckUse == PuckUse::Presses);
     if (!status.isOk()) {
         Q_EMIT refused(engineText(status));
+    } else if (m_puckUse == PuckUse::Presses) {
+        Q_EMIT pressingWanted();
+    }
+}
+
+void DeviceChoice::takePuck(const device::DeviceState& from, const device::DeviceState& to, double passed_s)
+{
+    if (m_puckUse == PuckUse::Presses) {
+        Q_EMIT pushed(pushOf(from, to, passed_s));
+    } else if (from.isPresent && to.isPresent && (from.p_D != to.p_D || from.q_D.coeffs() != to.q_D.coeffs())) {
+        moveWithHand(m_viewport.view().camera(), from, to);
+        m_viewport.update();
     }
 }
 
@@ -139,7 +169,7 @@ Status DeviceChoice::choose(const std::string& id)
 {
     Status status;
     if (id == kPuckPlugin && m_puck.isOn()) {
-        status = Status(StatusCode::Unsupported, "the SpaceMouse moves the view; switch that off first");
+        status = Status(StatusCode::Unsupported, "the SpaceMouse moves the view or presses; switch that off first");
     } else {
         auto made = make(id);
         status = made.isOk() ? m_live.useDevice(std::move(made).value()) : made.status();

@@ -21,12 +21,12 @@ bool Effort::turn(double notches) noexcept
 void Effort::end() noexcept
 {
     m_touches_s.reset();
-    m_pen.reset();
+    m_share.reset();
 }
 
-void Effort::setPen(double pressure) noexcept
+void Effort::setShare(double share) noexcept
 {
-    m_pen = std::clamp(pressure, 0.0, 1.0);
+    m_share = std::clamp(share, 0.0, 1.0);
 }
 
 double Effort::force_N(double now_s) const noexcept
@@ -34,7 +34,7 @@ double Effort::force_N(double now_s) const noexcept
     if (!m_touches_s || now_s < *m_touches_s) {
         return 0.0;
     }
-    return m_pen ? *m_pen * m_most_N : std::min(m_most_N, kRise_N_per_s * (now_s - *m_touches_s));
+    return m_share ? *m_share * m_most_N : std::min(m_most_N, kRise_N_per_s * (now_s - *m_touches_s));
 }
 
 std::vector<study::PressedSurface> surfacesInTheWay(const haptics::HapticScene& scene, const view::Ray& press)

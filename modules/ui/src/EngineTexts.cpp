@@ -265,7 +265,7 @@ constexpr Template kTemplates[] = {
      0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the SpaceMouse is the hand now; choose another device for it first"),
      0b0, Holds::Numbers},
-    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the SpaceMouse moves the view; switch that off first"), 0b0,
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the SpaceMouse moves the view or presses; switch that off first"), 0b0,
      Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no device is called %1"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine",

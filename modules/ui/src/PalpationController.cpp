@@ -66,7 +66,7 @@ void PalpationController::connectPointer()
             run();
         }
     });
-    connect(&m_viewport, &VtkViewport::penPressed, this, [this](double pressure) { m_effort.setPen(pressure); });
+    connect(&m_viewport, &VtkViewport::penPressed, this, [this](double pressure) { m_effort.setShare(pressure); });
     connect(&m_viewport, &VtkViewport::depthTurned, this, [this](double notches) {
         if (m_isByEffort) {
             turnEffort(notches);
@@ -265,6 +265,7 @@ bool PalpationController::letGo()
     const double now_s = seconds(core::monotonicNow_ns());
     const bool wasPressing = m_hand.phase(now_s) == PointerHand::Phase::Pressing;
     m_hand.release(now_s);
+    m_isPushed = false;
     m_effort.end();
     m_live.pointer().setState(m_hand.state(now_s)); // at once: the next step may wait for a picture
     run();
@@ -272,6 +273,19 @@ bool PalpationController::letGo()
     m_isSlidOff = false;
     refreshText();
     return wasPressing;
+}
+
+void PalpationController::push(double share)
+{
+    if (share > 0.0 && m_isPalpating && m_live.usesPointer() && m_hand.surfacePoint()) {
+        if (!isPressing()) {
+            m_isPushed = true;
+            press();
+        }
+        m_effort.setShare(share);
+    } else if (m_isPushed) {
+        letGo();
+    }
 }
 
 void PalpationController::setSceneSize(double diagonal_mm)

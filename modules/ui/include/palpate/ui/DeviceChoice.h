@@ -3,13 +3,14 @@
 
 #include "palpate/ui/LiveTouch.h"
 #include "palpate/ui/Playback.h"
-#include "palpate/ui/PuckCamera.h"
+#include "palpate/ui/PuckReader.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/device/PluginHost.h>
 
 #include <QObject>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -52,18 +53,33 @@ class DeviceChoice : public QObject
     void changed();
     /// A choice that could not be followed. @param line  why
     void refused(const QString& line);
+    /// A 6-axis mouse is to press where the pointer is.
+    void pressingWanted();
+    /// It is pushed down. @param share  0 … 1 of its way; 0: it rests
+    void pushed(double share);
 
   private:
     core::Result<std::unique_ptr<device::HapticDevice>> make(const std::string& id);
     core::Result<std::unique_ptr<device::HapticDevice>> makeSimulated();
     core::Result<std::unique_ptr<device::HapticDevice>> makePlayback();
-    void movePicture(bool isWanted, QAction& action);
+    /// What a 6-axis mouse does that is not the hand.
+    enum class PuckUse
+    {
+        Nothing,
+        MovesView,
+        Presses
+    };
+    void addPuck(QMenu& menu);
+    void usePuck(PuckUse use);
+    void takePuck(const device::DeviceState& from, const device::DeviceState& to, double passed_s);
     void tellWhatIsOnTheBus();
 
     LiveTouch& m_live;
     VtkViewport& m_viewport;
     Playback& m_playback;
-    PuckCamera m_puck;
+    PuckReader m_puck;
+    PuckUse m_puckUse = PuckUse::Nothing;
+    std::array<QAction*, 2> m_puckActions{}; ///< for view and press; null without its plugin
     std::unique_ptr<device::PluginHost> m_plugins;
     std::string m_chosen = "mouse";
     QActionGroup* m_group = nullptr;

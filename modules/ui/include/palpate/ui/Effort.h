@@ -10,8 +10,8 @@
 
 namespace palpate::ui {
 
-/// The force of a hand that has no sensor for it: the longer a press is held the harder it is, up to a bound; a pen
-/// says by its pressure which share of the bound it is. Time comes from the caller.
+/// The force of a hand that has no sensor for it: the longer a press is held the harder it is, up to a bound; a pen's
+/// pressure or the push of a 6-axis mouse says which share of the bound it is. Time comes from the caller.
 class Effort
 {
   public:
@@ -30,15 +30,15 @@ class Effort
     /// A press begins. @param touches_s  when the hand comes to the surface: the force rises from then on
     void begin(double touches_s) noexcept { m_touches_s = touches_s; }
     void end() noexcept;
-    /// A pen is pressed. @param pressure  0 … 1 of what it can say; until `end`
-    void setPen(double pressure) noexcept;
+    /// A pen or puck says how hard it is pressed. @param share  0 … 1 of what it can say; until `end`
+    void setShare(double share) noexcept;
     /// 0 while nothing is pressed. [N]
     [[nodiscard]] double force_N(double now_s) const noexcept;
 
   private:
     double m_most_N = kUsual_N;
     std::optional<double> m_touches_s; ///< nothing: not pressed
-    std::optional<double> m_pen;
+    std::optional<double> m_share;
 };
 
 /// The surfaces that a straight press meets: of each layer the first that can be touched from this side.

@@ -50,6 +50,9 @@ class PalpationController : public QObject
     void stepAlongScreen(int right, int up);
     /// Presses where the hand is, or lets go.
     void togglePress();
+    /// A 6-axis mouse is pushed: presses where the hand is, by effort with this share of the hardest press; it lets go
+    /// of what it pressed when it rests. @param share  0 … 1; 0: it rests
+    void push(double share);
     /// Deeper by steps of 0.5 mm, less in a small scene.
     void stepDepth(int steps);
     /// The camera was moved by keys: a hand that hovers follows.
@@ -99,6 +102,7 @@ class PalpationController : public QObject
     Effort m_effort;
     bool m_isByEffort = false;
     bool m_isByKeys = false;
+    bool m_isPushed = false; ///< the press is a 6-axis mouse's
     bool m_isSlidOff = false;
     double m_pressed_mm = 0.0; ///< how far the hand is in, along the line of sight
     QString m_text;            ///< said last

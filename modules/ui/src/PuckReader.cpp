@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/ui/PuckCamera.h"
+#include "palpate/ui/PuckReader.h"
 
 #include <palpate/core/Clock.h>
 
 #include <vtkCamera.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -11,6 +14,9 @@ namespace {
 
 constexpr int kStep_ms = 16;
 constexpr double kUsualDistance_mm = 250.0; // at which a millimetre of the hand is one of the anatomy
+constexpr double kFull_mm_per_s = 60.0;     // a puck at full way
+constexpr int kRecentring = 8;              // steps that this may take at most: then the device is gone
+constexpr double kRests = 0.02;             // share of it, above the rounding of positions over a step
 
 core::Vec3 vec(const double* v)
 {
@@ -45,20 +51,28 @@ void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const devi
     camera.SetViewUp(movedUp.x(), movedUp.y(), movedUp.z());
 }
 
-PuckCamera::PuckCamera(VtkViewport& viewport, QObject* parent)
-    : QObject(parent)
-    , m_viewport(viewport)
+double pushOf(const device::DeviceState& from, const device::DeviceState& to, double passed_s) noexcept
 {
-    m_timer.setInterval(kStep_ms);
-    connect(&m_timer, &QTimer::timeout, this, &PuckCamera::step);
+    if (!from.isPresent || !to.isPresent || !(passed_s > 0.0)) {
+        return 0.0;
+    }
+    const double share = (from.p_D.z() - to.p_D.z()) / passed_s / kFull_mm_per_s;
+    return share > kRests ? std::min(1.0, share) : 0.0;
 }
 
-PuckCamera::~PuckCamera()
+PuckReader::PuckReader(QObject* parent)
+    : QObject(parent)
+{
+    m_timer.setInterval(kStep_ms);
+    connect(&m_timer, &QTimer::timeout, this, &PuckReader::step);
+}
+
+PuckReader::~PuckReader()
 {
     (void)use(nullptr);
 }
 
-core::Status PuckCamera::use(std::unique_ptr<device::HapticDevice> device)
+core::Status PuckReader::use(std::unique_ptr<device::HapticDevice> device)
 {
     if (m_device != nullptr) {
         m_timer.stop();
@@ -72,23 +86,27 @@ core::Status PuckCamera::use(std::unique_ptr<device::HapticDevice> device)
         return started;
     }
     m_device = std::move(device);
-    m_last = m_device->read(core::monotonicNow_ns());
+    m_last_ns = core::monotonicNow_ns();
+    m_last = m_device->read(m_last_ns);
     m_timer.start();
     return {};
 }
 
-void PuckCamera::step()
+void PuckReader::step()
 {
-    const device::DeviceState state = m_device->read(core::monotonicNow_ns());
-    // A hand that was put back to its origin has not moved there: the view stays.
-    const bool isSameHand = state.isPresent && m_last.isPresent;
-    if (isSameHand && (state.p_D != m_last.p_D || state.q_D.coeffs() != m_last.q_D.coeffs())) {
-        moveWithHand(m_viewport.view().camera(), m_last, state);
-        m_viewport.update();
+    const std::int64_t now_ns = core::monotonicNow_ns();
+    const device::DeviceState state = m_device->read(now_ns);
+    const device::DeviceState last = std::exchange(m_last, state);
+    const double passed_s = static_cast<double>(now_ns - std::exchange(m_last_ns, now_ns)) * 1e-9;
+    if (m_recentring > 0) { // a hand that is put back to its origin has not moved there
+        const bool isBack = state.isPresent && state.p_D.norm() < 0.25 * m_device->info().workspaceRadius_mm;
+        m_recentring = isBack ? 0 : m_recentring - 1;
+    } else {
+        Q_EMIT moved(last, state, passed_s);
     }
-    m_last = state;
-    if (state.p_D.norm() > 0.5 * m_device->info().workspaceRadius_mm) {
-        (void)m_device->calibrate(); // the view can go on for ever, the hand's reach ends
+    if (m_recentring == 0 && state.p_D.norm() > 0.5 * m_device->info().workspaceRadius_mm) {
+        (void)m_device->calibrate(); // it can go on for ever, the hand's reach ends
+        m_recentring = kRecentring;
     }
 }
 
