@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shipping SpaceMouse plugin moves the window's view, chosen in the device menu, against an emulated puck. In real
+// The shipping SpaceMouse plugin moves the window's view or presses, chosen in the device menu, against an emulated puck. In real
 // time: what is looked at are directions and standstills, never speeds.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
@@ -33,6 +33,7 @@ class PuckView : public QObject
         ui::DeviceChoice devices{live, viewport, playback};
         QMenu menu;
         QAction* movesView = nullptr;
+        QAction* presses = nullptr;
 
         Window()
         {
@@ -40,6 +41,7 @@ class PuckView : public QObject
             devices.fill(menu);
             for (QAction* action : menu.actions()) {
                 movesView = action->text() == QStringLiteral("SpaceMouse moves the view") ? action : movesView;
+                presses = action->text() == QStringLiteral("SpaceMouse presses") ? action : presses;
             }
             vtkCamera& camera = viewport.view().camera(); // from the front, half a metre away
             camera.SetPosition(0, -500, 0);
@@ -138,6 +140,31 @@ class PuckView : public QObject
         const Vec3 there = m_window->focus();
         QTest::qWait(300);
         QVERIFY(m_window->focus() == there);
+    }
+
+    /// Pushed down it presses: the harder, the further; let go or pulled out, it rests. The view stands still.
+    void thePuckPresses()
+    {
+        QSignalSpy wanted(&m_window->devices, &ui::DeviceChoice::pressingWanted);
+        double share = -1.0;
+        connect(&m_window->devices, &ui::DeviceChoice::pushed, this, [&share](double now) { share = now; });
+        m_window->presses->trigger();
+        QVERIFY(m_window->presses->isChecked() && !m_window->movesView->isChecked());
+        QCOMPARE(wanted.count(), 1);
+        // These settings' full way is 200 mm/s, a press's is 60: a fifth of the way, less the dead zone, is 0.37.
+        hold({0, 0, 70, 0, 0, 0});
+        QTRY_VERIFY2(share > 0.2 && share < 0.6, qPrintable(QString::number(share)));
+        hold({0, 0, 350, 0, 0, 0});
+        QTRY_COMPARE(share, 1.0);
+        hold({0, 0, -350, 0, 0, 0}); // pulled
+        QTRY_COMPARE(share, 0.0);
+        hold({0, 0, 350, 0, 0, 0});
+        QTRY_COMPARE(share, 1.0);
+        m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
+        QTRY_COMPARE(share, 0.0);
+        QVERIFY(m_window->focus() == Vec3::Zero() && m_window->eye() == Vec3(0, -500, 0));
+        m_window->movesView->trigger();
+        QVERIFY(!m_window->presses->isChecked() && m_window->movesView->isChecked());
     }
 
     void oneDeviceIsNotTwo()
