@@ -163,16 +163,23 @@ class References : public QObject
     {
         QTest::addColumn<double>("bump");
         QTest::addColumn<int>("n");
-        QTest::newRow("sphere") << 0.0 << 8;
-        QTest::newRow("hills") << 0.02 << 8;
+        QTest::addColumn<double>("friction");
+        QTest::newRow("sphere") << 0.0 << 8 << 0.0;
+        QTest::newRow("hills") << 0.02 << 8 << 0.0;
+        QTest::newRow("sphere, friction 0.3") << 0.0 << 8 << 0.3;
+        QTest::newRow("hills, friction 0.3") << 0.02 << 8 << 0.3;
+        QTest::newRow("hills, friction 1") << 0.02 << 8 << 1.0;
     }
     void productAgreesWithTheExactSolver()
     {
         QFETCH(double, bump);
         QFETCH(int, n);
+        QFETCH(double, friction);
         const Surface surface(geometry::repair(shapes::bumpySphere(n, 20.0, bump)));
-        ExactSolver exact(surface, 1);
-        ProductSolver product(sceneOf(surface.repaired()), "product");
+        ExactSolver exact(surface, 1, 0.0, friction);
+        haptics::HapticStructure rough = sceneOf(surface.repaired())->structures()[0];
+        rough.tissue.friction_static = rough.tissue.friction_dynamic = friction;
+        ProductSolver product(std::make_shared<haptics::HapticScene>(std::vector{rough}), "product");
         Vec3 hip(0, 0, 25), god = hip;
         product.start(hip);
         double worst = 0.0;
@@ -189,6 +196,27 @@ class References : public QObject
         }
         QVERIFY(contacts > 1000);
         QVERIFY2(worst <= 1e-6, qPrintable(QString("%1 mm").arg(worst)));
+    }
+
+    /// What friction does is known on a plane and along a groove; the reference knows nothing of the product.
+    void exactFrictionIsCoulombs()
+    {
+        constexpr double kMu = 0.4;
+        const Surface floor(geometry::repair(shapes::box(Vec3(-30, -30, -10), Vec3(30, 30, 0), 4)));
+        ExactSolver exact(floor, 1, 0.0, kMu);
+        exact.start(Vec3(1.3, 2.1, 5));
+        (void)exact.step(Vec3(1.3, 2.1, -2)); // straight in
+        const Vec3 held = exact.step(Vec3(1.3 + 0.999 * kMu * 2.0, 2.1, -2)).p_WG;
+        QVERIFY((held - Vec3(1.3, 2.1, 0)).norm() < 1e-9);
+        const Vec3 dragged = exact.step(Vec3(9.3, 8.1, -2)).p_WG; // 10 mm off, at 3 : 4
+        QVERIFY((dragged - Vec3(9.3 - 0.8 * kMu * 2.0, 8.1 - 0.6 * kMu * 2.0, 0)).norm() < 1e-9);
+        // Along a groove of 90 degrees: R = mu h / sin 45 deg.
+        const Surface groove(geometry::repair(shapes::groove(0.5 * std::numbers::pi)));
+        ExactSolver along(groove, 1, 0.0, kMu);
+        along.start(Vec3(0, 0.3, 5));
+        QVERIFY(along.step(Vec3(0, 0.3, -8)).p_WG.norm() < 0.4); // its bottom
+        const double y_mm = along.step(Vec3(0, 8, -8)).p_WG.y();
+        QVERIFY2(std::abs(8.0 - y_mm - kMu * 8.0 * std::sqrt(2.0)) < 1e-9, qPrintable(QString::number(y_mm)));
     }
 
     void windingTellsInsideFromOutside()

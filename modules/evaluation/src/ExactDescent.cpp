@@ -24,8 +24,9 @@ bool isApart(const Box& box, const Vec3& low, const Vec3& high)
 
 } // namespace
 
-ExactDescent::ExactDescent(const Surface& surface)
+ExactDescent::ExactDescent(const Surface& surface, double friction)
     : m_surface(surface)
+    , m_friction(friction)
     , m_skin_mm(std::ldexp(static_cast<long double>(surface.magnitude_mm()), kSkinBits))
 {
 }
@@ -168,17 +169,18 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
 {
     m_ways.clear();
     const Long3 wanted = hip - from;
-    const auto offer = [&](const Long3& u, int planes) {
+    const auto offer = [&](const Long3& u, int planes, std::array<const Candidate*, 2> on, long double pushed_mm) {
         const long double promise = (2 * wanted - u).dot(u);
         if (promise > 0) {
-            m_ways.push_back({from + u, promise, planes});
+            m_ways.push_back({from + u, promise, planes, on, pushed_mm});
         }
     };
     const auto room = [&](const Touched& t) { return m_skin_mm - t.n.dot(from - t.triangle->a); };
-    offer(wanted, 0);
+    offer(wanted, 0, {}, 0);
     for (std::size_t i = 0; i < m_touched.size(); ++i) {
         const Long3& n = m_touched[i].n;
-        offer(wanted + n * (room(m_touched[i]) - n.dot(wanted)), 1);
+        const long double push_mm = room(m_touched[i]) - n.dot(wanted);
+        offer(wanted + n * push_mm, 1, {m_touched[i].triangle, nullptr}, std::max(0.0L, push_mm));
     }
     for (const auto& [i, j] : m_pairs) {
         const Touched &p = m_touched[i], &q = m_touched[j];
@@ -190,7 +192,11 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
         const Long3 across = line.cross(p.n).normalized();
         Long3 u = wanted + p.n * (room(p) - p.n.dot(wanted));
         u += across * ((room(q) - q.n.dot(u)) / q.n.dot(across));
-        offer(u, 2);
+        // u - wanted = a p.n + b q.n
+        const Long3 push = u - wanted;
+        const long double c = p.n.dot(q.n), det = 1 - c * c;
+        const long double a = (p.n.dot(push) - c * q.n.dot(push)) / det, b = (q.n.dot(push) - c * p.n.dot(push)) / det;
+        offer(u, 2, {p.triangle, q.triangle}, std::max(0.0L, a) + std::max(0.0L, b));
     }
     std::sort(m_ways.begin(), m_ways.end(), [](const Way& a, const Way& b) { return a.promise > b.promise; });
 }
@@ -228,12 +234,13 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
     long double best = least;
     Long3 reached = g;
     int planes = 0;
+    const Way* taken = nullptr;
     const long double lost = (2 * wanted - (from - g)).dot(from - g);
     for (const Way& way : m_ways) {
         if (way.promise + lost <= best) {
             break; // the rest promise less than what one already keeps
         }
-        if (isShutAtOnce(from, way.target, leastMove_mm)) {
+        if (isShutAtOnce(from, way.target, leastMove_mm) || (m_friction > 0 && stays_mm(way, from) <= leastMove_mm)) {
             continue;
         }
         bool isBlocked = false;
@@ -244,13 +251,59 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
             best = gain;
             reached = p;
             planes = way.planes + (isBlocked ? 1 : 0);
+            taken = &way;
         }
     }
     if (best <= least) {
         return false;
     }
+    if (m_friction > 0 && taken->planes > 0) {
+        return dragOn(g, from, *taken, leastMove_mm);
+    }
     g = reached;
     m_constraints = std::min(planes, 3);
+    return true;
+}
+
+/// How far a way leads before it leaves one of the triangles that hold it; a triangle holds only what stands on it.
+long double ExactDescent::stays_mm(const Way& way, const Long3& from)
+{
+    const Long3 along = (way.target - from).normalized();
+    long double stays = std::numeric_limits<long double>::infinity();
+    for (const Candidate* on : way.on) {
+        if (on == nullptr) {
+            continue;
+        }
+        const std::array<const Long3*, 3> corners{&on->a, &on->b, &on->c};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Long3& corner = *corners[i];
+            const Long3 out = (*corners[(i + 1) % 3] - corner).cross(on->n).normalized();
+            if (const long double speed = out.dot(along); speed > 0) {
+                stays = std::min(stays, std::max(0.0L, out.dot(corner - from)) / speed);
+            }
+        }
+    }
+    return stays;
+}
+
+/// Friction's part of a way along what is touched: the point stays R = friction times push behind where it would stand
+/// without. It goes no farther than a little beyond the triangles that hold it: there other ones do.
+/// @return false when it is held, or hardly moves
+bool ExactDescent::dragOn(Long3& g, const Long3& from, const Way& way, long double leastMove_mm)
+{
+    const Long3 left = way.target - from;
+    const long double r = left.norm(), behind = m_friction * way.pushed_mm;
+    if (r <= behind) {
+        return false;
+    }
+    bool isBlocked = false;
+    const long double move_mm = std::min(r - behind, stays_mm(way, from) + leastMove_mm);
+    const Long3 p = sweep(from, from + left * (move_mm / r), isBlocked);
+    if ((p - g).norm() <= leastMove_mm) {
+        return false;
+    }
+    g = p;
+    m_constraints = std::min(way.planes + (isBlocked ? 1 : 0), 3);
     return true;
 }
 

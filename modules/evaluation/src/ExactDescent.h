@@ -4,16 +4,19 @@
 #include "Orientation.h"
 #include "palpate/evaluation/Surface.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
 namespace palpate::evaluation {
 
-/// Brings a point to a local minimum of its distance to the HIP by moves that no triangle blocks; see ExactSolver.
+/// Brings a point to a local minimum of its distance to the HIP by moves that no triangle blocks, or as near to it as
+/// friction lets it; see ExactSolver.
 class ExactDescent
 {
   public:
-    explicit ExactDescent(const Surface& surface);
+    /// @param friction  coefficient of all triangles, at rest and sliding [1]
+    explicit ExactDescent(const Surface& surface, double friction = 0.0);
 
     /// @param g    where it starts, then where it ended [mm]
     /// @return moves made; `kMostMoves` when that was not enough
@@ -41,6 +44,8 @@ class ExactDescent
         Long3 target;
         long double promise; ///< how much the squared distance to the HIP would fall [mm^2]
         int planes;
+        std::array<const Candidate*, 2> on; ///< whose planes these are
+        long double pushed_mm;              ///< sum of the multipliers that hold the target on them
     };
 
     void gather(const Long3& g, const Long3& hip);
@@ -53,8 +58,11 @@ class ExactDescent
     void collectWays(const Long3& from, const Long3& hip);
     [[nodiscard]] bool isShutAtOnce(const Long3& from, const Long3& to, long double leastMove_mm);
     [[nodiscard]] bool advance(Long3& g, const Long3& from, const Long3& hip, long double leastMove_mm);
+    [[nodiscard]] static long double stays_mm(const Way& way, const Long3& from);
+    [[nodiscard]] bool dragOn(Long3& g, const Long3& from, const Way& way, long double leastMove_mm);
 
     const Surface& m_surface;
+    long double m_friction;
     long double m_skin_mm;
     Box m_gathered;
     std::vector<std::uint32_t> m_near;

@@ -28,8 +28,9 @@ struct ExactSolver::Private
     }
 };
 
-ExactSolver::ExactSolver(const Surface& surface, int subSteps, double fingertip_mm)
-    : m_d(std::make_unique<Private>(Private{ExactDescent(surface), std::nullopt, std::max(1, subSteps), fingertip_mm}))
+ExactSolver::ExactSolver(const Surface& surface, int subSteps, double fingertip_mm, double friction)
+    : m_d(std::make_unique<Private>(
+          Private{ExactDescent(surface, friction), std::nullopt, std::max(1, subSteps), fingertip_mm}))
 {
     if (fingertip_mm > 0.0) {
         m_d->ball.emplace(surface, fingertip_mm);

@@ -52,8 +52,8 @@ class Run
         , m_map(std::move(map))
         , m_surface(geometry::repair(mesh))
         , m_product(hardCase, m_surface.repaired())
-        , m_straight(m_surface, 1, hardCase.fingertip_mm)
-        , m_fine(m_surface, 8, hardCase.fingertip_mm)
+        , m_straight(m_surface, 1, hardCase.fingertip_mm, hardCase.friction)
+        , m_fine(m_surface, 8, hardCase.fingertip_mm, hardCase.friction)
         , m_next(hardCase.motion())
     {
         const double scale = hardCase.scale;
@@ -109,7 +109,7 @@ class Run
         m_layersError.see(judged.layersError_N, number);
         if (number % m_case.checkEvery == 0) {
             const bool isAtRest = step.status == haptics::TickStatus::Converged || !m_case.mayReachBound;
-            check(step.p_WG, hip, isAtRest && m_case.friction == 0.0, number);
+            check(step.p_WG, hip, isAtRest && (m_case.friction == 0.0 || m_case.fingertip_mm == 0.0), number);
         }
         m_god = step.p_WG;
         m_hip = hip;

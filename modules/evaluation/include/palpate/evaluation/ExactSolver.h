@@ -16,6 +16,9 @@ namespace palpate::evaluation {
 /// of them, and takes the one that brings it closest, until none brings it closer. A tick is cut into smaller ones,
 /// towards the HIP, so that no choice of a way depends on how far the hand moved in it.
 ///
+/// With friction a way along triangles ends R = mu times the sum of their multipliers before where it would end without,
+/// and one that is no longer than R is not gone at all: resources/docs/friction.md.
+///
 /// With a radius the god-object is the centre of a ball. A move is blocked by a triangle that faces the centre when the
 /// ball would come nearer to it than its radius; distances are those to the nearest point of each triangle.
 /// @par Cost Brute force over the triangles whose boxes a move could reach: microseconds to milliseconds a tick.
@@ -25,7 +28,8 @@ class ExactSolver : public ReferenceSolver
     /// @param surface   must outlive this
     /// @param subSteps  parts that a tick is cut into, at least 1
     /// @param fingertip_mm  radius of the ball that touches; 0 is a point
-    explicit ExactSolver(const Surface& surface, int subSteps = 4, double fingertip_mm = 0.0);
+    /// @param friction  coefficient of the whole surface, at rest and sliding; a point's alone
+    explicit ExactSolver(const Surface& surface, int subSteps = 4, double fingertip_mm = 0.0, double friction = 0.0);
     ~ExactSolver() override;
 
     [[nodiscard]] std::string name() const override { return "exact"; }
