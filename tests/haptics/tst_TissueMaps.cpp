@@ -253,6 +253,44 @@ class TissueMaps : public QObject
         QVERIFY2(plain > 0.5, qPrintable(QString::number(plain)));
     }
 
+    void frictionTakesWhatLumpsFeltBelowCouldMake()
+    {
+        // With friction the foot stays behind the HIP; what the felt maps would pull it by raises the cone to
+        // |grad U| / F. With the same number s = 1 + x/32 at each press that is depth/2 / (32 s), far above mu.
+        Tissue tissue = spring(0.5);
+        tissue.friction_static = tissue.friction_dynamic = 0.001;
+        const auto s = [](const Vec3& p) { return 1.0 + p.x() / 32.0; };
+        Mapped byFelt(slab(4), tissue, [](const Vec3&) { return 1.0; });
+        byFelt.structure.maps.stiffness = {};
+        byFelt.feel([&](const Vec3& p, double) { return s(p); });
+        Mapped byStiffness(slab(4), tissue, s);
+        for (const double depth : {1.0, 3.0, 6.0, 9.0}) {
+            TickResult a, b;
+            for (Mapped* on : {&byFelt, &byStiffness}) {
+                on->palpator.reset();
+                (void)on->at(Vec3(1, 1, 0.5));
+                (void)on->at(Vec3(1, 1, -depth));
+                (on == &byFelt ? a : b) = on->at(Vec3(3, 1, -depth));
+            }
+            QVERIFY((a.p_WG - b.p_WG).norm() < 1e-12);
+            const double cone = 0.5 * depth * depth / 32.0 / s(Vec3(1, 1, 0)); // R = mu depth, where the move began
+            QVERIFY2(std::abs(3.0 - a.p_WG.x() - std::min(cone, 2.0)) < 0.2 * cone,
+                     qPrintable(QString("%1 mm behind, R %2 mm").arg(3.0 - a.p_WG.x()).arg(cone)));
+        }
+        // In over the soft place, out over the stiff one.
+        const std::vector<Vec3> path{{-5, 1, -0.5}, {-5, 1, -4}, {5, 1, -4}, {5, 1, -0.5}, {-5, 1, -0.5}};
+        (void)byFelt.at(Vec3(-5, 1, 1));
+        double work = 0.0; // on the hand; the first round only brings the foot into its place
+        for (std::size_t i = 0; i < 8; ++i) {
+            const Vec3 step = (path[i % 4 + 1] - path[i % 4]) / 1000.0;
+            for (int j = 1; j <= 1000; ++j) {
+                const double part = byFelt.at(path[i % 4] + j * step).f_W.dot(step);
+                work += i < 4 ? 0.0 : part;
+            }
+        }
+        QVERIFY2(work < 0.0, qPrintable(QString("%1 mJ made").arg(work)));
+    }
+
     void inACreaseTheForceFollowsItsLine()
     {
         Mapped on(groove(1.2, 20.0, 30.0), spring(0.5), [](const Vec3& p) { return 1.0 + p.y() / 64.0; });

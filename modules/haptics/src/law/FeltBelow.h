@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/Foot.h"
+#include "law/MapValue.h"
 
 #include <palpate/core/Realtime.h>
 
@@ -20,9 +20,9 @@ struct FeltBelow
     double energy_mJ = 0.0;       ///< sum of s_j W_j(d)
     Vec3 gradient = Vec3::Zero(); ///< sum of W_j(d) grad s_j [N]
 
-    /// @param depth_mm  d > 0; @param law  the structure's there
+    /// @param place  of the foot; @param depth_mm  d > 0; @param law  the structure's there
     /// @par Real-time Wait-free.
-    [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const Foot& foot, const HapticStructure& on,
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const MapPlace& place, const HapticStructure& on,
                                                             double depth_mm, const ForceTable::Value& law) noexcept
     {
         constexpr std::size_t kCount = kFeltPress_mm.size();
@@ -58,13 +58,13 @@ struct FeltBelow
         FeltBelow felt;
         double toSecond = 0.0, toThird = 0.0;
         for (std::size_t j = 0; j < kCount && (j == 0 || depth_mm > kFeltPress_mm[j - 1]); ++j) {
-            const MapPlace::Rises s = foot.place().risesOf(on.maps.felt[j]);
+            const MapPlace::Rises s = place.risesOf(on.maps.felt[j]);
             felt.scale += weights[j] * s.value;
             felt.energy_mJ += energies[j] * s.value;
             toSecond += energies[j] * s.toSecond;
             toThird += energies[j] * s.toThird;
         }
-        felt.gradient = foot.place().slopes().gradientOf(toSecond, toThird);
+        felt.gradient = place.slopes().gradientOf(toSecond, toThird);
         return felt;
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "law/Friction.h"
 
+#include "law/FeltBelow.h"
 #include "law/MapValue.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
         atRest *= by;
         sliding *= by;
     }
-    if (!on.maps.stiffness.isEmpty() && on.tissue.hasFriction()) { // without, the force has that pull
+    const bool varies = !on.maps.stiffness.isEmpty() || on.maps.hasFelt();
+    if (varies && on.tissue.hasFriction()) { // without, the force has that pull
         raise(on, facet, foot, lambda_mm, atRest, sliding);
     }
     m_still_mm += atRest * lambda_mm;
@@ -49,19 +51,31 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
     }
 }
 
-/// A stiffness that varies pulls the foot along the surface by (W/F) |grad ln s|, times the push. Friction of that size
-/// takes all the energy that leaving this pull out of the force could make.
+/// A stiffness that varies, by a map or by lumps felt below, pulls the foot along the surface by |grad_x U| / (dU/dd)
+/// times the push: (W/F) |grad ln s| with a map alone. Friction of that size takes all the energy that leaving this
+/// pull out of the force could make.
 void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const Vec3& foot, double lambda_mm,
                             double& atRest, double& sliding) const noexcept
 {
-    // W <= lambda F where the force never falls: in most places that tells that there is friction enough.
     const TissueMap& map = on.maps.stiffness;
-    if (on.neverFalls() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
+    if (!(lambda_mm > 0.0)) {
+        return; // nothing is pressed
+    }
+    // W <= lambda F where the force never falls: in most places that tells that there is friction enough.
+    if (!on.maps.hasFelt() && on.neverFalls() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
         return;
     }
     const ForceTable::Value law = on.lawAt(lambda_mm);
-    const law::MapValue s = law::MapPlace(facet, foot).valueOf(map);
-    const double least = law.force_N > 0.0 ? law.energy_mJ / law.force_N * s.gradient.norm() / s.value : 0.0;
+    const law::MapPlace place(facet, foot);
+    const law::MapValue s = map.isEmpty() ? law::MapValue{} : place.valueOf(map);
+    double push_N = s.value * law.force_N;
+    Vec3 pull_N = law.energy_mJ * s.gradient;
+    if (on.maps.hasFelt()) {
+        const law::FeltBelow felt = law::FeltBelow::at(place, on, lambda_mm, law);
+        push_N *= felt.scale;
+        pull_N = s.value * felt.gradient + felt.energy_mJ * s.gradient;
+    }
+    const double least = push_N > 0.0 ? pull_N.norm() / push_N : 0.0;
     atRest = std::max(atRest, least);
     sliding = std::max(sliding, least);
 }

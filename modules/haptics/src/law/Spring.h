@@ -69,7 +69,7 @@ struct FeltSpring
         }
         const HapticStructure& on = touch.structure;
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
-        const FeltBelow felt = FeltBelow::at(touch.foot, on, touch.depth_mm, law);
+        const FeltBelow felt = FeltBelow::at(touch.foot.place(), on, touch.depth_mm, law);
         const MapValue s = on.maps.stiffness.isEmpty() ? MapValue{} : touch.foot.valueOf(on.maps.stiffness);
         touch.scale = s.value * felt.scale;
         const Vec3 f_W = touch.scale * law.force_N * touch.up_W;
