@@ -2,6 +2,8 @@
 #include "MainWindow.h"
 #include "TestRunner.h"
 
+#include "../support/Shapes.h"
+
 #include <palpate/meshio/MeshFile.h>
 
 #include <QComboBox>
@@ -121,6 +123,40 @@ class MappedLiver : public QObject
         QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     }
     void cleanup() { m_window.reset(); }
+
+    /// What colours a structure comes back with its scene: opened, changed, saved, opened again.
+    void theShownMapIsKept()
+    {
+        writeMapped(test::sphere(24, 20.0), "ball.vtp");
+        const QString file = m_folder.filePath("ball.palpate.json");
+        std::ofstream(file.toStdString())
+            << R"({"version": 1, "structures": [{"mesh": "ball.vtp", "name": "ball"}],)"
+            << R"( "shown_map": {"structure": "ball", "numbers": "array:StiffnessScale"}})";
+        const auto title = [&] {
+            m_window = std::make_unique<MainWindow>();
+            m_window->show();
+            QSignalSpy ready(m_window.get(), &MainWindow::ready);
+            m_window->open({file.toStdString()});
+            if (!QTest::qWaitFor([&] { return ready.count() == 1; }, 30000)) {
+                return QStringLiteral("not opened");
+            }
+            const auto& legend = m_window->viewport().view().legend();
+            return legend.isShown() ? QString::fromStdString(legend.texts()[0]) : QString();
+        };
+        const auto save = [&] {
+            QAction* action = m_window->findChild<QAction*>(QStringLiteral("save"));
+            action->trigger();
+            return !m_window->isWindowModified();
+        };
+        QCOMPARE(title(), QStringLiteral("ball\nStiffnessScale"));
+        choose(QStringLiteral("Show"), QStringLiteral("stiffness felt, N/mm"));
+        QVERIFY(save());
+        QCOMPARE(title(), QStringLiteral("ball\nstiffness felt, N/mm"));
+        box(QStringLiteral("Show"))->setCurrentIndex(0); // its own colour
+        Q_EMIT box(QStringLiteral("Show"))->activated(0);
+        QVERIFY(save());
+        QCOMPARE(title(), QString());
+    }
 
     void softAndStiffHalvesAreSeenAndFelt()
     {
