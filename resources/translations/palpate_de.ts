@@ -1036,6 +1036,10 @@
         <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
         <translation>Weiches Gewebe dort eingedrückt zeichnen, wo gedrückt wird, mit feinem Gitter darauf</translation>
     </message>
+    <message>
+        <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
+        <translation>Der Zeiger sagt, wo, die SpaceMouse, wie fest: ihren Puck nach unten drücken. P tastet, das Rad stellt den festesten Druck</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1534,6 +1538,25 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     </message>
 </context>
 <context>
+    <name>palpate::app::SoundChoice</name>
+    <message>
+        <source>Sound of touch</source>
+        <translation>Ton der Berührung</translation>
+    </message>
+    <message>
+        <source>Hear a tone as high as the place is stiff, as loud as the force</source>
+        <translation>Ein Ton so hoch, wie die Stelle steif ist, und so laut wie die Kraft</translation>
+    </message>
+    <message>
+        <source>The sound of touch has ended: the loudspeaker is gone.</source>
+        <translation>Der Ton der Berührung ist zu Ende: Der Lautsprecher ist fort.</translation>
+    </message>
+    <message>
+        <source>Sound of touch (%1)</source>
+        <translation>Ton der Berührung (%1)</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::ActionList</name>
     <message>
         <source>%1 (%2)</source>
@@ -1644,6 +1667,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>recording, felt anew</source>
         <translation>Aufzeichnung, neu gefühlt</translation>
+    </message>
+    <message>
+        <source>SpaceMouse presses</source>
+        <translation>SpaceMouse drückt</translation>
+    </message>
+    <message>
+        <source>The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort</source>
+        <translation>Der Zeiger sagt, wo, der Puck, wie fest: Je weiter er nach unten gedrückt wird, desto mehr Newton</translation>
     </message>
 </context>
 <context>
@@ -2392,10 +2423,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>die SpaceMouse ist jetzt die Hand; bitte erst ein anderes Gerät dafür wählen</translation>
     </message>
     <message>
-        <source>the SpaceMouse moves the view; switch that off first</source>
-        <translation>die SpaceMouse bewegt die Ansicht; bitte das erst ausschalten</translation>
-    </message>
-    <message>
         <source>no device is called %1</source>
         <translation>kein Gerät heißt %1</translation>
     </message>
@@ -2551,6 +2578,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
         <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind (als erstes Dreieck %3)</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view or presses; switch that off first</source>
+        <translation>die SpaceMouse bewegt die Ansicht oder drückt; das zuerst ausschalten</translation>
     </message>
 </context>
 <context>
@@ -4683,6 +4714,21 @@ und wie tief die Hand in ihr ist [mm]</translation>
     <message>
         <source>very fine mesh here: the force follows late</source>
         <translation>hier ist das Netz sehr fein: die Kraft folgt verspätet</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchSound</name>
+    <message>
+        <source>no loudspeaker is there</source>
+        <translation>kein Lautsprecher da</translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t play it</source>
+        <translation>%1 kann ihn nicht spielen</translation>
+    </message>
+    <message>
+        <source>built without Qt Multimedia</source>
+        <translation>ohne Qt Multimedia gebaut</translation>
     </message>
 </context>
 <context>

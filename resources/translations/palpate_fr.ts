@@ -1036,6 +1036,10 @@
         <source>P palpate, hold to press harder, wheel for the hardest press</source>
         <translation>P palpe, maintenir appuie plus fort, la molette règle l’appui le plus fort</translation>
     </message>
+    <message>
+        <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
+        <translation>Le pointeur dit où, la SpaceMouse avec quelle force&#x202f;: poussez son palet vers le bas. P palpe, la molette règle la pression la plus forte</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1534,6 +1538,25 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
 </context>
 <context>
+    <name>palpate::app::SoundChoice</name>
+    <message>
+        <source>Sound of touch</source>
+        <translation>Son du toucher</translation>
+    </message>
+    <message>
+        <source>Hear a tone as high as the place is stiff, as loud as the force</source>
+        <translation>Un son d’autant plus aigu que l’endroit est raide, d’autant plus fort que la force est grande</translation>
+    </message>
+    <message>
+        <source>The sound of touch has ended: the loudspeaker is gone.</source>
+        <translation>Le son du toucher a cessé&#x202f;: le haut-parleur a disparu.</translation>
+    </message>
+    <message>
+        <source>Sound of touch (%1)</source>
+        <translation>Son du toucher (%1)</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::ActionList</name>
     <message>
         <source>%1 (%2)</source>
@@ -1644,6 +1667,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     <message>
         <source>Devices</source>
         <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>SpaceMouse presses</source>
+        <translation>La SpaceMouse appuie</translation>
+    </message>
+    <message>
+        <source>The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort</source>
+        <translation>Le pointeur dit où, le palet avec quelle force&#x202f;: plus il est poussé vers le bas, plus il y a de newtons</translation>
     </message>
 </context>
 <context>
@@ -2396,10 +2427,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>la SpaceMouse est la main&#x202f;; choisir d’abord un autre appareil pour celle-ci</translation>
     </message>
     <message>
-        <source>the SpaceMouse moves the view; switch that off first</source>
-        <translation>la SpaceMouse déplace la vue&#x202f;; désactiver cela d’abord</translation>
-    </message>
-    <message>
         <source>no device is called %1</source>
         <translation>aucun appareil ne s’appelle %1</translation>
     </message>
@@ -2551,6 +2578,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <source>%1 (in English)</source>
         <extracomment>around a line that has no translation</extracomment>
         <translation>%1 (en anglais)</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view or presses; switch that off first</source>
+        <translation>la SpaceMouse déplace la vue ou appuie&#x202f;; désactivez d’abord cela</translation>
     </message>
 </context>
 <context>
@@ -4683,6 +4714,21 @@ et la profondeur de la main en elle [mm]</translation>
     <message>
         <source>press on a structure to feel it</source>
         <translation>appuyer sur une structure pour la sentir</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchSound</name>
+    <message>
+        <source>no loudspeaker is there</source>
+        <translation>aucun haut-parleur</translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t play it</source>
+        <translation>%1 ne peut pas le jouer</translation>
+    </message>
+    <message>
+        <source>built without Qt Multimedia</source>
+        <translation>compilé sans Qt Multimedia</translation>
     </message>
 </context>
 <context>
