@@ -117,9 +117,8 @@ void FeltOverlay::draw()
         const FeltOrganShown& one = *organs()[i];
         const buried::FeltSurface& felt = one.organ.felt;
         m_drawn.push_back(static_cast<int>(one.organ.organ.organ));
-        m_viewport.view().setPicture(
-            one.organ.organ.organ,
-            view::feltColoured(*one.picture, felt.surface, {changes[i], felt.notJudged, greatest}));
+        m_viewport.view().setPicture(one.organ.organ.organ, view::feltColoured(*one.picture, felt.surface,
+                                                                               {changes[i], felt.notJudged, greatest}));
     }
     drawLegend(greatest, isHatched);
     m_viewport.update();

@@ -109,8 +109,7 @@ class LumpMaps::Making
         m_found.isShown = m_found.isShown || felt == all.value();
         m_count = static_cast<double>(felt.size() + (m_found.isShown && felt != all.value() ? all.value().size() : 0));
         for (const study::OrganWithLumps& organ : felt) {
-            make(organ, tr("Making what is felt through %1; until then a lump in it is felt as a layer"),
-                 m_found.felt);
+            make(organ, tr("Making what is felt through %1; until then a lump in it is felt as a layer"), m_found.felt);
         }
         if (m_found.isShown) {
             for (const study::OrganWithLumps& organ : all.value()) {

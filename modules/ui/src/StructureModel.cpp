@@ -229,10 +229,14 @@ std::uint32_t StructureModel::layerWithin(int row) const
 std::vector<int> StructureModel::dropFeltThrough()
 {
     std::vector<int> others;
+    bool isAny = false;
+    for (int i = 0; i < rowCount() && !isAny; ++i) {
+        isAny = isToBeFeltThrough(i);
+    }
     for (int i = 0; i < rowCount(); ++i) {
         StructureRow& row = m_rows[static_cast<std::size_t>(i)];
         const bool isLost = row.loaded.isFeltThrough && !isToBeFeltThrough(i);
-        const bool isOther = m_buried == meshio::BuriedTouch::Layers && row.loaded.feltBelow != row.recordedBelow;
+        const bool isOther = !isAny && row.loaded.feltBelow != row.recordedBelow;
         row.loaded.isFeltThrough = row.loaded.isFeltThrough && !isLost;
         if (isOther) {
             row.loaded.feltBelow = row.recordedBelow;
