@@ -134,13 +134,13 @@ class BuriedLump : public QObject
         awaitMaps();
         const double beside_N = pressed(view::ViewFrom::Left);
         const double over_N = pressed(view::ViewFrom::Front);
-        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm. Far from the lump it adds next to nothing.
-        QVERIFY2(beside_N > 1.085 && beside_N < 1.122, qPrintable(QString::number(beside_N)));
+        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm, and some 3 % by the lump, 15 mm aside.
+        QVERIFY2(beside_N > 1.105 && beside_N < 1.16, qPrintable(QString::number(beside_N)));
         QVERIFY2(over_N > 1.1 * beside_N, qPrintable(QString::number(over_N)));
 
         action("Undo")->trigger();
         const double flat_N = pressed(view::ViewFrom::Front);
-        QVERIFY2(std::abs(flat_N - beside_N) < 0.05, qPrintable(QString::number(flat_N)));
+        QVERIFY2(flat_N > 1.085 && flat_N < 1.122, qPrintable(QString::number(flat_N)));
         action("Redo")->trigger();
         awaitMaps();
         const double again_N = pressed(view::ViewFrom::Front);
