@@ -85,7 +85,8 @@ MainWindow::~MainWindow()
 {
     delete m_devices;    // it lets go of what the members below the children hold, and panels hear of that
     delete m_structures; // before the model that a name that is being written goes to
-    delete m_feltDock->findChild<FeltPanel*>(); // the same of a number
+    delete m_feltDock->findChild<FeltPanel*>();         // the same of a number
+    m_feltDock->toggleViewAction()->disconnect(m_felt); // a window that goes hides its docks; the model is gone then
 }
 
 void MainWindow::makeDocks()

@@ -44,6 +44,8 @@ class QProgressBar;
 class QStackedWidget;
 class QToolButton;
 
+class LumpLayout;
+
 /// The desktop application's window: makes the parts and connects them.
 class MainWindow : public QMainWindow
 {
@@ -141,8 +143,8 @@ class MainWindow : public QMainWindow
     [[nodiscard]] QString handText() const;
     void offerMetres();
     void layOut(const palpate::ui::OpenedScene& scene);
-    void offerLayers(const palpate::study::Layering& layering, const std::vector<std::string>& names,
-                     const std::vector<bool>& isFelt, const std::vector<std::uint32_t>& layers);
+    void offerOtherLayout(const LumpLayout& layout, const QString& line);
+    void offerLayers(const palpate::study::Layering& layering);
     void connectList();
     void chooseAdded();
     void add(const std::vector<std::filesystem::path>& files);

@@ -15,7 +15,8 @@ using namespace palpate::ui;
 
 void MainWindow::makeFelt()
 {
-    m_felt = new FeltOverlay(*m_viewport, m_model, *m_maps, this);
+    auto* lumps = new LumpMaps(m_model, this);
+    m_felt = new FeltOverlay(*m_viewport, m_model, *lumps, *m_maps, this);
     m_feltDock = new QDockWidget(tr("What can be felt"), this);
     m_feltDock->setObjectName(QStringLiteral("felt"));
     m_feltDock->setWidget(new PanelScroll(new FeltPanel(*m_felt, m_model, this), this));
@@ -23,26 +24,26 @@ void MainWindow::makeFelt()
     m_feltDock->hide();
     connect(m_feltAction, &QAction::toggled, this, &MainWindow::showFelt);
     connect(m_feltDock->toggleViewAction(), &QAction::toggled, m_felt, &FeltOverlay::setTabled);
-    connect(m_cancel, &QToolButton::clicked, m_felt, &FeltOverlay::cancel);
-    connect(m_felt, &FeltOverlay::progressed, this, [this](const QString& what, double share) {
+    connect(m_cancel, &QToolButton::clicked, lumps, &LumpMaps::cancel);
+    connect(lumps, &LumpMaps::progressed, this, [this](const QString& what, double share) {
         m_hint->setText(what);
         m_progress->setRange(0, 1000);
         m_progress->setValue(static_cast<int>(share * 1000.0));
         m_progress->show();
         m_cancel->show();
     });
-    connect(m_felt, &FeltOverlay::ended, this, [this] {
+    connect(lumps, &LumpMaps::ended, this, [this] {
         if (!m_loader.isBusy() && m_progress->isVisible()) {
             m_progress->hide();
             m_cancel->hide();
             m_hint->say({});
         }
     });
-    connect(m_felt, &FeltOverlay::cancelled, this, [this] {
+    connect(lumps, &LumpMaps::cancelled, this, [this](const QString& line) {
         m_feltAction->setChecked(false);
-        say(tr("What can be felt here was cancelled."));
+        say(line);
     });
-    connect(m_felt, &FeltOverlay::noted, this, [this](const QStringList& lines) {
+    connect(lumps, &LumpMaps::noted, this, [this](const QStringList& lines) {
         for (const QString& line : lines) {
             m_messages.add(Messages::Kind::Warning, line);
         }

@@ -110,7 +110,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     }
     view::SceneView& view = m_viewport->view();
     view.setStructures(std::move(pictures));
-    m_model.setRows(std::move(scene->rows));
+    m_model.setRows(std::move(scene->rows), scene->scene.buried);
     m_document->take(*scene);
     m_stack->setCurrentWidget(m_viewport);
     m_stack->setMinimumSize(1, 1); // not the welcome page's: a message above the view must not make the window grow

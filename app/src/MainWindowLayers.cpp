@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies in something is felt below it: set for mesh files, offered for a scene that says nothing of layers.
+// What lies in something is felt through it or below it: set for mesh files, offered for a scene that says nothing of
+// layers.
+#include "LumpLayout.h"
 #include "MainWindow.h"
-
-#include <palpate/ui/EngineTexts.h>
 
 using namespace palpate;
 using namespace palpate::ui;
@@ -10,12 +10,11 @@ using namespace palpate::ui;
 namespace {
 
 /// One or two sentences as one line; of more, the first, and how many there are.
-QString oneLine(const std::vector<std::string>& sentences)
+QString oneLine(const QStringList& sentences)
 {
-    const QString first = engineText(sentences.front());
+    const QString& first = sentences.front();
     if (sentences.size() <= 2) {
-        return (sentences.size() == 1 ? first : first + QStringLiteral("; ") + engineText(sentences[1])) +
-               QLatin1Char('.');
+        return sentences.join(QStringLiteral("; ")) + QLatin1Char('.');
     }
     return MainWindow::tr("%1; %2 more of that kind: Felt in the panel has each.").arg(first).arg(sentences.size() - 1);
 }
@@ -24,48 +23,61 @@ QString oneLine(const std::vector<std::string>& sentences)
 
 void MainWindow::layOut(const OpenedScene& scene)
 {
-    std::vector<std::string> names;
-    std::vector<bool> isFelt;
-    bool isFlat = true;
+    bool isFlat = m_model.buried() == meshio::BuriedTouch::Layers;
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        names.push_back(readableName(m_model.structure(row).name).toStdString());
-        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)));
         isFlat = isFlat && m_model.structure(row).layer == 0;
     }
     if (!isFlat) {
         return;
     }
-    const std::vector<std::string> sentences = scene.layering.sentences(names, isFelt);
-    std::vector<std::uint32_t> layers;
-    for (const study::Layering::Structure& one : scene.layering.structures) {
-        layers.push_back(one.layer);
-    }
     const bool areMeshes = scene.areMeshes();
     const bool isLayered = scene.layering.isLayered();
-    if (!isLayered && areMeshes && !sentences.empty()) {
-        m_message->showError(oneLine(sentences)); // the same surface twice, or one with holes
-    } else if (isLayered && areMeshes && !m_waitingRecording) {
-        m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
-        m_model.undoStack().setClean(); // nothing that a person did and would miss
-        if (!sentences.empty()) {
-            m_message->offer(oneLine(sentences), tr("All in one layer"), [this, count = layers.size()] {
-                m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
-            });
+    if (isLayered && !(areMeshes && m_waitingRecording == std::nullopt)) {
+        offerLayers(scene.layering);
+    } else if (areMeshes) {
+        const LumpLayout found(m_model, scene.layering, 0);
+        if (isLayered) {
+            feel(m_model, found.ways(), tr("Feel what is inside below what is around it"));
+            m_model.undoStack().setClean(); // nothing that a person did and would miss
+            offerOtherLayout(found, oneLine(found.lines()));
+        } else if (!found.lines().isEmpty()) {
+            m_message->showError(oneLine(found.lines())); // the same surface twice, or one with holes
         }
-    } else if (isLayered) {
-        offerLayers(scene.layering, names, isFelt, layers);
     }
 }
 
-/// Offers layers to a scene that has all in one, by the first structure that would then be felt through another.
-void MainWindow::offerLayers(const study::Layering& layering, const std::vector<std::string>& names,
-                             const std::vector<bool>& isFelt, const std::vector<std::uint32_t>& layers)
+/// Says how what lies in something is felt, and offers the other way.
+void MainWindow::offerOtherLayout(const LumpLayout& layout, const QString& line)
 {
-    for (std::size_t row = 0; row < names.size(); ++row) {
+    if (layout.lines().isEmpty()) {
+        return;
+    }
+    if (layout.isAnyThrough()) {
+        m_message->offer(line, tr("Feel it as a layer"), [this, ways = layout.inLayers()] {
+            feel(m_model, ways, tr("Feel what is inside below what is around it"));
+        });
+        return;
+    }
+    m_message->offer(line, tr("All in one layer"), [this, count = m_model.rowCount()] {
+        m_model.setLayers(std::vector<std::uint32_t>(static_cast<std::size_t>(count), 0), tr("Feel all in one layer"));
+    });
+}
+
+/// Offers layers to a scene that has all in one, by the first structure that would then be felt through another.
+void MainWindow::offerLayers(const study::Layering& layering)
+{
+    std::vector<bool> isFelt;
+    std::vector<std::uint32_t> layers;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)));
+        layers.push_back(layering.structures[static_cast<std::size_t>(row)].layer);
+    }
+    for (std::size_t row = 0; row < isFelt.size(); ++row) {
         const auto in = isFelt[row] ? layering.feltAround(row, isFelt) : std::nullopt;
         if (in) {
             m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
-                                 .arg(QString::fromStdString(names[row]), QString::fromStdString(names[*in])),
+                                 .arg(readableName(m_model.structure(static_cast<int>(row)).name),
+                                      readableName(m_model.structure(static_cast<int>(*in)).name)),
                              tr("Feel it below"), [this, layers] {
                                  m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
                              });

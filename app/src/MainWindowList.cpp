@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Structures that come to the open scene and leave it; what their names say of their tissue; selecting in the view.
+#include "LumpLayout.h"
 #include "MainWindow.h"
 #include "Paths.h"
 
@@ -120,45 +121,34 @@ void MainWindow::takeAdded(OpenedScene& scene)
     Q_EMIT ready();
 }
 
-/// What is added is felt below what it lies in, when all else is layered so already; else that is offered.
+/// What is added is felt through or below what it lies in, when all else is laid out so already; else that is offered.
 void MainWindow::layOutAdded(const OpenedScene& scene)
 {
-    std::vector<std::uint32_t> layers;
-    std::vector<std::string> names;
-    std::vector<bool> isFelt;
+    const LumpLayout layout(m_model, scene.layering, static_cast<int>(scene.addedTo));
     bool isAsFound = m_document->file().empty() && scene.areMeshes();
     bool isOther = false;
-    for (int row = 0; row < m_model.rowCount(); ++row) {
-        const auto i = static_cast<std::size_t>(row);
-        const std::uint32_t now = m_model.structure(row).layer;
-        const study::Layering::Structure& found = scene.layering.structures[i];
-        layers.push_back(m_model.rows()[i].isRemoved ? now : found.layer);
-        names.push_back(readableName(m_model.structure(row).name).toStdString());
-        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)) && !m_model.rows()[i].isRemoved);
-        const bool isFound = i >= scene.addedTo || m_model.rows()[i].isRemoved || now == layerBefore(scene, i);
+    for (const FeltWay& way : layout.ways()) {
+        const auto i = static_cast<std::size_t>(way.row);
+        const std::uint32_t now = m_model.structure(way.row).layer;
+        const bool isThrough = m_model.isToBeFeltThrough(way.row);
+        const bool isFound =
+            i >= scene.addedTo || m_model.rows()[i].isRemoved || isThrough || now == layerBefore(scene, i);
         isAsFound = isAsFound && isFound;
-        isOther = isOther || layers.back() != now;
+        isOther = isOther || (way.layer ? *way.layer != now : !isThrough);
     }
     if (!isOther) {
         return;
     }
-    const std::vector<std::string> sentences = scene.layering.sentences(names, isFelt);
     const QString text = tr("Feel what is inside below what is around it");
     if (isAsFound) {
-        m_model.setLayers(layers, text);
-    }
-    if (sentences.empty()) {
-        return;
-    }
-    if (isAsFound) {
-        const QString line = engineText(sentences.back()) + QLatin1Char('.');
-        m_message->offer(line, tr("All in one layer"), [this, count = layers.size()] {
-            m_model.setLayers(std::vector<std::uint32_t>(count, 0), tr("Feel all in one layer"));
-        });
-    } else {
+        feel(m_model, layout.ways(), text);
+        if (!layout.lines().isEmpty()) {
+            offerOtherLayout(layout, layout.lines().back() + QLatin1Char('.'));
+        }
+    } else if (!layout.lines().isEmpty()) {
         m_message->offer(
             tr("What was added lies in or around other structures, but the layers that were set are kept."),
-            tr("Feel it below"), [this, layers, text] { m_model.setLayers(layers, text); });
+            tr("Feel it below"), [this, ways = layout.inLayers(), text] { feel(m_model, ways, text); });
     }
 }
 

@@ -131,6 +131,7 @@ void SceneDocument::addFinding(const core::Finding& finding)
 meshio::SceneFile SceneDocument::content() const
 {
     meshio::SceneFile scene = m_rest;
+    scene.buried = m_model.buried();
     scene.findings = m_findings.findings();
     for (const ui::StructureRow& row : m_model.rows()) {
         if (!row.isRemoved) {

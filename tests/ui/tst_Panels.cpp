@@ -295,10 +295,11 @@ class Panels : public QObject
         panel.select(1);
         auto* list = panel.findChild<QTreeView*>();
         auto* layer = panel.findChildren<QComboBox*>().last();
-        QCOMPARE(layer->currentText(), QStringLiteral("outermost"));
+        QCOMPARE(layer->currentText(), QStringLiteral("on its own surface, outermost"));
         QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // there is nothing farther out
         QVERIFY(!model.undoStack().canUndo());
-        const QStringList texts{"below liver capsule", "2 below", "3 below", "3 below"};
+        const QStringList texts{"as a layer, below liver capsule", "as a layer, 2 below", "as a layer, 3 below",
+                                "as a layer, 3 below"};
         for (int i = 0; i < 4; ++i) {
             QTest::keyClick(list, Qt::Key_Down, Qt::ControlModifier);
             QCOMPARE(model.structure(1).layer, static_cast<std::uint32_t>(std::min(i + 1, 3)));

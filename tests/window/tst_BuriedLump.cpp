@@ -6,6 +6,7 @@
 #include "../support/Shapes.h"
 
 #include <palpate/geometry/TriangleMesh.h>
+#include <palpate/ui/LumpMaps.h>
 
 #include <QFile>
 #include <QPushButton>
@@ -104,6 +105,9 @@ class BuriedLump : public QObject
     ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
     QPushButton& wayBack() const { return *test::answerOf(message()); }
 
+    /// Until what is felt through organs is handed to the hand, a lump is felt as a layer.
+    void awaitMaps() const { QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<ui::LumpMaps*>()->isHandUpToDate(), 30000); }
+
   private Q_SLOTS:
     void initTestCase()
     {
@@ -123,25 +127,62 @@ class BuriedLump : public QObject
     {
         open({folder() / "two"});
         QVERIFY2(message().isVisible(), "nothing was said");
-        QCOMPARE(test::newest(message().text()), QStringLiteral("tumour lies in liver and is felt below it."));
-        QCOMPARE(wayBack().text(), QStringLiteral("All in one layer"));
+        QCOMPARE(test::newest(message().text()),
+                 QStringLiteral("tumour lies in liver and is felt through it, as 14 times as stiff."));
+        QCOMPARE(wayBack().text(), QStringLiteral("Feel it as a layer"));
         QVERIFY(!m_window->isWindowModified());
+        awaitMaps();
         const double beside_N = pressed(view::ViewFrom::Left);
         const double over_N = pressed(view::ViewFrom::Front);
-        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm.
-        QVERIFY2(beside_N > 1.085 && beside_N < 1.122, qPrintable(QString::number(beside_N)));
-        QVERIFY2(over_N > 1.3 * beside_N, qPrintable(QString::number(over_N)));
+        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm, and some 3 % by the lump, 15 mm aside.
+        QVERIFY2(beside_N > 1.105 && beside_N < 1.16, qPrintable(QString::number(beside_N)));
+        QVERIFY2(over_N > 1.1 * beside_N, qPrintable(QString::number(over_N)));
 
         action("Undo")->trigger();
         const double flat_N = pressed(view::ViewFrom::Front);
-        QVERIFY2(std::abs(flat_N - beside_N) < 0.05, qPrintable(QString::number(flat_N)));
+        QVERIFY2(flat_N > 1.085 && flat_N < 1.122, qPrintable(QString::number(flat_N)));
         action("Redo")->trigger();
+        awaitMaps();
+        const double again_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(again_N - over_N) < 0.02, qPrintable(QString::number(again_N)));
+    }
+
+    void aLayerIsOneClickAway()
+    {
+        open({folder() / "two"});
+        wayBack().click();
+        QVERIFY(!message().text().contains(QStringLiteral("felt through")));
+        const double beside_N = pressed(view::ViewFrom::Left);
+        const double below_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(beside_N > 1.085 && beside_N < 1.122, qPrintable(QString::number(beside_N)));
+        QVERIFY2(below_N > 1.3 * beside_N, qPrintable(QString::number(below_N)));
+        action("Undo")->trigger();
+        awaitMaps();
+        const double through_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(through_N - below_N) > 0.05, qPrintable(QString::number(through_N)));
+    }
+
+    /// Where the model of felt lumps does not hold, the line says why.
+    void whatCannotBeFeltThroughIsALayer()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("out"));
+        QVERIFY(QDir(m_folder.path()).mkpath("unknown"));
+        writeStl("out/liver.stl", test::sphere(24, 20.0));
+        writeStl("out/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -15.5, 0)));
+        open({folder() / "out"});
+        QCOMPARE(test::newest(message().text()),
+                 QStringLiteral("tumour lies in liver and is felt below it, as a layer: it reaches out of liver."));
+        QCOMPARE(wayBack().text(), QStringLiteral("All in one layer"));
         wayBack().click();
         QVERIFY(!message().text().contains(QStringLiteral("felt below")));
-        const double back_N = pressed(view::ViewFrom::Front);
-        QVERIFY2(std::abs(back_N - beside_N) < 0.05, qPrintable(QString::number(back_N)));
         action("Undo")->trigger();
-        QVERIFY(pressed(view::ViewFrom::Front) > 1.3 * beside_N);
+
+        writeStl("unknown/part.stl", test::sphere(24, 20.0));
+        writeStl("unknown/tumour.stl", test::sphere(12, 5.0));
+        open({folder() / "unknown"});
+        QCOMPARE(test::newest(message().text()),
+                 QStringLiteral("tumour lies in part and is felt below it, as a layer: how many times as stiff as part "
+                                "it is, is not known."));
     }
 
     /// A scene file says its layers itself: it gets the offer.

@@ -227,7 +227,7 @@ class FeltHere : public QObject
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->openPhantom());
         viewport().setFocus();
-        QSignalSpy cancelled(&felt(), &FeltOverlay::cancelled);
+        QSignalSpy cancelled(m_desk->window().findChild<ui::LumpMaps*>(), &ui::LumpMaps::cancelled);
         m_desk->pressKeyOf("felt");
         QVERIFY(felt().isBusy());
         for (auto* button : m_desk->window().findChildren<QToolButton*>()) {

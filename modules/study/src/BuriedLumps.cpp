@@ -131,6 +131,16 @@ Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const 
     return buried::feltSurface(of.description.name, *of.surface, organ.shapes(scene), options);
 }
 
+std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
+                                      const std::function<bool(std::size_t structure)>& isTaken)
+{
+    for (OrganWithLumps& organ : organs) {
+        std::erase_if(organ.lumps, [&](const LumpOf& lump) { return !isTaken(lump.structure); });
+    }
+    std::erase_if(organs, [](const OrganWithLumps& organ) { return organ.lumps.empty(); });
+    return organs;
+}
+
 Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress)
 {
     if (scene.scene.buried != meshio::BuriedTouch::Felt) {
@@ -141,7 +151,13 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         scene.warnings.push_back("lumps felt through their organ: " + organs.status().message());
         return {};
     }
-    for (const OrganWithLumps& organ : organs.value()) {
+    const bool areNamed = std::any_of(scene.structures.begin(), scene.structures.end(),
+                                      [](const auto& one) { return !one.description.inside.empty(); });
+    const auto isThrough = [&](std::size_t structure) {
+        const meshio::SceneStructure& lump = scene.structures[structure].description;
+        return lump.layer == 0 && lump.palpable && (!areNamed || !lump.inside.empty());
+    };
+    for (const OrganWithLumps& organ : lumpsThat(organs.value(), isThrough)) {
         buried::FeltOptions how;
         how.radius_mm = organ.radius_mm;
         how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());

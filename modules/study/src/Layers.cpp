@@ -140,6 +140,18 @@ bool hasSureInside(const geometry::MeshReport& report) noexcept
     return report.isClosed() && report.insideOutComponents == 0;
 }
 
+bool isWhollyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer)
+{
+    const std::vector<core::Vec3>& vertices = inner.mesh.vertices;
+    const std::size_t samples = std::min(kSamples, vertices.size());
+    for (std::size_t i = 0; i < samples; ++i) {
+        if (!geometry::isInside(outer, vertices[i * vertices.size() / samples])) {
+            return false;
+        }
+    }
+    return samples > 0;
+}
+
 bool Layering::isLayered() const
 {
     return std::any_of(structures.begin(), structures.end(), [](const Structure& one) { return one.layer > 0; });

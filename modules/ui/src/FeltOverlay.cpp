@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FeltOverlay.h"
 
-#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/FeltWords.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/FeltColours.h>
-#include <palpate/view/SurfaceMesh.h>
 
 #include <Eigen/Geometry>
-
-#include <vtkNew.h>
-#include <vtkPoints.h>
 
 #include <QLocale>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -24,54 +18,12 @@ namespace palpate::ui {
 
 using core::Vec3;
 
-/// What window and worker share.
-struct FeltOverlay::Job
-{
-    std::atomic<bool> isCancelled{false};
-};
-
-/// What the worker found.
-struct FeltOverlay::Found
-{
-    std::vector<FeltOrganShown> organs;
-    QStringList notes;
-};
-
 namespace {
-
-constexpr int kWait_ms = 300;  // after the newest change
-constexpr int kBlink_ms = 400; // work that is done by then shows no progress
 
 /// How much otherwise than without a lump, softer or stiffer. [%]
 float changeOf(float ratio)
 {
     return 100.0F * std::expm1(std::abs(std::log(ratio)));
-}
-
-/// @param picture  of the organ as it was given
-FeltOrganShown shown(study::FeltOrgan organ, std::size_t triangles, const vtkSmartPointer<vtkPolyData>& picture)
-{
-    FeltOrganShown one;
-    const geometry::TriangleMesh& mesh = organ.felt.surface;
-    if (mesh.triangles.size() == triangles) {
-        one.picture = picture;
-    } else {
-        geometry::RepairedMesh refined;
-        refined.mesh = mesh;
-        one.picture = view::makeSurface(refined);
-    }
-    vtkNew<vtkPoints> points;
-    points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        points->SetPoint(static_cast<vtkIdType>(v), mesh.vertices[v].data());
-    }
-    vtkNew<vtkPolyData> cloud;
-    cloud->SetPoints(points);
-    one.vertices = vtkSmartPointer<vtkStaticPointLocator>::New();
-    one.vertices->SetDataSet(cloud);
-    one.vertices->BuildLocator();
-    one.organ = std::move(organ);
-    return one;
 }
 
 Vec3 normalAt(const geometry::TriangleMesh& mesh, std::size_t vertex)
@@ -88,33 +40,25 @@ Vec3 normalAt(const geometry::TriangleMesh& mesh, std::size_t vertex)
 
 } // namespace
 
-FeltOverlay::FeltOverlay(VtkViewport& viewport, StructureModel& model, MapDisplay& maps, QObject* parent)
+FeltOverlay::FeltOverlay(VtkViewport& viewport, StructureModel& model, LumpMaps& lumps, MapDisplay& maps,
+                         QObject* parent)
     : QObject(parent)
     , m_viewport(viewport)
     , m_model(model)
+    , m_lumps(lumps)
     , m_maps(maps)
     , m_flight(viewport)
 {
-    m_thread.setMaxThreadCount(1); // a new job waits until the cancelled one has noticed
-    m_wait.setSingleShot(true);
-    m_wait.setInterval(kWait_ms);
-    connect(&m_wait, &QTimer::timeout, this, &FeltOverlay::begin);
-    connect(&model, &StructureModel::edited, this, &FeltOverlay::follow);
-    connect(&model, &QAbstractItemModel::rowsInserted, this, &FeltOverlay::follow);
-    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
-        m_drawn.clear(); // the view has new pictures
-        m_organs.clear();
-        m_maps.setCovered(false);
-        follow();
+    connect(&lumps, &LumpMaps::outdated, this, [this](bool isReset) {
+        if (isReset) {
+            m_drawn.clear(); // the view has new pictures
+            m_maps.setCovered(false);
+        } else {
+            undraw();
+        }
+        Q_EMIT changed();
     });
-}
-
-FeltOverlay::~FeltOverlay()
-{
-    if (m_job != nullptr) {
-        m_job->isCancelled = true;
-    }
-    m_thread.waitForDone();
+    connect(&lumps, &LumpMaps::changed, this, &FeltOverlay::take);
 }
 
 void FeltOverlay::setShown(bool isShown)
@@ -124,14 +68,14 @@ void FeltOverlay::setShown(bool isShown)
     }
     m_isShown = isShown;
     undraw();
-    follow();
+    m_lumps.setWanted(m_isShown || m_isTabled);
     draw();
 }
 
 void FeltOverlay::setTabled(bool isTabled)
 {
     m_isTabled = isTabled;
-    follow();
+    m_lumps.setWanted(m_isShown || m_isTabled);
 }
 
 void FeltOverlay::setPress(std::size_t press)
@@ -142,148 +86,17 @@ void FeltOverlay::setPress(std::size_t press)
     Q_EMIT changed();
 }
 
-std::vector<FeltOverlay::Cause> FeltOverlay::causes() const
+void FeltOverlay::take()
 {
-    std::vector<Cause> causes;
-    for (const StructureRow& row : m_model.rows()) {
-        const meshio::SceneStructure& one = row.loaded.description;
-        causes.push_back({one.name, one.inside, one.young_ratio, one.young_kPa, one.felt_contact_radius_mm,
-                          one.tissue.stiffness_N_per_mm, one.palpable,
-                          row.isRemoved ? nullptr : row.loaded.surface.get()});
-    }
-    return causes;
-}
-
-/// The scene for the worker: what was removed has no surface, so that numbers stay the rows.
-meshio::LoadedScene FeltOverlay::sceneNow() const
-{
-    meshio::LoadedScene scene;
-    for (const StructureRow& row : m_model.rows()) {
-        meshio::LoadedStructure one;
-        one.description = row.loaded.description;
-        one.surface = row.isRemoved ? nullptr : row.loaded.surface;
-        scene.structures.push_back(std::move(one));
-    }
-    return scene;
-}
-
-/// Computes what is wanted and not there; takes from the view what holds no more.
-void FeltOverlay::follow()
-{
-    std::vector<Cause> now = causes();
-    const bool isOther = now != m_causes;
-    if (isOther) {
-        m_causes = std::move(now);
-        m_isUpToDate = false;
-        undraw();
-        stop();
-        Q_EMIT changed();
-    }
-    if (!m_isShown && !m_isTabled) {
-        m_wait.stop();
-        stop();
-    } else if (!m_isUpToDate && m_job == nullptr && !m_wait.isActive()) {
-        isOther ? m_wait.start() : begin();
-    } else if (isOther) {
-        m_wait.start();
-    }
-}
-
-void FeltOverlay::begin()
-{
-    if (m_model.presentCount() == 0) {
-        return;
-    }
-    m_since.start();
-    m_job = std::make_shared<Job>();
-    const auto progress = [this, job = m_job](const QString& what, double share) {
-        QMetaObject::invokeMethod(this, [this, job, what, share] {
-            if (job == m_job && m_since.elapsed() > kBlink_ms) {
-                Q_EMIT progressed(what, share);
-            }
-        });
-        return !job->isCancelled;
-    };
-    std::vector<vtkSmartPointer<vtkPolyData>> pictures;
-    for (const StructureRow& row : m_model.rows()) {
-        pictures.push_back(row.picture);
-    }
-    m_thread.start([this, job = m_job, scene = sceneNow(), pictures, progress] {
-        auto found = std::make_shared<Found>();
-        const auto organs = study::organsWithLumps(scene);
-        if (!organs.isOk()) {
-            found->notes << tr("No lump lies inside an organ here: nothing to be felt through one.");
-        }
-        for (std::size_t i = 0; organs.isOk() && i < organs.value().size() && !job->isCancelled; ++i) {
-            const study::OrganWithLumps& organ = organs.value()[i];
-            const QString what =
-                tr("What can be felt of %1").arg(readableName(scene.structures[organ.organ].description.name));
-            buried::FeltOptions how;
-            how.radius_mm = organ.radius_mm;
-            how.press_mm.assign(kPress_mm.begin(), kPress_mm.end());
-            how.progress = [&, count = static_cast<double>(organs.value().size())](double share) {
-                return progress(what, (static_cast<double>(i) + share) / count);
-            };
-            progress(what, static_cast<double>(i) / static_cast<double>(organs.value().size()));
-            auto felt = study::feltSurface(scene, organ, how);
-            if (felt.isOk()) {
-                for (const std::string& note : felt.value().notes) {
-                    found->notes << engineText(note);
-                }
-                found->organs.push_back(shown({organ, std::move(felt).value()},
-                                              scene.structures[organ.organ].surface->mesh.triangles.size(),
-                                              pictures[organ.organ]));
-            } else {
-                found->notes << engineText(felt.status());
-            }
-        }
-        QMetaObject::invokeMethod(this, [this, job, found] {
-            if (job == m_job && !job->isCancelled) {
-                take(*found);
-            }
-        });
-    });
-}
-
-/// The worker ends when it notices; nothing that it found is taken.
-void FeltOverlay::stop()
-{
-    if (m_job != nullptr) {
-        m_job->isCancelled = true;
-        m_job = nullptr;
-        Q_EMIT ended();
-    }
-}
-
-void FeltOverlay::cancel()
-{
-    if (m_job == nullptr && !m_wait.isActive()) {
-        return;
-    }
-    m_wait.stop();
-    stop();
-    m_notes = {tr("What can be felt here was cancelled.")};
-    Q_EMIT cancelled();
-    Q_EMIT changed();
-}
-
-void FeltOverlay::take(Found& found)
-{
-    m_job = nullptr;
-    m_organs = std::move(found.organs);
-    m_notes = std::move(found.notes);
-    m_isUpToDate = true;
-    draw();
-    Q_EMIT ended();
-    if (!m_notes.isEmpty()) {
-        Q_EMIT noted(m_notes);
+    if (m_drawn.empty()) {
+        draw();
     }
     Q_EMIT changed();
 }
 
 void FeltOverlay::draw()
 {
-    if (!m_isShown || !m_isUpToDate || m_organs.empty()) {
+    if (!m_isShown || !isUpToDate() || organs().empty()) {
         return;
     }
     m_maps.setCovered(true);
@@ -291,8 +104,8 @@ void FeltOverlay::draw()
     double greatest = buried::kTold_percent.back();
     bool isHatched = false;
     std::vector<std::vector<float>> changes;
-    for (const FeltOrganShown& one : m_organs) {
-        const buried::FeltSurface& felt = one.organ.felt;
+    for (const auto& one : organs()) {
+        const buried::FeltSurface& felt = one->organ.felt;
         std::vector<float>& change = changes.emplace_back(felt.press[m_press].ratio);
         for (std::size_t v = 0; v < change.size(); ++v) {
             change[v] = changeOf(change[v]);
@@ -300,12 +113,12 @@ void FeltOverlay::draw()
             greatest = felt.notJudged[v] == 0 ? std::max(greatest, double{change[v]}) : greatest;
         }
     }
-    for (std::size_t i = 0; i < m_organs.size(); ++i) {
-        const buried::FeltSurface& felt = m_organs[i].organ.felt;
-        m_drawn.push_back(static_cast<int>(m_organs[i].organ.organ.organ));
-        m_viewport.view().setPicture(
-            m_organs[i].organ.organ.organ,
-            view::feltColoured(*m_organs[i].picture, felt.surface, {changes[i], felt.notJudged, greatest}));
+    for (std::size_t i = 0; i < organs().size(); ++i) {
+        const FeltOrganShown& one = *organs()[i];
+        const buried::FeltSurface& felt = one.organ.felt;
+        m_drawn.push_back(static_cast<int>(one.organ.organ.organ));
+        m_viewport.view().setPicture(one.organ.organ.organ, view::feltColoured(*one.picture, felt.surface,
+                                                                               {changes[i], felt.notJudged, greatest}));
     }
     drawLegend(greatest, isHatched);
     m_viewport.update();
@@ -351,10 +164,10 @@ QString FeltOverlay::textAt(int row, const Vec3& p_W) const
     if (std::find(m_drawn.begin(), m_drawn.end(), row) == m_drawn.end()) {
         return {};
     }
-    for (const FeltOrganShown& one : m_organs) {
-        if (one.organ.organ.organ == static_cast<std::size_t>(row)) {
-            const vtkIdType vertex = one.vertices->FindClosestPoint(p_W.data());
-            return vertex < 0 ? QString() : feltPlaceText(one.organ.felt, static_cast<std::size_t>(vertex), m_press);
+    for (const auto& one : organs()) {
+        if (one->organ.organ.organ == static_cast<std::size_t>(row)) {
+            const vtkIdType vertex = one->vertices->FindClosestPoint(p_W.data());
+            return vertex < 0 ? QString() : feltPlaceText(one->organ.felt, static_cast<std::size_t>(vertex), m_press);
         }
     }
     return {};
@@ -363,10 +176,10 @@ QString FeltOverlay::textAt(int row, const Vec3& p_W) const
 bool FeltOverlay::showBestPlace(std::size_t organ, std::size_t lump)
 {
     constexpr double kFarthest_mm = 250.0, kOff_mm = 0.3;
-    if (organ >= m_organs.size() || lump >= m_organs[organ].organ.felt.lumps.size()) {
+    if (organ >= organs().size() || lump >= organs()[organ]->organ.felt.lumps.size()) {
         return false;
     }
-    const buried::FeltSurface& felt = m_organs[organ].organ.felt;
+    const buried::FeltSurface& felt = organs()[organ]->organ.felt;
     const std::optional<std::size_t> best = felt.lumps[lump].press[m_press].best;
     if (!best) {
         return false;

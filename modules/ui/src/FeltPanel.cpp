@@ -183,7 +183,7 @@ void FeltPanel::fill()
         m_table->setRowCount(0);
         m_rows.clear();
         for (std::size_t i = 0; i < m_overlay.organs().size(); ++i) {
-            const study::FeltOrgan& organ = m_overlay.organs()[i].organ;
+            const study::FeltOrgan& organ = m_overlay.organs()[i]->organ;
             for (std::size_t k = 0; k < organ.felt.lumps.size(); ++k) {
                 const std::size_t lump = organ.organ.lumps[organ.felt.lumps[k].given].structure;
                 addRow({i, k, static_cast<int>(lump), static_cast<int>(organ.organ.organ)});
@@ -202,7 +202,7 @@ void FeltPanel::fill()
 
 void FeltPanel::addRow(const Row& row)
 {
-    const study::FeltOrgan& organ = m_overlay.organs()[row.organ].organ;
+    const study::FeltOrgan& organ = m_overlay.organs()[row.organ]->organ;
     const buried::FeltSurface::Lump& lump = organ.felt.lumps[row.lump];
     const QString in = readableName(m_model.structure(row.organRow).name);
     const QString cover =
@@ -267,7 +267,7 @@ void FeltPanel::showChosen()
         m_organ_kPa->setValue(*organ.young_kPa);
         m_ratio->setValue(*lump.young_kPa / *organ.young_kPa);
     } else if (row->organ < m_overlay.organs().size() && m_overlay.isUpToDate()) {
-        m_ratio->setValue(m_overlay.organs()[row->organ].organ.felt.lumps[row->lump].ratio);
+        m_ratio->setValue(m_overlay.organs()[row->organ]->organ.felt.lumps[row->lump].ratio);
     }
     m_source->setCurrentIndex(source);
     m_moduli->setVisible(source == Moduli);

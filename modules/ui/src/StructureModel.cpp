@@ -7,6 +7,7 @@
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
+#include <palpate/study/Layers.h>
 #include <palpate/study/StructureSources.h>
 
 #include <QElapsedTimer>
@@ -48,29 +49,32 @@ QColor colourOf(const meshio::SceneStructure& structure)
 class StructureModel::Edit final : public QUndoCommand
 {
   public:
-    Edit(StructureModel& model, std::vector<Edited> after, const QString& text)
+    Edit(StructureModel& model, std::vector<Edited> after, const QString& text,
+         std::optional<meshio::BuriedTouch> buried)
         : QUndoCommand(text)
         , m_model(model)
         , m_after(std::move(after))
+        , m_buried(buried)
     {
+        m_buriedBefore = buried ? std::optional(model.buried()) : std::nullopt;
         for (const Edited& one : m_after) {
             m_before.push_back({one.row, model.structure(one.row)});
         }
         m_time.start();
     }
-    void undo() override { m_model.apply(m_before); }
-    void redo() override { m_model.apply(m_after); }
+    void undo() override { m_model.apply(m_before, m_buriedBefore); }
+    void redo() override { m_model.apply(m_after, m_buried); }
     [[nodiscard]] int id() const override { return 1; }
     bool mergeWith(const QUndoCommand* other) override
     {
         const auto* next = static_cast<const Edit*>(other);
-        if (next->m_after.size() != m_after.size() || m_time.elapsed() > 700) {
+        if (next->m_after.size() != m_after.size() || m_time.elapsed() > 700 || m_buried || next->m_buried) {
             return false;
         }
         for (std::size_t i = 0; i < m_after.size(); ++i) {
             const meshio::SceneStructure &from = m_before[i].description, &to = next->m_after[i].description;
             if (next->m_after[i].row != m_after[i].row || from.visible != to.visible || from.palpable != to.palpable ||
-                from.name != to.name || m_after[i].description.layer != to.layer) {
+                from.name != to.name || m_after[i].description.layer != to.layer || from.inside != to.inside) {
                 return false;
             }
         }
@@ -82,6 +86,7 @@ class StructureModel::Edit final : public QUndoCommand
   private:
     StructureModel& m_model;
     std::vector<Edited> m_before, m_after;
+    std::optional<meshio::BuriedTouch> m_buriedBefore, m_buried;
     QElapsedTimer m_time;
 };
 
@@ -122,12 +127,16 @@ StructureModel::StructureModel(QObject* parent)
 {
 }
 
-void StructureModel::setRows(std::vector<StructureRow> rows)
+void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried)
 {
     beginResetModel();
     m_undo.clear();
     m_rows = std::move(rows);
+    m_buried = buried;
     for (StructureRow& row : m_rows) {
+        if (buried == meshio::BuriedTouch::Layers) {
+            row.recordedBelow = row.loaded.feltBelow;
+        }
         refreshFelt(row);
     }
     endResetModel();
@@ -143,10 +152,13 @@ void StructureModel::edit(int row, const meshio::SceneStructure& description)
     editAll({{row, description}}, tr("Change %1").arg(readableName(description.name)));
 }
 
-void StructureModel::editAll(std::vector<Edited> edits, const QString& text)
+void StructureModel::editAll(std::vector<Edited> edits, const QString& text, std::optional<meshio::BuriedTouch> buried)
 {
-    if (!edits.empty()) {
-        m_undo.push(new Edit(*this, std::move(edits), text));
+    if (buried == m_buried) {
+        buried.reset();
+    }
+    if (!edits.empty() || buried) {
+        m_undo.push(new Edit(*this, std::move(edits), text, buried));
     }
 }
 
@@ -158,9 +170,110 @@ void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const Q
         if (now.layer != layers[i] && !m_rows[i].isRemoved) {
             edits.push_back({static_cast<int>(i), now});
             edits.back().description.layer = layers[i];
+            if (layers[i] > 0) {
+                edits.back().description.inside.clear();
+            }
         }
     }
     editAll(std::move(edits), text);
+}
+
+bool StructureModel::isToBeFeltThrough(int row) const
+{
+    const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+    const meshio::SceneStructure& lump = one.loaded.description;
+    return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) && lump.layer == 0 &&
+           (areLumpsNamed() ? !lump.inside.empty() : organAround(row).has_value());
+}
+
+bool StructureModel::areLumpsNamed() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [](const StructureRow& one) {
+        return !one.isRemoved && !one.loaded.description.inside.empty();
+    });
+}
+
+std::optional<int> StructureModel::organAround(int row) const
+{
+    const std::string& name = structure(row).inside;
+    for (int other = 0; !name.empty() && other < rowCount(); ++other) {
+        if (other != row && !m_rows[static_cast<std::size_t>(other)].isRemoved && structure(other).name == name) {
+            return other;
+        }
+    }
+    const bool isByShape = m_buried == meshio::BuriedTouch::Felt && !areLumpsNamed();
+    std::optional<int> organ;
+    for (std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in; in && (isByShape || !organ);
+         in = m_rows[static_cast<std::size_t>(*in)].in) {
+        const StructureRow& around = m_rows[static_cast<std::size_t>(*in)];
+        if (!around.isRemoved && isFelt(around.loaded.description) && around.loaded.surface != nullptr &&
+            study::hasSureInside(around.loaded.surface->report)) {
+            organ = in;
+        }
+    }
+    return organ;
+}
+
+std::uint32_t StructureModel::layerWithin(int row) const
+{
+    std::uint32_t around = 0;
+    for (std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in; in;
+         in = m_rows[static_cast<std::size_t>(*in)].in) {
+        const StructureRow& one = m_rows[static_cast<std::size_t>(*in)];
+        around += !one.isRemoved && isFelt(one.loaded.description) ? 1 : 0;
+    }
+    return std::min<std::uint32_t>(around, haptics::kMaxLayers - 1);
+}
+
+/// Takes back what is no longer felt through organs. @return the rows that are touched otherwise now
+std::vector<int> StructureModel::dropFeltThrough()
+{
+    std::vector<int> others;
+    bool isAny = false;
+    for (int i = 0; i < rowCount() && !isAny; ++i) {
+        isAny = isToBeFeltThrough(i);
+    }
+    for (int i = 0; i < rowCount(); ++i) {
+        StructureRow& row = m_rows[static_cast<std::size_t>(i)];
+        const bool isLost = row.loaded.isFeltThrough && !isToBeFeltThrough(i);
+        const bool isOther = !isAny && row.loaded.feltBelow != row.recordedBelow;
+        row.loaded.isFeltThrough = row.loaded.isFeltThrough && !isLost;
+        if (isOther) {
+            row.loaded.feltBelow = row.recordedBelow;
+            refreshFelt(row);
+        }
+        if (isLost || isOther) {
+            others.push_back(i);
+        }
+    }
+    return others;
+}
+
+void StructureModel::setFeltThrough(const std::vector<FeltThrough>& maps)
+{
+    if (m_buried != meshio::BuriedTouch::Felt) {
+        return;
+    }
+    std::vector<bool> isThrough(m_rows.size());
+    std::vector<const std::vector<std::vector<float>>*> below(m_rows.size());
+    for (const FeltThrough& one : maps) {
+        below[static_cast<std::size_t>(one.organ)] = &one.below;
+        for (const int lump : one.lumps) {
+            isThrough[static_cast<std::size_t>(lump)] = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        meshio::LoadedStructure& one = m_rows[i].loaded;
+        const bool isOtherMap = below[i] == nullptr ? !one.feltBelow.empty() : one.feltBelow != *below[i];
+        if (isOtherMap) {
+            one.feltBelow = below[i] == nullptr ? std::vector<std::vector<float>>() : *below[i];
+            refreshFelt(m_rows[i]);
+        }
+        if (isOtherMap || one.isFeltThrough != isThrough[i]) {
+            one.isFeltThrough = isThrough[i];
+            Q_EMIT edited(static_cast<int>(i), Change::Touch);
+        }
+    }
 }
 
 void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text)
@@ -173,6 +286,8 @@ void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text
     for (StructureRow& row : rows) {
         numbers.push_back(rowCount());
         row.isRemoved = true; // until the step is done
+        row.loaded.isFeltThrough = false;
+        row.loaded.feltBelow.clear();
         refreshFelt(row);
         m_rows.push_back(std::move(row));
     }
@@ -198,9 +313,13 @@ void StructureModel::setRemoved(const std::vector<int>& rows, bool isRemoved)
     for (const int row : rows) {
         m_rows[static_cast<std::size_t>(row)].isRemoved = isRemoved;
     }
+    const std::vector<int> others = dropFeltThrough();
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1)); // what lies in them reads otherwise, too
     for (const int row : rows) {
         Q_EMIT edited(row, Change::Look);
+        Q_EMIT edited(row, Change::Touch);
+    }
+    for (const int row : others) {
         Q_EMIT edited(row, Change::Touch);
     }
 }
@@ -234,10 +353,17 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
     return tr("%1 below").arg(layer);
 }
 
-void StructureModel::apply(const std::vector<Edited>& edits)
+QString StructureModel::feltText(int row) const
+{
+    const std::optional<int> organ = isToBeFeltThrough(row) ? organAround(row) : std::nullopt;
+    return organ ? tr("through %1").arg(readableName(structure(*organ).name)) : feltText(row, structure(row).layer);
+}
+
+void StructureModel::apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried)
 {
     std::vector<meshio::SceneStructure> before;
-    int first = rowCount(), last = -1;
+    int first = buried ? 0 : rowCount(), last = buried ? rowCount() - 1 : -1;
+    m_buried = buried.value_or(m_buried);
     for (const Edited& one : edits) {
         meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(one.row)].loaded.description;
         before.push_back(now);
@@ -250,9 +376,18 @@ void StructureModel::apply(const std::vector<Edited>& edits)
         first = std::min(first, one.row);
         last = std::max(last, one.row);
     }
+    std::vector<int> others = dropFeltThrough();
+    for (int row = 0; buried && row < rowCount(); ++row) {
+        if (isToBeFeltThrough(row)) {
+            others.push_back(row);
+        }
+    }
     Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
     for (std::size_t i = 0; i < edits.size(); ++i) {
         tell(edits[i].row, before[i], before[i].maps != edits[i].description.maps);
+    }
+    for (const int row : others) {
+        Q_EMIT edited(row, Change::Touch);
     }
 }
 
@@ -398,6 +533,9 @@ std::vector<haptics::HapticStructure> StructureModel::feltStructures(const hapti
             from, isFelt(from) && !row.loaded.isFeltThrough && !row.isRemoved ? row.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
+            if (const int number = static_cast<int>(structures.size()) - 1; isToBeFeltThrough(number)) {
+                structures.back().layer = layerWithin(number); // its map is not there yet
+            }
         }
     }
     study::boundBy(greatest, structures);
@@ -461,10 +599,11 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return name;
         }
         if (role == Qt::AccessibleTextRole) {
-            return one.layer == 0 ? name : tr("%1, felt %2").arg(name, feltText(index.row(), one.layer));
+            const QString felt = feltText(index.row());
+            return felt == tr("outermost") ? name : tr("%1, felt %2").arg(name, felt);
         }
         if (role == kLayerRole) {
-            return one.layer;
+            return isToBeFeltThrough(index.row()) ? layerWithin(index.row()) : one.layer;
         }
         if (role == Qt::DecorationRole) {
             return swatch(colourOf(one));
@@ -476,7 +615,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
             const QString triangles =
                 QLocale().toString(surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size()));
-            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, feltText(index.row(), one.layer));
+            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, feltText(index.row()));
         }
         break;
     case Health:

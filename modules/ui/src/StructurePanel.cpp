@@ -315,7 +315,7 @@ void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
     m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
                            "(Ctrl+Down, Ctrl+Up in the list)"));
     form.insertRow(place, tr("Felt"), m_layer);
-    connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(static_cast<std::uint32_t>(chosen)); });
+    connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
 QWidget* StructurePanel::makeTissueBox()
@@ -459,16 +459,23 @@ void StructurePanel::click(const QModelIndex& index)
 /// Deeper for steps > 0; each stays between the outermost and the innermost.
 void StructurePanel::moveLayers(int steps)
 {
-    std::vector<int> rows;
+    std::vector<FeltWay> ways;
     for (const int row : selectedRows()) {
         const int layer = static_cast<int>(m_model.structure(row).layer) + steps;
         if (layer >= 0 && layer < static_cast<int>(haptics::kMaxLayers)) {
-            rows.push_back(row);
+            ways.push_back({row, static_cast<std::uint32_t>(layer)});
         }
     }
-    change(rows, [&](meshio::SceneStructure& structure) {
-        structure.layer = static_cast<std::uint32_t>(static_cast<int>(structure.layer) + steps);
-    });
+    changeWays(ways);
+}
+
+void StructurePanel::changeWays(const std::vector<FeltWay>& ways)
+{
+    if (!ways.empty()) {
+        feel(m_model, ways,
+             ways.size() == 1 ? tr("Change %1").arg(readableName(m_model.structure(ways.front().row).name))
+                              : tr("Change %1 structures").arg(ways.size()));
+    }
 }
 
 bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
@@ -576,18 +583,39 @@ void StructurePanel::showTouch(const TouchReading& reading)
 void StructurePanel::showLayer(int row)
 {
     const std::uint32_t layer = m_model.structure(row).layer;
+    const std::optional<int> organ = organToFeelThrough(m_model, row);
     m_layer->clear();
     for (std::uint32_t i = 0; i < std::max<std::uint32_t>(haptics::kMaxLayers, layer + 1); ++i) {
-        m_layer->addItem(m_model.feltText(row, i));
+        const QString text = m_model.feltText(row, i);
+        m_layer->addItem(!organ   ? text
+                         : i == 0 ? tr("on its own surface, outermost")
+                                  : tr("as a layer, %1").arg(text),
+                         i);
     }
-    m_layer->setCurrentIndex(static_cast<int>(layer));
+    const bool isThrough = m_model.isToBeFeltThrough(row);
+    if (organ || isThrough) {
+        m_layer->addItem(isThrough
+                             ? tr("%1 (felt from above)").arg(m_model.feltText(row))
+                             : tr("through %1 (felt from above)").arg(readableName(m_model.structure(*organ).name)));
+    }
+    m_layer->setCurrentIndex(isThrough ? m_layer->count() - 1 : static_cast<int>(layer));
 }
 
-void StructurePanel::setLayer(std::uint32_t layer)
+/// @param chosen  a layer; none: through the organ around it
+void StructurePanel::setLayer(const QVariant& chosen)
 {
-    if (!m_isShowing) {
-        change(selectedRows(), [layer](meshio::SceneStructure& structure) { structure.layer = layer; });
+    if (m_isShowing) {
+        return;
     }
+    std::vector<FeltWay> ways;
+    for (const int row : selectedRows()) {
+        if (chosen.isValid()) {
+            ways.push_back({row, chosen.toUInt()});
+        } else if (organToFeelThrough(m_model, row)) {
+            ways.push_back({row, std::nullopt});
+        }
+    }
+    changeWays(ways);
 }
 
 /// "liver takes 0.8" for each other layer; empty when there is none.

@@ -27,6 +27,7 @@ struct LumpOf
     std::size_t structure; ///< number in the scene
     double ratio = 1.0;    ///< its modulus by the organ's
     RatioSource source = RatioSource::Tissue;
+    friend bool operator==(const LumpOf&, const LumpOf&) = default;
 };
 
 /// An organ of a scene with the lumps in it.
@@ -38,6 +39,7 @@ struct OrganWithLumps
 
     /// @param scene  that it was found in
     [[nodiscard]] std::vector<buried::BuriedLump> shapes(const meshio::LoadedScene& scene) const;
+    friend bool operator==(const OrganWithLumps&, const OrganWithLumps&) = default;
 };
 inline constexpr double kUsualRadius_mm = 5.0;
 
@@ -56,8 +58,14 @@ organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, do
 [[nodiscard]] core::Result<buried::FeltSurface>
 feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const buried::FeltOptions& options);
 
+/// @return those lumps alone that a choice takes, of the organs that then have any
+[[nodiscard]] std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
+                                                    const std::function<bool(std::size_t structure)>& isTaken);
+
 /// Makes the lumps of a scene that are felt through their organs: each organ gets what they make of it, and they are
-/// not touched themselves. A scene whose lumps are felt by their own layers stays as it is; notes become warnings.
+/// not touched themselves. A scene whose lumps are felt by their own layers stays as it is; notes become warnings. What
+/// has a layer below the outermost keeps it, and where a structure says what it lies in, those that say so are felt
+/// through it and no others.
 /// @param progress  told the share done; false cancels. May be empty
 /// @return Cancelled; a scene without lumps is fine
 [[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {});

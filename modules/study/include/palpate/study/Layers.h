@@ -56,6 +56,10 @@ struct Layering
 /// triangles may be there: each is passed equally often both ways, or the surface would not count as closed.
 [[nodiscard]] bool hasSureInside(const geometry::MeshReport& report) noexcept;
 
+/// @return true when none of up to kSamples vertices of `inner`, evenly spread, is outside of `outer`.
+/// @par Cost some 2 us a sample
+[[nodiscard]] bool isWhollyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer);
+
 /// Finds out what lies in what: B in A when A has a sure inside, encloses the larger volume, and holds at least
 /// kInsideShare of up to kSamples vertices of B, evenly spread. B's layer is one below the deepest that it lies in, at
 /// most haptics::kMaxLayers - 1. Twins share a layer.

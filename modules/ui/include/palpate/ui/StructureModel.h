@@ -27,6 +27,8 @@ struct StructureRow
     std::optional<int> in{};                             ///< row of the smallest structure that it lies in
     haptics::TissueMaps felt{};                          ///< `loaded.maps` for the tick, where `touch` is
     QStringList mapProblems{};                           ///< why a map can't be had, one sentence an entry
+    /// `loaded.feltBelow` as a recording had it: felt while lumps are felt as layers, and never made anew.
+    std::vector<std::vector<float>> recordedBelow{};
     /// Taken out of the scene: neither shown, felt, listed nor saved. It keeps its number, which recordings, undo steps
     /// and the view know it by, and comes back with undo.
     bool isRemoved = false;
@@ -59,7 +61,8 @@ class StructureModel : public QAbstractTableModel
 
     explicit StructureModel(QObject* parent = nullptr);
 
-    void setRows(std::vector<StructureRow> rows);
+    /// @param buried  how what lies in an organ is felt
+    void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers);
     [[nodiscard]] const std::vector<StructureRow>& rows() const noexcept { return m_rows; }
     [[nodiscard]] const meshio::SceneStructure& structure(int row) const;
 
@@ -73,7 +76,9 @@ class StructureModel : public QAbstractTableModel
     /// Replaces a structure's description, undoably; tells what changed. The mesh stays.
     void edit(int row, const meshio::SceneStructure& description);
     /// The same of several structures as one step to undo; nothing when there is none. @param text  what is undone
-    void editAll(std::vector<Edited> edits, const QString& text);
+    /// @param buried  how what lies in an organ is felt from now on; nothing: as it is
+    void editAll(std::vector<Edited> edits, const QString& text,
+                 std::optional<meshio::BuriedTouch> buried = std::nullopt);
     /// Appends structures, undoably. @param text  what is undone, "Add lump"
     void addRows(std::vector<StructureRow> rows, const QString& text);
     /// Takes structures out of the scene, undoably.
@@ -82,11 +87,33 @@ class StructureModel : public QAbstractTableModel
     void setNesting(const std::vector<std::optional<int>>& in);
     /// Structures that are in the scene.
     [[nodiscard]] int presentCount() const;
-    /// Gives each structure its layer, as one step to undo. @param text  what is undone, "Feel below"
+    /// Gives each structure its layer, as one step to undo; what gets one below is no longer felt through its organ.
+    /// @param text  what is undone, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
+    /// How what lies in an organ is felt.
+    [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_buried; }
+    /// @return true for a lump that is to be felt through its organ (see study::feelBuried). Until its map is
+    /// there, `loaded.isFeltThrough` is false and it is felt as a layer.
+    [[nodiscard]] bool isToBeFeltThrough(int row) const;
+    /// @return the organ that a lump is, or would be, felt through: the one that it names, else the smallest around it
+    /// that is felt and closed, in a scene that names none the largest; nothing where there is none.
+    [[nodiscard]] std::optional<int> organAround(int row) const;
+    /// @return how many structures that are felt lie around one: the layer in which it is felt meanwhile
+    [[nodiscard]] std::uint32_t layerWithin(int row) const;
+    /// What the lumps in an organ make of its surface, for each of haptics::kFeltPress_mm a number at each vertex.
+    struct FeltThrough
+    {
+        int organ = 0;
+        std::vector<int> lumps;
+        std::vector<std::vector<float>> below; ///< k/k0 [1]
+    };
+    /// Takes all maps of what is felt through organs, in place of those before; tells what changed. Not an edit.
+    void setFeltThrough(const std::vector<FeltThrough>& maps);
     /// In which order a structure would be felt in a layer: "outermost", "below liver" when it lies in the liver and
     /// that is felt just outside of it (what the hand passes through in between is not named), else "2 below".
     [[nodiscard]] QString feltText(int row, std::uint32_t layer) const;
+    /// The same as a structure is felt now; of one that is felt through its organ: "through liver".
+    [[nodiscard]] QString feltText(int row) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
     /// Gives a structure its haptic copy, or takes it back with null.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
@@ -135,13 +162,16 @@ class StructureModel : public QAbstractTableModel
   private:
     class Edit;
     class Presence;
-    void apply(const std::vector<Edited>& edits);
+    void apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried);
+    [[nodiscard]] std::vector<int> dropFeltThrough();
+    [[nodiscard]] bool areLumpsNamed() const;
     void setRemoved(const std::vector<int>& rows, bool isRemoved);
     void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);
     void resolveMaps(int row);
     void refreshFelt(StructureRow& row);
 
     std::vector<StructureRow> m_rows;
+    meshio::BuriedTouch m_buried = meshio::BuriedTouch::Layers;
     QUndoStack m_undo;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/FeltWay.h"
 #include "palpate/ui/StructureModel.h"
 #include "palpate/ui/TissuePresets.h"
 
@@ -76,7 +77,8 @@ class StructurePanel : public QWidget
     void showHead(const std::vector<int>& rows);
     void refuse(const QString& line);
     [[nodiscard]] QString refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const;
-    void setLayer(std::uint32_t layer);
+    void setLayer(const QVariant& chosen);
+    void changeWays(const std::vector<FeltWay>& ways);
     void showLayer(int row);
     void showBound(int row);
     [[nodiscard]] QString whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const;
@@ -112,7 +114,7 @@ class StructurePanel : public QWidget
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
-    QComboBox* m_layer = nullptr; ///< what is chosen is the layer
+    QComboBox* m_layer = nullptr; ///< data: the layer; none: through the organ around it
     QLabel* m_bound = nullptr;    ///< what is felt of the values, where the device holds less
     QLabel* m_refusal = nullptr;
     haptics::Tissue m_greatest = core::unbounded(); ///< until a device says its own

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumpLayout.h"
+
+#include <palpate/meshio/AnatomyKind.h>
+#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/TissuePresets.h>
+
+#include <QLocale>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+namespace {
+
+/// True when a structure's name said how stiff it is, and nothing varies that.
+bool isStiffnessKnown(const StructureRow& row)
+{
+    return row.loaded.maps.empty() && presetOf(row.loaded.description.tissue) >= 0 &&
+           meshio::anatomyKind(row.loaded.description.name) != meshio::AnatomyKind::Other;
+}
+
+} // namespace
+
+LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layering, int first)
+    : m_model(model)
+{
+    std::vector<std::string> names;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        const bool isThere = !model.rows()[i].isRemoved;
+        names.push_back(readableName(model.structure(row).name).toStdString());
+        m_isToBeTold.push_back(isThere && StructureModel::isFelt(model.structure(row)));
+        m_layers.push_back(isThere ? layering.structures[i].layer : model.structure(row).layer);
+        m_ways.push_back({row, m_layers.back()});
+        if (model.isToBeFeltThrough(row)) {
+            m_ways.back().layer.reset();
+            m_isAnyThrough = true;
+        }
+    }
+    const std::vector<bool> isFelt = m_isToBeTold;
+    for (int row = first; row < model.rowCount(); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        if (isFelt[i] && layering.feltAround(i, isFelt) && !layering.structures[i].twin &&
+            meshio::anatomyKind(model.structure(row).name) == meshio::AnatomyKind::Lump) {
+            layOutLump(row, static_cast<int>(*layering.feltAround(i, isFelt)));
+        }
+    }
+    for (const std::string& sentence : layering.sentences(names, m_isToBeTold)) {
+        m_lines << engineText(sentence);
+    }
+}
+
+std::vector<FeltWay> LumpLayout::inLayers() const
+{
+    std::vector<FeltWay> ways = m_ways;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        ways[i].layer = m_layers[i];
+    }
+    return ways;
+}
+
+/// @param around  the smallest structure around it that is felt
+void LumpLayout::layOutLump(int row, int around)
+{
+    const auto i = static_cast<std::size_t>(row);
+    const QString name = readableName(m_model.structure(row).name),
+                  aroundName = readableName(m_model.structure(around).name);
+    const QString why = whyNotThrough(row, around);
+    if (why.isEmpty()) {
+        m_ways[i].layer.reset();
+        m_isAnyThrough = true;
+        const double ratio =
+            m_model.structure(row).tissue.stiffness_N_per_mm / m_model.structure(around).tissue.stiffness_N_per_mm;
+        m_lines << tr("%1 lies in %2 and is felt through it, as %3 times as stiff")
+                       .arg(name, aroundName, QLocale().toString(ratio, 'g', 2));
+    } else {
+        m_lines << tr("%1 lies in %2 and is felt below it, as a layer: %3").arg(name, aroundName, why);
+    }
+    m_isToBeTold[i] = false;
+}
+
+/// @return empty where the model of felt lumps holds
+QString LumpLayout::whyNotThrough(int row, int around) const
+{
+    const StructureRow &lump = m_model.rows()[static_cast<std::size_t>(row)],
+                       &organ = m_model.rows()[static_cast<std::size_t>(around)];
+    const QString organName = readableName(organ.loaded.description.name);
+    if (!study::hasSureInside(lump.loaded.surface->report)) {
+        return tr("its surface is open or inside out");
+    }
+    if (meshio::anatomyKind(organ.loaded.description.name) == meshio::AnatomyKind::Lump) {
+        return tr("%1 is a lump itself").arg(organName);
+    }
+    if (organToFeelThrough(m_model, row) != around) {
+        return tr("a scene file could not name %1 alone").arg(organName);
+    }
+    if (!study::isWhollyInside(*lump.loaded.surface, *organ.touch)) {
+        return tr("it reaches out of %1").arg(organName);
+    }
+    if (!isStiffnessKnown(lump) || !isStiffnessKnown(organ)) {
+        return tr("how many times as stiff as %1 it is, is not known").arg(organName);
+    }
+    if (lump.loaded.description.tissue.stiffness_N_per_mm == organ.loaded.description.tissue.stiffness_N_per_mm) {
+        return tr("it is as stiff as %1").arg(organName);
+    }
+    return {};
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/FeltWay.h"
+
+#include <palpate/study/Layers.h>
+
+#include <algorithm>
+
+namespace palpate::ui {
+
+namespace {
+
+bool hasSureInside(const StructureModel& model, int row)
+{
+    const auto& surface = model.rows()[static_cast<std::size_t>(row)].loaded.surface;
+    return surface != nullptr && study::hasSureInside(surface->report);
+}
+
+} // namespace
+
+std::optional<int> organToFeelThrough(const StructureModel& model, int row)
+{
+    const std::optional<int> organ = model.organAround(row);
+    if (!organ || !hasSureInside(model, row) || !hasSureInside(model, *organ)) {
+        return std::nullopt;
+    }
+    for (int other = 0; other < model.rowCount(); ++other) { // a file knows it by its name
+        if (other != *organ && model.structure(other).name == model.structure(*organ).name &&
+            !model.rows()[static_cast<std::size_t>(other)].isRemoved) {
+            return std::nullopt;
+        }
+    }
+    return organ;
+}
+
+void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString& text)
+{
+    std::vector<StructureModel::Edited> edits;
+    bool isAnyThrough = false;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const auto way = std::find_if(ways.begin(), ways.end(), [row](const FeltWay& one) { return one.row == row; });
+        const meshio::SceneStructure& now = model.structure(row);
+        meshio::SceneStructure changed = now;
+        const bool isThrough = way == ways.end() ? model.isToBeFeltThrough(row) : !way->layer;
+        const std::optional<int> organ = isThrough ? model.organAround(row) : std::nullopt;
+        if (organ) { // by name, so that no other becomes one by its shape
+            changed.inside = model.structure(*organ).name;
+            changed.layer = 0;
+            isAnyThrough = true;
+        } else if (way != ways.end() && way->layer) {
+            changed.layer = *way->layer;
+            if (changed.layer > 0 || model.buried() == meshio::BuriedTouch::Felt) {
+                changed.inside.clear();
+            }
+        }
+        if (changed.layer != now.layer || changed.inside != now.inside) {
+            edits.push_back({row, std::move(changed)});
+        }
+    }
+    model.editAll(std::move(edits), text, isAnyThrough ? meshio::BuriedTouch::Felt : meshio::BuriedTouch::Layers);
+}
+
+} // namespace palpate::ui

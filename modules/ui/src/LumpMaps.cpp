@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/LumpMaps.h"
+
+#include "palpate/ui/EngineTexts.h"
+
+#include <palpate/view/SurfaceMesh.h>
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace palpate::ui {
+
+/// What window and worker share.
+struct LumpMaps::Job
+{
+    std::atomic<bool> isCancelled{false};
+};
+
+/// What the worker found.
+struct LumpMaps::Found
+{
+    FeltOrgans shown, felt; ///< of all lumps, of those that the hand feels
+    QStringList notes;
+    bool isShown = false; ///< `shown` was wanted, or is the same
+};
+
+namespace {
+
+constexpr int kWait_ms = 300;  // after the newest change
+constexpr int kBlink_ms = 400; // work that is done by then shows no progress
+
+/// @param picture  of the organ as it was given
+std::shared_ptr<const FeltOrganShown> shownOrgan(study::FeltOrgan organ, std::size_t triangles,
+                                                 const vtkSmartPointer<vtkPolyData>& picture)
+{
+    FeltOrganShown one;
+    const geometry::TriangleMesh& mesh = organ.felt.surface;
+    if (mesh.triangles.size() == triangles) {
+        one.picture = picture;
+    } else {
+        geometry::RepairedMesh refined;
+        refined.mesh = mesh;
+        one.picture = view::makeSurface(refined);
+    }
+    vtkNew<vtkPoints> points;
+    points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        points->SetPoint(static_cast<vtkIdType>(v), mesh.vertices[v].data());
+    }
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    one.vertices = vtkSmartPointer<vtkStaticPointLocator>::New();
+    one.vertices->SetDataSet(cloud);
+    one.vertices->BuildLocator();
+    one.organ = std::move(organ);
+    return std::make_shared<const FeltOrganShown>(std::move(one));
+}
+
+/// What the hand feels of an organ: the maps at the organ's own vertices, which come first.
+StructureModel::FeltThrough feltThrough(const study::FeltOrgan& from)
+{
+    StructureModel::FeltThrough to;
+    to.organ = static_cast<int>(from.organ.organ);
+    for (const buried::FeltSurface::Press& press : from.felt.press) {
+        to.below.emplace_back(press.ratio.begin(),
+                              press.ratio.begin() + static_cast<std::ptrdiff_t>(from.felt.organVertices));
+    }
+    for (const buried::FeltSurface::Lump& lump : from.felt.lumps) {
+        to.lumps.push_back(static_cast<int>(from.organ.lumps[lump.given].structure));
+    }
+    return to;
+}
+
+} // namespace
+
+/// One computation, on the worker.
+class LumpMaps::Making
+{
+  public:
+    using Progress = std::function<bool(const QString& what, double share)>;
+
+    /// @param forHand  rows that are felt through their organ; none: the hand's maps are not wanted
+    /// @param known  results that still hold
+    Making(meshio::LoadedScene scene, std::vector<vtkSmartPointer<vtkPolyData>> pictures, std::vector<bool> forHand,
+           bool isShown, FeltOrgans known, Progress progress)
+        : m_scene(std::move(scene))
+        , m_pictures(std::move(pictures))
+        , m_forHand(std::move(forHand))
+        , m_known(std::move(known))
+        , m_progress(std::move(progress))
+    {
+        m_found.isShown = isShown;
+    }
+
+    Found run()
+    {
+        const auto all = study::organsWithLumps(m_scene);
+        if (!all.isOk()) {
+            m_found.notes << tr("No lump lies inside an organ here: nothing to be felt through one.");
+            m_found.isShown = true;
+            return std::move(m_found);
+        }
+        const std::vector<study::OrganWithLumps> felt =
+            study::lumpsThat(all.value(), [this](std::size_t row) { return row < m_forHand.size() && m_forHand[row]; });
+        m_found.isShown = m_found.isShown || felt == all.value();
+        m_count = static_cast<double>(felt.size() + (m_found.isShown && felt != all.value() ? all.value().size() : 0));
+        for (const study::OrganWithLumps& organ : felt) {
+            make(organ, tr("Making what is felt through %1; until then a lump in it is felt as a layer"), m_found.felt);
+        }
+        if (m_found.isShown) {
+            for (const study::OrganWithLumps& organ : all.value()) {
+                make(organ, tr("What can be felt of %1"), m_found.shown);
+            }
+        }
+        m_found.notes.removeDuplicates();
+        return std::move(m_found);
+    }
+
+  private:
+    /// @return the organ's maps with the same lumps, where they were made
+    std::shared_ptr<const FeltOrganShown> made(const study::OrganWithLumps& organ) const
+    {
+        for (const FeltOrgans* from : {&m_found.felt, &m_known}) {
+            for (const auto& one : *from) {
+                if (one->organ.organ == organ) {
+                    return one;
+                }
+            }
+        }
+        return nullptr;
+    }
+
+    void make(const study::OrganWithLumps& organ, const QString& what, FeltOrgans& to)
+    {
+        if (auto one = made(organ); one != nullptr) {
+            to.push_back(std::move(one));
+            return;
+        }
+        const QString text = what.arg(readableName(m_scene.structures[organ.organ].description.name));
+        buried::FeltOptions how;
+        how.radius_mm = organ.radius_mm;
+        how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());
+        how.progress = [&](double share) { return m_progress(text, (m_done + share) / m_count); };
+        if (!m_progress(text, m_done / m_count)) {
+            return;
+        }
+        auto felt = study::feltSurface(m_scene, organ, how);
+        m_done += 1.0;
+        if (!felt.isOk()) {
+            m_found.notes << engineText(felt.status());
+            return;
+        }
+        for (const std::string& note : felt.value().notes) {
+            m_found.notes << engineText(note);
+        }
+        to.push_back(shownOrgan({organ, std::move(felt).value()},
+                                m_scene.structures[organ.organ].surface->mesh.triangles.size(),
+                                m_pictures[organ.organ]));
+    }
+
+    meshio::LoadedScene m_scene;
+    std::vector<vtkSmartPointer<vtkPolyData>> m_pictures;
+    std::vector<bool> m_forHand;
+    FeltOrgans m_known;
+    Progress m_progress;
+    Found m_found;
+    double m_count = 1.0, m_done = 0.0; ///< organs
+};
+
+LumpMaps::LumpMaps(StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_model(model)
+{
+    m_thread.setMaxThreadCount(1); // a new job waits until the cancelled one has noticed
+    m_wait.setSingleShot(true);
+    m_wait.setInterval(kWait_ms);
+    connect(&m_wait, &QTimer::timeout, this, &LumpMaps::begin);
+    connect(&model, &StructureModel::edited, this, &LumpMaps::follow);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &LumpMaps::follow);
+    connect(&model, &QAbstractItemModel::modelReset, this, &LumpMaps::reset);
+}
+
+LumpMaps::~LumpMaps()
+{
+    if (m_job != nullptr) {
+        m_job->isCancelled = true;
+    }
+    m_thread.waitForDone();
+}
+
+void LumpMaps::setWanted(bool isWanted)
+{
+    m_isWanted = isWanted;
+    follow();
+}
+
+std::vector<LumpMaps::Cause> LumpMaps::causes() const
+{
+    std::vector<Cause> causes;
+    for (const StructureRow& row : m_model.rows()) {
+        const meshio::SceneStructure& one = row.loaded.description;
+        causes.push_back({one.name, one.inside, one.young_ratio, one.young_kPa, one.felt_contact_radius_mm,
+                          one.tissue.stiffness_N_per_mm, one.palpable,
+                          row.isRemoved ? nullptr : row.loaded.surface.get()});
+    }
+    return causes;
+}
+
+std::vector<bool> LumpMaps::lumpsForHand() const
+{
+    std::vector<bool> lumps;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        lumps.push_back(m_model.isToBeFeltThrough(row));
+    }
+    return lumps;
+}
+
+bool LumpMaps::isForHand() const
+{
+    return std::find(m_forHand.begin(), m_forHand.end(), true) != m_forHand.end();
+}
+
+/// The scene for the worker: what was removed has no surface, so that numbers stay the rows.
+meshio::LoadedScene LumpMaps::sceneNow() const
+{
+    meshio::LoadedScene scene;
+    for (const StructureRow& row : m_model.rows()) {
+        meshio::LoadedStructure one;
+        one.description = row.loaded.description;
+        one.surface = row.isRemoved ? nullptr : row.loaded.surface;
+        scene.structures.push_back(std::move(one));
+    }
+    return scene;
+}
+
+/// Another scene. What was opened with it is felt as it is: its maps were made as it was read.
+void LumpMaps::reset()
+{
+    stop();
+    m_wait.stop();
+    m_organs.clear();
+    m_causes = causes();
+    m_forHand = lumpsForHand();
+    m_isUpToDate = m_isGivenUp = false;
+    m_isHandUpToDate = true;
+    for (std::size_t i = 0; i < m_forHand.size(); ++i) {
+        m_isHandUpToDate = m_isHandUpToDate && m_forHand[i] == m_model.rows()[i].loaded.isFeltThrough;
+    }
+    Q_EMIT outdated(true);
+    if (m_isWanted || !isHandUpToDate()) {
+        m_wait.start();
+    }
+}
+
+/// Computes what is wanted and not there.
+void LumpMaps::follow()
+{
+    std::vector<Cause> now = causes();
+    std::vector<bool> forHand = lumpsForHand();
+    const bool isOther = now != m_causes, isOtherHand = isOther || forHand != m_forHand;
+    if (isOtherHand) {
+        m_causes = std::move(now);
+        m_forHand = std::move(forHand);
+        m_isHandUpToDate = m_isGivenUp = false;
+        m_isUpToDate = m_isUpToDate && !isOther;
+        stop();
+        if (isOther) {
+            Q_EMIT outdated(false);
+        }
+    }
+    const bool isMissing = (m_isWanted && !m_isUpToDate) || (!isHandUpToDate() && !m_isGivenUp);
+    if (!isMissing) {
+        m_wait.stop();
+        stop();
+    } else if (isOtherHand) {
+        m_wait.start();
+    } else if (m_job == nullptr && !m_wait.isActive()) {
+        begin();
+    }
+}
+
+void LumpMaps::begin()
+{
+    if (m_model.presentCount() == 0) {
+        return;
+    }
+    m_since.start();
+    m_job = std::make_shared<Job>();
+    const auto progress = [this, job = m_job](const QString& what, double share) {
+        QMetaObject::invokeMethod(this, [this, job, what, share] {
+            if (job == m_job && m_since.elapsed() > kBlink_ms) {
+                Q_EMIT progressed(what, share);
+            }
+        });
+        return !job->isCancelled;
+    };
+    std::vector<vtkSmartPointer<vtkPolyData>> pictures;
+    for (const StructureRow& row : m_model.rows()) {
+        pictures.push_back(row.picture);
+    }
+    auto making = std::make_shared<Making>(sceneNow(), std::move(pictures), m_forHand, m_isWanted,
+                                           m_isUpToDate ? m_organs : FeltOrgans(), progress);
+    m_thread.start([this, job = m_job, making] {
+        auto found = std::make_shared<Found>(making->run());
+        QMetaObject::invokeMethod(this, [this, job, found] {
+            if (job == m_job && !job->isCancelled) {
+                take(*found);
+            }
+        });
+    });
+}
+
+/// The worker ends when it notices; nothing that it found is taken.
+void LumpMaps::stop()
+{
+    if (m_job != nullptr) {
+        m_job->isCancelled = true;
+        m_job = nullptr;
+        Q_EMIT ended();
+    }
+}
+
+void LumpMaps::cancel()
+{
+    if (m_job == nullptr && !m_wait.isActive()) {
+        return;
+    }
+    m_wait.stop();
+    stop();
+    const bool isForTheHand = !isHandUpToDate();
+    m_isGivenUp = true;
+    m_notes = {isForTheHand ? tr("What is felt through an organ was cancelled: lumps are felt as layers until the "
+                                 "scene changes.")
+                            : tr("What can be felt here was cancelled.")};
+    Q_EMIT cancelled(m_notes.front());
+    Q_EMIT changed();
+}
+
+void LumpMaps::take(Found& found)
+{
+    m_job = nullptr;
+    const bool hadHand = isHandUpToDate();
+    m_isHandUpToDate = true;
+    if (found.isShown) {
+        m_organs = std::move(found.shown);
+        m_isUpToDate = true;
+    }
+    m_notes = std::move(found.notes);
+    Q_EMIT ended();
+    if (!hadHand) {
+        std::vector<StructureModel::FeltThrough> maps;
+        for (const auto& one : found.felt) {
+            maps.push_back(feltThrough(one->organ));
+        }
+        m_model.setFeltThrough(maps); // `edited` follows, of nothing that this follows from
+    }
+    if (!m_notes.isEmpty()) {
+        Q_EMIT noted(m_notes);
+    }
+    Q_EMIT changed();
+}
+
+} // namespace palpate::ui

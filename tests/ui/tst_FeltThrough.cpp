@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lumps that are felt through their organ: switched, made, handed to the hand.
+#include "Rows.h"
+#include "TestRunner.h"
+
+#include <palpate/ui/FeltWay.h>
+#include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/StructurePanel.h>
+
+#include <QComboBox>
+#include <QSignalSpy>
+
+using namespace palpate;
+using meshio::BuriedTouch;
+using ui::StructureModel;
+
+namespace {
+
+const haptics::Tissue kAny{5.0, 0.02};
+constexpr int kLimit_ms = 30000;
+
+} // namespace
+
+class FeltThrough : public QObject
+{
+    Q_OBJECT
+
+    /// A liver of 40 mm with a lump in its middle, by default large enough to be felt all around.
+    static std::vector<ui::StructureRow> liverWithLump(double radius_mm = 15.0)
+    {
+        std::vector<ui::StructureRow> rows;
+        rows.push_back(test::row("liver", test::ball(20.0, 3)));
+        rows.push_back(test::row("lump", test::ball(radius_mm, 2)));
+        rows[0].loaded.description.tissue.stiffness_N_per_mm = 0.1;
+        rows[1].loaded.description.tissue.stiffness_N_per_mm = 0.4;
+        rows[1].in = 0;
+        return rows;
+    }
+    static bool isLumpTouched(const StructureModel& model, int row = 1)
+    {
+        return model.feltStructures(kAny)[static_cast<std::size_t>(row)].surface != nullptr;
+    }
+    static float most(const StructureModel& model)
+    {
+        const auto& below = model.rows()[0].loaded.feltBelow;
+        return below.empty() ? 0.0F : *std::max_element(below.back().begin(), below.back().end());
+    }
+    static void through(StructureModel& model, int row = 1)
+    {
+        ui::feel(model, {{row, std::nullopt}}, QStringLiteral("Feel through"));
+    }
+
+  private Q_SLOTS:
+    void isOneStepThatIsUndone()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        QVERIFY(maps.isHandUpToDate());
+        through(model);
+        QVERIFY(model.buried() == BuriedTouch::Felt && model.structure(1).inside == "liver");
+        QCOMPARE(model.undoStack().count(), 1);
+        // Until its map is there, it is felt as a layer.
+        QVERIFY(!maps.isHandUpToDate());
+        QVERIFY(isLumpTouched(model));
+        QCOMPARE(model.feltStructures(kAny)[1].layer, 1U);
+        QSignalSpy edited(&model, &StructureModel::edited);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        QVERIFY(!edited.isEmpty()); // what the hand feels goes the way of other changes of tissue
+        QVERIFY(!isLumpTouched(model));
+        QVERIFY(model.feltStructures(kAny)[0].maps.hasFelt());
+        QVERIFY(most(model) > 1.1F);
+        QCOMPARE(model.undoStack().count(), 1);
+
+        model.undoStack().undo();
+        QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).inside.empty());
+        QVERIFY(isLumpTouched(model) && !model.feltStructures(kAny)[0].maps.hasFelt());
+        QCOMPARE(model.feltStructures(kAny)[1].layer, 0U);
+        model.undoStack().redo();
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !isLumpTouched(model), kLimit_ms);
+    }
+
+    void handAndPictureHaveTheSameNumbers()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        through(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        QVERIFY(maps.isUpToDate()); // nobody wanted a picture: it is there without being made again
+        QCOMPARE(maps.organs().size(), std::size_t(1));
+        const buried::FeltSurface& felt = maps.organs()[0]->organ.felt;
+        const auto& below = model.rows()[0].loaded.feltBelow;
+        QCOMPARE(below.size(), felt.press.size());
+        for (std::size_t j = 0; j < below.size(); ++j) {
+            QCOMPARE(below[j].size(), felt.organVertices);
+            QVERIFY(std::equal(below[j].begin(), below[j].end(), felt.press[j].ratio.begin()));
+        }
+    }
+
+    void whatIsChangedReachesTheHand()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        through(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        float before = most(model);
+        const auto change = [&](int row, const std::function<void(meshio::SceneStructure&)>& how) {
+            meshio::SceneStructure one = model.structure(row);
+            how(one);
+            model.editAll({{row, one}}, QStringLiteral("Change"));
+            QVERIFY(!maps.isHandUpToDate());
+            QVERIFY(!isLumpTouched(model)); // the map before is felt until the new one is there
+            QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+            QVERIFY2(std::abs(most(model) - before) > 0.01F, qPrintable(QString::number(most(model))));
+            before = most(model);
+        };
+        change(1, [](auto& lump) { lump.young_ratio = 20.0; });
+        change(1, [](auto& lump) { lump.young_ratio.reset(); });
+        change(1, [](auto& lump) { lump.tissue.stiffness_N_per_mm = 1.0; });
+        change(0, [](auto& organ) { organ.felt_contact_radius_mm = 10.0; });
+    }
+
+    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape; layers that it sets stay.
+    void filesKeepTheirLayersAndNames()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        std::vector<ui::StructureRow> rows = liverWithLump();
+        rows.push_back(test::row("deeper", test::ball(5.0, 2)));
+        rows[2].in = 0;
+        model.setRows(rows, BuriedTouch::Felt);
+        QVERIFY(!model.isToBeFeltThrough(0) && model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QCOMPARE(model.feltText(1), QStringLiteral("through liver"));
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+
+        rows[2].loaded.description.layer = 1;
+        model.setRows(rows, BuriedTouch::Felt);
+        QVERIFY(model.isToBeFeltThrough(1) && !model.isToBeFeltThrough(2));
+        rows[2].loaded.description.layer = 0;
+        rows[2].loaded.description.inside = "liver";
+        model.setRows(rows, BuriedTouch::Felt);
+        QVERIFY(!model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        QVERIFY(isLumpTouched(model, 1) && !isLumpTouched(model, 2));
+    }
+
+    /// One of several is put back on its own surface: the others stay as they are.
+    void othersStayThrough()
+    {
+        StructureModel model;
+        std::vector<ui::StructureRow> rows = liverWithLump(10.0);
+        rows.push_back(test::row("deeper", test::ball(5.0, 2)));
+        rows[2].in = 0;
+        model.setRows(rows, BuriedTouch::Felt);
+        ui::feel(model, {{1, 0}}, QStringLiteral("On its own"));
+        QVERIFY(!model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        ui::feel(model, {{2, 1}}, QStringLiteral("As a layer"));
+        QVERIFY(model.buried() == BuriedTouch::Layers);
+        model.undoStack().undo();
+        model.undoStack().undo();
+        QVERIFY(model.buried() == BuriedTouch::Felt && model.structure(2).inside.empty());
+        QVERIFY(model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+    }
+
+    void whatIsHiddenOrRemovedIsNotFeltThrough()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        through(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        model.setData(model.index(1, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole);
+        QVERIFY(!isLumpTouched(model));
+        QTRY_VERIFY_WITH_TIMEOUT(most(model) <= 1.0F, kLimit_ms);
+        model.undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(most(model) > 1.1F, kLimit_ms);
+        model.removeRows({1});
+        QTRY_VERIFY_WITH_TIMEOUT(most(model) <= 1.0F, kLimit_ms);
+        model.undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && most(model) > 1.1F, kLimit_ms);
+    }
+
+    void aRecordingsOwnMapsAreNotMadeAnew()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        std::vector<ui::StructureRow> rows = liverWithLump();
+        const std::size_t count = rows[0].loaded.surface->mesh.vertices.size();
+        const std::vector<std::vector<float>> recorded(4, std::vector<float>(count, 1.5F));
+        rows[0].loaded.feltBelow = recorded;
+        model.setRows(std::move(rows));
+        maps.setWanted(true); // a picture of what can be felt changes nothing of it
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isUpToDate(), kLimit_ms);
+        QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
+        through(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        QVERIFY(model.rows()[0].loaded.feltBelow != recorded);
+        model.undoStack().undo();
+        QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
+        QVERIFY(model.feltStructures(kAny)[0].maps.hasFelt());
+    }
+
+    void cancelledItIsFeltAsALayerUntilSomethingChanges()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        through(model);
+        QSignalSpy cancelled(&maps, &ui::LumpMaps::cancelled);
+        maps.cancel();
+        QCOMPARE(cancelled.count(), 1);
+        QTest::qWait(600);
+        QVERIFY(!maps.isHandUpToDate() && !maps.isBusy());
+        QCOMPARE(model.feltStructures(kAny)[1].layer, 1U);
+        meshio::SceneStructure lump = model.structure(1);
+        lump.young_ratio = 3.0;
+        model.edit(1, lump);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        QVERIFY(!isLumpTouched(model));
+    }
+
+    void thePanelOffersAllThree()
+    {
+        StructureModel model;
+        ui::StructurePanel panel(model);
+        model.setRows(liverWithLump());
+        auto* felt = panel.findChildren<QComboBox*>().last();
+        panel.select(0);
+        QCOMPARE(felt->currentText(), QStringLiteral("outermost"));
+        QVERIFY(felt->findText(QStringLiteral("through"), Qt::MatchStartsWith) < 0);
+        panel.select(1);
+        const auto choose = [&](const QString& text) {
+            const int index = felt->findText(text);
+            QVERIFY2(index >= 0, qPrintable(text));
+            felt->setCurrentIndex(index);
+            Q_EMIT felt->activated(index);
+            QCOMPARE(felt->currentText(), text);
+        };
+        QCOMPARE(felt->currentText(), QStringLiteral("on its own surface, outermost"));
+        choose(QStringLiteral("through liver (felt from above)"));
+        QVERIFY(model.isToBeFeltThrough(1));
+        choose(QStringLiteral("as a layer, below liver"));
+        QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).layer == 1);
+        QVERIFY(model.structure(1).inside.empty()); // a file refuses both
+        choose(QStringLiteral("on its own surface, outermost"));
+        QCOMPARE(model.undoStack().count(), 3);
+        model.undoStack().undo();
+        model.undoStack().undo();
+        QCOMPARE(felt->currentText(), QStringLiteral("through liver (felt from above)"));
+    }
+};
+
+PALPATE_TEST(FeltThrough)
+#include "tst_FeltThrough.moc"
