@@ -179,6 +179,41 @@
     </message>
 </context>
 <context>
+    <name>LumpLayout</name>
+    <message>
+        <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its surface is open or inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a lump itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scene file could not name %1 alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it reaches out of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 it is, is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is as stiff as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Palpate</source>
@@ -997,10 +1032,6 @@
         <translation>Was tastbar ist</translation>
     </message>
     <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
-    </message>
-    <message>
         <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
         <translation>Kamera: zoomen · Tasten: Tiefe in mm oder Kraft in N (mit Strg: zoomen)</translation>
     </message>
@@ -1039,6 +1070,10 @@
     <message>
         <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
         <translation>Der Zeiger sagt, wo, die SpaceMouse, wie fest: ihren Puck nach unten drücken. P tastet, das Rad stellt den festesten Druck</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2786,18 +2821,6 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::FeltOverlay</name>
     <message>
-        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation>Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
-    </message>
-    <message>
-        <source>What can be felt of %1</source>
-        <translation>Was an %1 tastbar ist</translation>
-    </message>
-    <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
-    </message>
-    <message>
         <source>pressed %1 mm</source>
         <translation>%1 mm eingedrückt</translation>
     </message>
@@ -3657,6 +3680,29 @@ Hier drücken oder F4 für alle Meldungen</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::LumpMaps</name>
+    <message>
+        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
+        <translation type="unfinished">Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
+    </message>
+    <message>
+        <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be felt of %1</source>
+        <translation type="unfinished">Was an %1 tastbar ist</translation>
+    </message>
+    <message>
+        <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation type="unfinished">Was hier tastbar ist, wurde abgebrochen.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::MapDisplay</name>
     <message>
         <source>Young&apos;s modulus, kPa</source>
@@ -4226,6 +4272,10 @@ The list of messages (F4) has the details.</source>
 • %2
 Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     </message>
+    <message>
+        <source>through %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
@@ -4464,6 +4514,26 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     <message>
         <source>%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or less.</source>
         <translation>%1 N·s/mm wird abgewiesen: das Gerät kann Bewegung mit höchstens %2 N·s/mm bremsen. Geben Sie dies oder weniger ein.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished">%1 ändern</translation>
+    </message>
+    <message>
+        <source>on its own surface, outermost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as a layer, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (felt from above)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>through %1 (felt from above)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -179,6 +179,41 @@
     </message>
 </context>
 <context>
+    <name>LumpLayout</name>
+    <message>
+        <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its surface is open or inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a lump itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scene file could not name %1 alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it reaches out of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 it is, is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is as stiff as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Palpate[*]</source>
@@ -733,10 +768,6 @@
         <translation>Ce qui est palpable</translation>
     </message>
     <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
-    </message>
-    <message>
         <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
         <translation>Cette anatomie mesure %1&#xa0;mm&#x202f;: ses nombres sont sans doute des mètres.</translation>
     </message>
@@ -1039,6 +1070,10 @@
     <message>
         <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
         <translation>Le pointeur dit où, la SpaceMouse avec quelle force&#x202f;: poussez son palet vers le bas. P palpe, la molette règle la pression la plus forte</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2786,18 +2821,6 @@ laisse la boucle aller où il y a de la place.</translation>
 <context>
     <name>palpate::ui::FeltOverlay</name>
     <message>
-        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation>Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers.</translation>
-    </message>
-    <message>
-        <source>What can be felt of %1</source>
-        <translation>Ce qui est palpable de %1</translation>
-    </message>
-    <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
-    </message>
-    <message>
         <source>pressed %1 mm</source>
         <translation>en appuyant de %1&#xa0;mm</translation>
     </message>
@@ -3657,6 +3680,29 @@ Appuyer ici ou F4 pour tous les messages</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::LumpMaps</name>
+    <message>
+        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
+        <translation type="unfinished">Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers.</translation>
+    </message>
+    <message>
+        <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be felt of %1</source>
+        <translation type="unfinished">Ce qui est palpable de %1</translation>
+    </message>
+    <message>
+        <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be felt here was cancelled.</source>
+        <translation type="unfinished">«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::MapDisplay</name>
     <message>
         <source>Young&apos;s modulus, kPa</source>
@@ -4226,6 +4272,10 @@ La liste des messages (F4) donne les détails.</translation>
         <source>Rename %1</source>
         <translation>Renommer %1</translation>
     </message>
+    <message>
+        <source>through %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
@@ -4464,6 +4514,26 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>Dry (0.40, chosen)</source>
         <translation>Sec (0,40, choisi)</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished">Modifier %1</translation>
+    </message>
+    <message>
+        <source>on its own surface, outermost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as a layer, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (felt from above)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>through %1 (felt from above)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

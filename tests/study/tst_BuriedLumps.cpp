@@ -76,6 +76,7 @@ class BuriedLumps : public QObject
         meshio::LoadedScene s = scene();
         QVERIFY(study::feelBuried(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as old files
         s.scene.buried = meshio::BuriedTouch::Felt;
+        s.structures[1].description.layer = 1; // says nothing then
         QVERIFY(study::feelBuried(s).isOk());
         QVERIFY(s.structures[1].isFeltThrough && !s.structures[2].isFeltThrough);
         const auto felt = study::hapticScene(s);

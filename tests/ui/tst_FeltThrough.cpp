@@ -122,8 +122,9 @@ class FeltThrough : public QObject
         change(0, [](auto& organ) { organ.felt_contact_radius_mm = 10.0; });
     }
 
-    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape; layers that it sets stay.
-    void filesKeepTheirLayersAndNames()
+    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape, whatever its layer; else what
+    /// says where it lies.
+    void filesSayWhatIsFeltThrough()
     {
         StructureModel model;
         ui::LumpMaps maps(model);
@@ -137,7 +138,7 @@ class FeltThrough : public QObject
 
         rows[2].loaded.description.layer = 1;
         model.setRows(rows, BuriedTouch::Felt);
-        QVERIFY(model.isToBeFeltThrough(1) && !model.isToBeFeltThrough(2));
+        QVERIFY(model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
         rows[2].loaded.description.layer = 0;
         rows[2].loaded.description.inside = "liver";
         model.setRows(rows, BuriedTouch::Felt);

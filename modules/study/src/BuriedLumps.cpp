@@ -155,7 +155,7 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
                                       [](const auto& one) { return !one.description.inside.empty(); });
     const auto isThrough = [&](std::size_t structure) {
         const meshio::SceneStructure& lump = scene.structures[structure].description;
-        return lump.layer == 0 && lump.palpable && (!areNamed || !lump.inside.empty());
+        return lump.palpable && (!areNamed || !lump.inside.empty());
     };
     for (const OrganWithLumps& organ : lumpsThat(organs.value(), isThrough)) {
         buried::FeltOptions how;

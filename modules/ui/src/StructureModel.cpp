@@ -182,7 +182,7 @@ bool StructureModel::isToBeFeltThrough(int row) const
 {
     const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     const meshio::SceneStructure& lump = one.loaded.description;
-    return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) && lump.layer == 0 &&
+    return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) &&
            (areLumpsNamed() ? !lump.inside.empty() : organAround(row).has_value());
 }
 
