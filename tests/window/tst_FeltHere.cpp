@@ -98,6 +98,17 @@ class FeltHere : public QObject
         QVERIFY(!viewport().view().legend().isShown());
     }
 
+    /// Its words get smaller where the view is small.
+    void theLegendLeavesTheOrganInView()
+    {
+        showFelt({1024, 700});
+        QTRY_VERIFY(!viewport().view().legend().box().isEmpty());
+        QTest::qWait(300);
+        const double wide = viewport().view().legend().box().sizes().x();
+        QVERIFY2(wide <= 0.4 * viewport().width(),
+                 qPrintable(QStringLiteral("%1 of %2 px").arg(wide).arg(viewport().width())));
+    }
+
     void coloursTheOrganWithALegend()
     {
         showFelt();

@@ -220,6 +220,24 @@ class Records : public QObject
         QVERIFY(reader.value()->extent().isComplete && reader.value()->extent().ticks > 300);
     }
 
+    /// A device whose hand came into the picture and is gone again leaves the recording's moment in view.
+    void theMomentStaysWhenTheDeviceChanges()
+    {
+        QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
+        MainWindow& window = m_desk->window();
+        QTRY_VERIFY(window.playback().peakTime_s() > 0.0);
+        const double peak_s = window.playback().peakTime_s();
+        window.playback().seek(peak_s);
+        const auto shown = [&] { return window.viewport().view().cursor().state(); };
+        const view::TouchState before = shown();
+        QVERIFY(before.isPresent && before.isInContact);
+        window.chooseDevice("simulated");
+        QTRY_VERIFY(shown().isPresent && shown().p_WH != before.p_WH); // its own hand
+        window.chooseDevice("mouse");
+        QTRY_VERIFY(shown().isPresent && shown().p_WH == before.p_WH && shown().f_W == before.f_W);
+        QCOMPARE(window.playback().position_s(), peak_s);
+    }
+
     /// What it was made on comes with it: the phantom's own tissue, layers and looks, not those of bare meshes.
     void aRecordingAloneBringsItsStructures()
     {

@@ -144,6 +144,16 @@ class Shell : public QObject
         QVERIFY(!first->isVisible() && last->isVisible());
         QCOMPARE(last->text(), QStringLiteral("recording 00:10"));
         QVERIFY(folding.findChild<QToolButton*>()->isVisible());
+        // One that warns folds last, and the button says that it did.
+        ui::Chip* calm = folding.add("calm", QStringLiteral("calm"), 5);
+        calm->say(QStringLiteral("pressing"));
+        first->say(QStringLiteral("no device"), ui::Chip::Tone::Warning);
+        folding.resize(last->widthFor(true) + first->widthFor(true) + 50, 30);
+        QVERIFY(first->isVisible() && last->isVisible() && !calm->isVisible());
+        QCOMPARE(folding.findChild<QToolButton*>()->text(), QStringLiteral("»"));
+        folding.resize(last->widthFor(true) + 40, 30);
+        QVERIFY(!first->isVisible() && last->isVisible());
+        QCOMPARE(folding.findChild<QToolButton*>()->text(), QStringLiteral("⚠ »"));
         QVERIFY(row.minimumSizeHint().width() >= recording.widthFor(true));
         m_desk->command("record").trigger();
         QTRY_VERIFY(!recording.isVisible());

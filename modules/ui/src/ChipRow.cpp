@@ -69,6 +69,7 @@ void ChipRow::shrink()
         }
         entry->isShort = true;
     }
+    std::stable_partition(order.begin(), order.end(), [](const Entry* entry) { return !entry->warns(); });
     for (Entry* entry : order) {
         if (needed() <= width()) {
             return;
@@ -82,9 +83,13 @@ void ChipRow::fit()
     shrink();
     int x = width();
     bool isAnyFolded = false;
+    bool isWarningFolded = false;
     for (const Entry& entry : m_entries) {
-        isAnyFolded = isAnyFolded || (entry.isFolded && !entry.chip->said().isEmpty());
+        const bool isFolded = entry.isFolded && !entry.chip->said().isEmpty();
+        isAnyFolded = isAnyFolded || isFolded;
+        isWarningFolded = isWarningFolded || (isFolded && entry.warns());
     }
+    m_rest->setText(isWarningFolded ? QStringLiteral("⚠ »") : QStringLiteral("»"));
     m_rest->setVisible(isAnyFolded);
     if (isAnyFolded) {
         const QSize size = m_rest->sizeHint();

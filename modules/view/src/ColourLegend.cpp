@@ -24,8 +24,9 @@ constexpr int kColourRows = 10; // of colours; between them it is even
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
 constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // letters
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
-constexpr double kApart = 1.35;   // letters from a mark's words to the next
-constexpr double kLead_px = 14.0; // from the bar to a mark's words
+constexpr double kApart = 1.35;                            // letters from a mark's words to the next
+constexpr double kLead_px = 14.0;                          // from the bar to a mark's words
+constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // of the view; of a letter
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
 /// A column of quads, coloured at its rows' ends.
@@ -270,16 +271,38 @@ void ColourLegend::placeLines(const Place& at)
     shape->Modified();
 }
 
-/// Letters so small that the marks' words have room above the cube, each by itself.
-TextStyle ColourLegend::fitting(const ViewFrame& frame, double height, double cubeTop_px) const
+/// How far its widest words reach from the bar's left side. [device px]
+double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio)
+{
+    double reach = 0.0, size[2] = {0.0, 0.0};
+    const auto take = [&](vtkTextActor& text, double from_px) {
+        setFont(*text.GetTextProperty(), style, TextUse::Usual, pixelRatio);
+        text.GetSize(&renderer, size);
+        reach = std::max(reach, pixelRatio * from_px + size[0]);
+    };
+    take(*m_texts[0], 0.0);
+    take(*m_texts[4], kBarWidth_px + kBeside_px);
+    for (const auto& text : m_markTexts) {
+        take(*text, kBarWidth_px + kLead_px + 0.5 * kBeside_px);
+    }
+    return reach;
+}
+
+/// Letters so small that the marks' words have room above the cube, each by itself, and most of the view's width is
+/// left to the tissue.
+TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
 {
     TextStyle style = frame.text;
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // that letters have no part in
     const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + markedHeight(letter);
-    const double room = height - r * (cubeTop_px + kAboveCube_px) - apart;
-    style.size_px *= std::clamp(room / words, 0.3, 1.0);
+    const double room = renderer.GetSize()[1] - r * (cubeTop_px + kAboveCube_px) - apart;
+    const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // that letters have no part in
+    const double wide = reach(renderer, style, r) - beside;
+    const double across = kMostWidth * renderer.GetSize()[0] - r * kBarLeft_px - beside;
+    const double least = std::min(1.0, kLeastLetter_px / style.size_px); // readable goes before narrow
+    style.size_px *= std::min(std::clamp(room / words, 0.3, 1.0), std::clamp(across / wide, least, 1.0));
     return style;
 }
 
@@ -289,7 +312,7 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double c
         return;
     }
     const double r = frame.pixelRatio;
-    const TextStyle style = m_marks.empty() ? frame.text : fitting(frame, renderer.GetSize()[1], cubeTop_px);
+    const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, cubeTop_px);
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
     const double room = r * kBeside_px;

@@ -12,7 +12,8 @@ class QToolButton;
 namespace palpate::ui {
 
 /// Chips in a row, as many as there is room for. Where there is less, the least important ones are said in fewer words
-/// first, then fold into a button "»" that lists them. One that must stay never folds.
+/// first, then fold into a button "»" that lists them: one that warns folds last, and the button then says "⚠ »"; one
+/// that must stay never folds.
 class ChipRow : public QWidget
 {
     Q_OBJECT
@@ -37,6 +38,8 @@ class ChipRow : public QWidget
         bool mustStay = false;
         bool isShort = false;
         bool isFolded = false;
+
+        [[nodiscard]] bool warns() const { return chip->tone() == Chip::Tone::Warning; }
     };
     void fit();
     void shrink();

@@ -34,6 +34,7 @@ class Chip : public QLabel
     explicit Chip(const QString& what, QWidget* parent = nullptr);
     void say(const QString& text, Tone tone = Tone::Quiet);
     [[nodiscard]] const QString& said() const noexcept { return m_said; }
+    [[nodiscard]] Tone tone() const noexcept { return m_tone; }
     /// Shows what was said in fewer words, or whole. Of what is good the dot alone stays.
     void setShort(bool isShort);
     /// Width of the chip in fewer words, or whole. [px]

@@ -62,7 +62,8 @@ class ColourLegend
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
     [[nodiscard]] double markedHeight(double letter) const;
-    [[nodiscard]] TextStyle fitting(const ViewFrame& frame, double height, double cubeTop_px) const;
+    [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
+    [[nodiscard]] double reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio);
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
 
