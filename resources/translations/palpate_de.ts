@@ -182,35 +182,35 @@
     <name>LumpLayout</name>
     <message>
         <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt in %2 und wird durch das Organ hindurch gefühlt, als %3-mal so steif</translation>
     </message>
     <message>
         <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt in %2 und wird darunter gefühlt, als Schicht: %3</translation>
     </message>
     <message>
         <source>its surface is open or inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche ist offen oder verkehrt herum</translation>
     </message>
     <message>
         <source>%1 is a lump itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist selbst ein Knoten</translation>
     </message>
     <message>
         <source>a scene file could not name %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Szenendatei könnte %1 nicht allein benennen</translation>
     </message>
     <message>
         <source>it reaches out of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ragt aus %1 heraus</translation>
     </message>
     <message>
         <source>how many times as stiff as %1 it is, is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>wievielmal so steif wie %1, ist nicht bekannt</translation>
     </message>
     <message>
         <source>it is as stiff as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>so steif wie %1</translation>
     </message>
 </context>
 <context>
@@ -1073,7 +1073,7 @@
     </message>
     <message>
         <source>Feel it as a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Schicht fühlen</translation>
     </message>
 </context>
 <context>
@@ -3683,23 +3683,23 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <name>palpate::ui::LumpMaps</name>
     <message>
         <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation type="unfinished">Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
+        <translation>Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
     </message>
     <message>
         <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Was durch %1 hindurch gefühlt wird, wird berechnet; bis dahin ist ein Knoten darin eine Schicht</translation>
     </message>
     <message>
         <source>What can be felt of %1</source>
-        <translation type="unfinished">Was an %1 tastbar ist</translation>
+        <translation>Was an %1 tastbar ist</translation>
     </message>
     <message>
         <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was durch ein Organ hindurch gefühlt wird, wurde abgebrochen: Knoten sind Schichten, bis sich die Szene ändert.</translation>
     </message>
     <message>
         <source>What can be felt here was cancelled.</source>
-        <translation type="unfinished">Was hier tastbar ist, wurde abgebrochen.</translation>
+        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -4274,7 +4274,7 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     </message>
     <message>
         <source>through %1</source>
-        <translation type="unfinished"></translation>
+        <translation>durch %1 hindurch</translation>
     </message>
 </context>
 <context>
@@ -4517,23 +4517,23 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">%1 ändern</translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>on its own surface, outermost</source>
-        <translation type="unfinished"></translation>
+        <translation>auf eigener Oberfläche, außen</translation>
     </message>
     <message>
         <source>as a layer, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>als Schicht, %1</translation>
     </message>
     <message>
         <source>%1 (felt from above)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (von oben gefühlt)</translation>
     </message>
     <message>
         <source>through %1 (felt from above)</source>
-        <translation type="unfinished"></translation>
+        <translation>durch %1 hindurch (von oben gefühlt)</translation>
     </message>
 </context>
 <context>

@@ -182,35 +182,35 @@
     <name>LumpLayout</name>
     <message>
         <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est dans %2 et se sent à travers, comme %3 fois plus raide</translation>
     </message>
     <message>
         <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est dans %2 et se sent dessous, comme une couche : %3</translation>
     </message>
     <message>
         <source>its surface is open or inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>sa surface est ouverte ou retournée</translation>
     </message>
     <message>
         <source>%1 is a lump itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est lui-même un nodule</translation>
     </message>
     <message>
         <source>a scene file could not name %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier de scène ne pourrait pas nommer %1 seul</translation>
     </message>
     <message>
         <source>it reaches out of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>elle dépasse de %1</translation>
     </message>
     <message>
         <source>how many times as stiff as %1 it is, is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>on ne sait pas combien de fois plus raide que %1</translation>
     </message>
     <message>
         <source>it is as stiff as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aussi raide que %1</translation>
     </message>
 </context>
 <context>
@@ -1073,7 +1073,7 @@
     </message>
     <message>
         <source>Feel it as a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sentir comme une couche</translation>
     </message>
 </context>
 <context>
@@ -3683,23 +3683,23 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <name>palpate::ui::LumpMaps</name>
     <message>
         <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation type="unfinished">Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers.</translation>
+        <translation>Aucun nodule n’est dans un organe ici : rien à sentir à travers un organe.</translation>
     </message>
     <message>
         <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul de ce qui se sent à travers %1 ; d’ici là un nodule y est une couche</translation>
     </message>
     <message>
         <source>What can be felt of %1</source>
-        <translation type="unfinished">Ce qui est palpable de %1</translation>
+        <translation>Ce qui se sent de %1</translation>
     </message>
     <message>
         <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le calcul de ce qui se sent à travers un organe a été annulé : les nodules sont des couches jusqu’au prochain changement de la scène.</translation>
     </message>
     <message>
         <source>What can be felt here was cancelled.</source>
-        <translation type="unfinished">«&#x202f;Ce qui est palpable ici&#x202f;» a été annulé.</translation>
+        <translation>Le calcul de ce qui se sent ici a été annulé.</translation>
     </message>
 </context>
 <context>
@@ -4274,7 +4274,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>through %1</source>
-        <translation type="unfinished"></translation>
+        <translation>à travers %1</translation>
     </message>
 </context>
 <context>
@@ -4517,23 +4517,23 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">Modifier %1</translation>
+        <translation>Modifier %1</translation>
     </message>
     <message>
         <source>on its own surface, outermost</source>
-        <translation type="unfinished"></translation>
+        <translation>sur sa propre surface, en premier</translation>
     </message>
     <message>
         <source>as a layer, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>comme couche, %1</translation>
     </message>
     <message>
         <source>%1 (felt from above)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (senti d’en haut)</translation>
     </message>
     <message>
         <source>through %1 (felt from above)</source>
-        <translation type="unfinished"></translation>
+        <translation>à travers %1 (senti d’en haut)</translation>
     </message>
 </context>
 <context>
