@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shipping SpaceMouse plugin moves the window's view or presses, chosen in the device menu, against an emulated puck. In real
-// time: what is looked at are directions and standstills, never speeds.
+// The shipping SpaceMouse plugin moves the window's view or presses, chosen in the device menu, against an emulated
+// puck. In real time: what is looked at are directions and standstills, never speeds.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 

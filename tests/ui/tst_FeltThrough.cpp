@@ -122,8 +122,8 @@ class FeltThrough : public QObject
         change(0, [](auto& organ) { organ.felt_contact_radius_mm = 10.0; });
     }
 
-    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape, whatever its layer; else what
-    /// says where it lies.
+    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape, whatever its layer; else
+    /// what says where it lies.
     void filesSayWhatIsFeltThrough()
     {
         StructureModel model;

@@ -16,8 +16,8 @@ namespace palpate::evaluation {
 /// of them, and takes the one that brings it closest, until none brings it closer. A tick is cut into smaller ones,
 /// towards the HIP, so that no choice of a way depends on how far the hand moved in it.
 ///
-/// With friction a way along triangles ends R = mu times the sum of their multipliers before where it would end without,
-/// and one that is no longer than R is not gone at all: resources/docs/friction.md.
+/// With friction a way along triangles ends R = mu times the sum of their multipliers before where it would end
+/// without, and one that is no longer than R is not gone at all: resources/docs/friction.md.
 ///
 /// With a radius the god-object is the centre of a ball. A move is blocked by a triangle that faces the centre when the
 /// ball would come nearer to it than its radius; distances are those to the nearest point of each triangle.

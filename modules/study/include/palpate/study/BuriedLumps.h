@@ -63,8 +63,8 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
                                                     const std::function<bool(std::size_t structure)>& isTaken);
 
 /// Makes the lumps of a scene that are felt through their organs: each organ gets what they make of it, and they are
-/// not touched themselves, whatever their layers. A scene whose lumps are felt by their own layers stays as it is; notes
-/// become warnings. Where a structure says what it lies in, those that say so are felt through it and no others.
+/// not touched themselves, whatever their layers. A scene whose lumps are felt by their own layers stays as it is;
+/// notes become warnings. Where a structure says what it lies in, those that say so are felt through it and no others.
 /// @param progress  told the share done; false cancels. May be empty
 /// @return Cancelled; a scene without lumps is fine
 [[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {});
