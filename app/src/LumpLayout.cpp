@@ -40,9 +40,17 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
     const std::vector<bool> isFelt = m_isToBeTold;
     for (int row = first; row < model.rowCount(); ++row) {
         const auto i = static_cast<std::size_t>(row);
-        if (isFelt[i] && layering.feltAround(i, isFelt) && !layering.structures[i].twin &&
-            meshio::anatomyKind(model.structure(row).name) == meshio::AnatomyKind::Lump) {
-            layOutLump(row, static_cast<int>(*layering.feltAround(i, isFelt)));
+        const study::Layering::Structure& one = layering.structures[i];
+        if (!isFelt[i] || one.twin || meshio::anatomyKind(model.structure(row).name) != meshio::AnatomyKind::Lump) {
+            continue;
+        }
+        if (const auto around = layering.feltAround(i, isFelt)) {
+            layOutLump(row, static_cast<int>(*around));
+        } else if (one.unsureIn && isFelt[*one.unsureIn]) {
+            m_lines << tr("%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor "
+                          "below it")
+                           .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unsureIn]));
+            m_isToBeTold[i] = false;
         }
     }
     for (const std::string& sentence : layering.sentences(names, m_isToBeTold)) {

@@ -39,6 +39,19 @@ std::optional<std::size_t> named(const meshio::LoadedScene& scene, const std::st
     return std::nullopt;
 }
 
+/// Of structures that would be lumps but for an organ that is open, a clause each.
+std::string unsureLumps(const meshio::LoadedScene& scene, const Layering& layers)
+{
+    std::string clauses;
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        if (const auto in = layers.structures[i].unsureIn) {
+            clauses += "; " + scene.structures[i].description.name + " seems to lie in " +
+                       scene.structures[*in].description.name + ", whose surface is open or inside out";
+        }
+    }
+    return clauses;
+}
+
 LumpOf lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t organ,
               const std::map<std::string, double>& ratios)
 {
@@ -97,12 +110,14 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
         if (lumps.count(name) == 0) {
             return Status(StatusCode::NotFound, "ratio of \"" + name +
                                                     "\": found no such lump, expected a structure that lies in another "
-                                                    "one");
+                                                    "one" +
+                                                    unsureLumps(scene, layers));
         }
     }
     if (organs.empty()) {
         return Status(StatusCode::Empty, "found no lump, expected a palpable structure inside another one's closed "
-                                         "surface, or one whose `inside` names its organ");
+                                         "surface, or one whose `inside` names its organ" +
+                                             unsureLumps(scene, layers));
     }
     std::vector<OrganWithLumps> found;
     for (auto& [number, organ] : organs) {

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include "../support/Shapes.h"
+
+#include <palpate/meshio/MeshFile.h>
+#include <palpate/study/FeltFile.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/ui/FeltPanel.h>
+#include <palpate/ui/LumpMaps.h>
+
+#include <QComboBox>
+#include <QTableWidget>
+
+#include <cmath>
+#include <map>
+
+using namespace palpate;
+using core::Vec3;
+
+/// A whole liver from a reference library, 30 000 triangles, vessels and ducts, with a lump of 24 mm put below its
+/// front: in the window, by the command's own functions, in the hand.
+class FeltLiver : public QObject
+{
+    Q_OBJECT
+
+    static constexpr double kRadius_mm = 12.0, kCover_mm = 6.0;
+    std::unique_ptr<test::Desk> m_desk;
+    std::vector<std::filesystem::path> m_files; ///< in metres
+    std::filesystem::path m_openCapsule, m_capsule, m_lump;
+
+    static std::filesystem::path library()
+    {
+        return std::filesystem::path(PALPATE_SHARED_DIR) / "anatomy/vh_f_liver_scene";
+    }
+    ui::LumpMaps& lumps() { return *m_desk->window().findChild<ui::LumpMaps*>(); }
+
+    /// Closes the rim that the caudate lobe left: a fan around its middle.
+    static geometry::TriangleMesh closed(geometry::TriangleMesh mesh)
+    {
+        std::map<std::uint32_t, std::uint32_t> rim; // as the triangles beyond it would go
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (const geometry::Triangle& t : mesh.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                ++edges[{t[k], t[(k + 1) % 3]}];
+            }
+        }
+        Vec3 middle = Vec3::Zero();
+        for (const auto& [edge, count] : edges) {
+            if (edges.count({edge.second, edge.first}) == 0) {
+                rim[edge.second] = edge.first;
+                middle += mesh.vertices[edge.first];
+            }
+        }
+        const auto last = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(middle / static_cast<double>(rim.size()));
+        for (const auto& [from, to] : rim) {
+            mesh.triangles.push_back({from, to, last});
+        }
+        return mesh;
+    }
+
+    /// Where the liver's front is nearest to the middle of its right lobe, and the outward normal there.
+    static std::pair<Vec3, Vec3> front(const geometry::TriangleMesh& mesh)
+    {
+        const Vec3 about(-50.0, 360.0, 0.0);
+        std::pair<Vec3, Vec3> best{Vec3::Zero(), Vec3::UnitZ()};
+        double least = 1e9;
+        for (const geometry::Triangle& t : mesh.triangles) {
+            const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+            const Vec3 n = (b - a).cross(c - a).normalized(), p = (a + b + c) / 3.0;
+            const double away = (p - about).head<2>().norm();
+            if (n.z() > 0.8 && away < least) {
+                least = away;
+                best = {p, n};
+            }
+        }
+        return best;
+    }
+
+    void open(const std::filesystem::path& capsule)
+    {
+        QVERIFY(m_desk->show());
+        std::vector<std::filesystem::path> files = m_files;
+        files.push_back(capsule);
+        files.push_back(m_lump);
+        QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
+        m_desk->window().open(files, 1000.0);
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+    }
+
+    QString newestMessage() { return test::newest(m_desk->window().findChild<ui::MessageBar*>()->text()); }
+
+    void keep(const char* name)
+    {
+        if (const QByteArray to = qgetenv("PALPATE_FELT_PICTURES"); !to.isEmpty()) {
+            QTest::qWait(900);
+            QVERIFY(m_desk->picture().save(QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")));
+        }
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        if (!std::filesystem::exists(library())) {
+            QSKIP("the reference anatomy is not there");
+        }
+        m_desk = std::make_unique<test::Desk>();
+        m_openCapsule = library() / "capsule_of_the_liver.stl";
+        for (const auto& file : std::filesystem::directory_iterator(library())) {
+            if (file.path() != m_openCapsule) {
+                m_files.push_back(file.path());
+            }
+        }
+        std::sort(m_files.begin(), m_files.end());
+        meshio::ReadOptions metres;
+        metres.unit_mm = 1000.0;
+        const auto scene = study::openScene(m_openCapsule, metres);
+        QVERIFY(scene.isOk());
+        const geometry::TriangleMesh capsule = closed(scene.value().structures.front().surface->mesh);
+        const auto [p, n] = front(capsule);
+        const auto inMetres = [](const geometry::TriangleMesh& mesh) {
+            return test::transformed(mesh, [](const Vec3& v) { return Vec3(1e-3 * v); });
+        };
+        QVERIFY(QDir(QString::fromStdString(m_desk->folder().string())).mkpath("closed"));
+        m_capsule = m_desk->writeStl("closed/capsule_of_the_liver.stl", inMetres(capsule));
+        m_lump = m_desk->writeStl(
+            "closed/tumour.stl", inMetres(test::moved(test::sphere(12, kRadius_mm), p - (kRadius_mm + kCover_mm) * n)));
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    /// As the library has it, the capsule is open where the caudate lobe was: nothing is felt through it, and that is
+    /// said of the lump first.
+    void anOpenCapsuleIsSaid()
+    {
+        open(m_openCapsule);
+        QVERIFY2(newestMessage().startsWith(QStringLiteral("tumour seems to lie in capsule of the liver, whose surface "
+                                                           "is open")),
+                 qPrintable(newestMessage()));
+        meshio::ReadOptions metres;
+        metres.unit_mm = 1000.0;
+        auto scene = study::openScene(m_openCapsule, metres);
+        auto lump = study::openScene(m_lump, metres);
+        QVERIFY(scene.isOk() && lump.isOk());
+        scene.value().structures.push_back(lump.value().structures.front());
+        const core::Status why = study::organsWithLumps(scene.value()).status();
+        QVERIFY2(why.message().find("tumour seems to lie in capsule_of_the_liver, whose surface is open") !=
+                     std::string::npos,
+                 why.message().c_str());
+    }
+
+    void theLumpIsFeltThroughTheClosedOne()
+    {
+        open(m_capsule);
+        QVERIFY2(newestMessage().startsWith(QStringLiteral("tumour lies in capsule of the liver and is felt through "
+                                                           "it, as 14 times as stiff")),
+                 qPrintable(newestMessage()));
+        QTRY_VERIFY_WITH_TIMEOUT(lumps().isHandUpToDate(), 60000);
+        keep("liver-opened");
+        m_desk->window().viewport().setFocus();
+        m_desk->pressKeyOf("felt");
+        QTRY_VERIFY_WITH_TIMEOUT(lumps().isUpToDate(), 60000);
+        QCOMPARE(lumps().organs().size(), std::size_t(1));
+        const buried::FeltSurface& felt = lumps().organs()[0]->organ.felt;
+        QVERIFY(std::abs(felt.lumps[0].leastCover_mm - kCover_mm) < 1.0);
+        // The hand presses on what the picture shows.
+        const auto row = static_cast<std::size_t>(lumps().organs()[0]->organ.organ.organ);
+        const auto structures = m_desk->window().findChild<ui::StructurePanel*>();
+        QVERIFY(structures != nullptr);
+        QVERIFY(felt.lumps[0].press[1].best.has_value());
+        QVERIFY(felt.lumps[0].press[1].felt.estimate > 1.2);
+        QVERIFY(row < static_cast<std::size_t>(1) + m_files.size() + 1);
+        auto& overlay = *m_desk->window().findChild<ui::FeltOverlay*>();
+        QVERIFY(overlay.showBestPlace(0, 0));
+        keep("liver-lightly");
+        overlay.setPress(2);
+        QVERIFY(overlay.showBestPlace(0, 0));
+        keep("liver-pressed");
+    }
+};
+
+PALPATE_TEST(FeltLiver)
+#include "tst_FeltLiver.moc"
