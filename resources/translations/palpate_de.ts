@@ -212,6 +212,10 @@
         <source>it is as stiff as %1</source>
         <translation>so steif wie %1</translation>
     </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
+        <translation>%1 liegt anscheinend in %2, dessen Oberfläche offen oder verkehrt herum ist: weder durch das Organ noch darunter zu fühlen</translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>

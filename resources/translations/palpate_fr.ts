@@ -182,11 +182,11 @@
     <name>LumpLayout</name>
     <message>
         <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
-        <translation>%1 est dans %2 et se sent à travers, comme %3 fois plus raide</translation>
+        <translation>%1 est dans %2 et se sent à travers, comme %3 fois plus raide</translation>
     </message>
     <message>
         <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
-        <translation>%1 est dans %2 et se sent dessous, comme une couche : %3</translation>
+        <translation>%1 est dans %2 et se sent dessous, comme une couche&#x202f;: %3</translation>
     </message>
     <message>
         <source>its surface is open or inside out</source>
@@ -198,19 +198,23 @@
     </message>
     <message>
         <source>a scene file could not name %1 alone</source>
-        <translation>un fichier de scène ne pourrait pas nommer %1 seul</translation>
+        <translation>un fichier de scène ne pourrait pas nommer %1 seul</translation>
     </message>
     <message>
         <source>it reaches out of %1</source>
-        <translation>elle dépasse de %1</translation>
+        <translation>elle dépasse de %1</translation>
     </message>
     <message>
         <source>how many times as stiff as %1 it is, is not known</source>
-        <translation>on ne sait pas combien de fois plus raide que %1</translation>
+        <translation>on ne sait pas combien de fois plus raide que %1</translation>
     </message>
     <message>
         <source>it is as stiff as %1</source>
-        <translation>aussi raide que %1</translation>
+        <translation>aussi raide que %1</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
+        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent ni à travers ni dessous</translation>
     </message>
 </context>
 <context>
@@ -3683,19 +3687,19 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <name>palpate::ui::LumpMaps</name>
     <message>
         <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation>Aucun nodule n’est dans un organe ici : rien à sentir à travers un organe.</translation>
+        <translation>Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers un organe.</translation>
     </message>
     <message>
         <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
-        <translation>Calcul de ce qui se sent à travers %1 ; d’ici là un nodule y est une couche</translation>
+        <translation>Calcul de ce qui se sent à travers %1&#x202f;; d’ici là un nodule y est une couche</translation>
     </message>
     <message>
         <source>What can be felt of %1</source>
-        <translation>Ce qui se sent de %1</translation>
+        <translation>Ce qui se sent de %1</translation>
     </message>
     <message>
         <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
-        <translation>Le calcul de ce qui se sent à travers un organe a été annulé : les nodules sont des couches jusqu’au prochain changement de la scène.</translation>
+        <translation>Le calcul de ce qui se sent à travers un organe a été annulé&#x202f;: les nodules sont des couches jusqu’au prochain changement de la scène.</translation>
     </message>
     <message>
         <source>What can be felt here was cancelled.</source>
@@ -4274,7 +4278,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>through %1</source>
-        <translation>à travers %1</translation>
+        <translation>à travers %1</translation>
     </message>
 </context>
 <context>
@@ -4517,7 +4521,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation>Modifier %1</translation>
+        <translation>Modifier %1</translation>
     </message>
     <message>
         <source>on its own surface, outermost</source>
@@ -4525,7 +4529,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>as a layer, %1</source>
-        <translation>comme couche, %1</translation>
+        <translation>comme couche, %1</translation>
     </message>
     <message>
         <source>%1 (felt from above)</source>
@@ -4533,7 +4537,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>through %1 (felt from above)</source>
-        <translation>à travers %1 (senti d’en haut)</translation>
+        <translation>à travers %1 (senti d’en haut)</translation>
     </message>
 </context>
 <context>

@@ -10,17 +10,14 @@
 #include <palpate/ui/FeltPanel.h>
 #include <palpate/ui/LumpMaps.h>
 
-#include <QComboBox>
-#include <QTableWidget>
-
 #include <cmath>
 #include <map>
 
 using namespace palpate;
 using core::Vec3;
 
-/// A whole liver from a reference library, 30 000 triangles, vessels and ducts, with a lump of 24 mm put below its
-/// front: in the window, by the command's own functions, in the hand.
+/// A whole liver from a reference library, 30,000 triangles, vessels and ducts, with a lump of 24 mm put below its
+/// front: in the window and by the command's own functions.
 class FeltLiver : public QObject
 {
     Q_OBJECT
@@ -167,13 +164,8 @@ class FeltLiver : public QObject
         QCOMPARE(lumps().organs().size(), std::size_t(1));
         const buried::FeltSurface& felt = lumps().organs()[0]->organ.felt;
         QVERIFY(std::abs(felt.lumps[0].leastCover_mm - kCover_mm) < 1.0);
-        // The hand presses on what the picture shows.
-        const auto row = static_cast<std::size_t>(lumps().organs()[0]->organ.organ.organ);
-        const auto structures = m_desk->window().findChild<ui::StructurePanel*>();
-        QVERIFY(structures != nullptr);
         QVERIFY(felt.lumps[0].press[1].best.has_value());
         QVERIFY(felt.lumps[0].press[1].felt.estimate > 1.2);
-        QVERIFY(row < static_cast<std::size_t>(1) + m_files.size() + 1);
         auto& overlay = *m_desk->window().findChild<ui::FeltOverlay*>();
         QVERIFY(overlay.showBestPlace(0, 0));
         keep("liver-lightly");
