@@ -134,7 +134,8 @@ class List : public QObject
         QVERIFY(add(m_tumour));
         QCOMPARE(names(), QStringList({"liver", "tumour"}));
         QCOMPARE(window().viewport().view().structureCount(), std::size_t{2});
-        QCOMPARE(test::newest(message().text()), QStringLiteral("tumour lies in liver and is felt below it."));
+        QCOMPARE(test::newest(message().text()),
+                 QStringLiteral("tumour lies in liver and is felt through it, as 14 times as stiff."));
         QVERIFY(window().isWindowModified());
 
         list().setFocus();

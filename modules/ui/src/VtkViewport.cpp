@@ -162,8 +162,8 @@ void VtkViewport::paintGL()
     // Qt has changed the context's state behind VTK's back since the last frame.
     state->Reset();
     state->Push();
-    // QPainter, which draws the focus' ring, leaves "nearer only" behind: of flat pictures that lie on each other, as
-    // the colour legend's words on their ground, only the lowest would be seen.
+    // Qt leaves OpenGL's own "nearer only" in the context, VTK counts on "as near" too: of flat pictures that lie on
+    // each other, as the colour legend's words on their ground, only the lowest would be seen.
     state->vtkglDepthFunc(GL_LEQUAL);
     m_window->SetReadyForRendering(true);
     m_window->SetIsCurrent(true);
