@@ -25,7 +25,7 @@ class CoordinatesChoice : public QObject
     /// Shows what the structures are taken for.
     /// @param isFixed  the surfaces are a recording's, which stay as they were felt
     void show(const std::vector<palpate::ui::StructureRow>& rows, bool isFixed);
-    /// True when each mesh says its axes itself, or somebody chose them.
+    /// True when each mesh says its axes itself, or they were chosen.
     [[nodiscard]] bool isKnown() const noexcept { return m_isKnown; }
 
   Q_SIGNALS:

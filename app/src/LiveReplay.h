@@ -35,7 +35,7 @@ struct LiveHand
 /// A simulated hand that is drawn along the motion and pushed back by what it feels.
 /// @param preset  of the device that it holds
 [[nodiscard]] core::Result<LiveHand> simulatedHand(const session::Motion& motion, const device::DevicePreset& preset);
-/// Whoever holds `device`, for as long as the motion lasts; the motion itself is not used.
+/// The hand that holds `device`, for as long as the motion lasts; the motion itself is not used.
 [[nodiscard]] LiveHand realHand(const session::Motion& motion, std::unique_ptr<device::HapticDevice> device);
 
 /// Feels with `hand` through the servo thread and the safety gate in real time.

@@ -241,7 +241,7 @@ std::optional<std::filesystem::path> SceneDocument::findLeftover()
         const std::filesystem::path copy = toPath(folder.filePath(name));
         QLockFile lock(lockOf(copy));
         lock.setStaleLockTime(0);
-        if (lock.tryLock(0)) { // nobody holds it: its program is gone
+        if (lock.tryLock(0)) { // not held: its program is gone
             return copy;
         }
     }

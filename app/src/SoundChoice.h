@@ -16,7 +16,7 @@ class TouchPanel;
 namespace palpate::app {
 
 /// The command *Sound of touch*: what the touch panel shows is heard too, live and in playback. Off at each start:
-/// nobody is startled.
+/// no one is startled.
 class SoundChoice : public QObject
 {
     Q_OBJECT

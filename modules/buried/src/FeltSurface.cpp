@@ -286,7 +286,7 @@ class Run
         }
     }
 
-    /// Adds the blocks up in their order, so that the sums don't depend on who made which.
+    /// Adds the blocks up in their order, so that the sums don't depend on which thread made which block.
     void gather()
     {
         for (std::size_t i = 0; i < m_lumps.size(); ++i) {

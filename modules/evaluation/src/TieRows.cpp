@@ -131,7 +131,7 @@ void addEdgeLines(std::vector<HardCase>& rows)
     rows.push_back(row("along the edges of a box, turned", turned(box), turned(alongEdges({0.0, 5.0, -5.0}))));
     // With equal squares the wall between is one, of triangles that both boxes have: no box is closed, and the
     // god-object must not come into either. With unequal ones each is closed, and judged so. Turned, their edges at x =
-    // 0 part by a last digit there: what is right for a HIP exactly in that crack nobody can tell.
+    // 0 part by a last digit there: a HIP exactly in that crack has no one right answer.
     for (const bool isEqual : {true, false}) {
         const std::function<TriangleMesh()> mesh = [isEqual] { return touchingBoxes(2, isEqual ? 2 : 3); };
         const std::string name =

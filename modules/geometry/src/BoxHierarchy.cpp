@@ -281,7 +281,7 @@ class HierarchyBuilder
         return next;
     }
 
-    /// The whole tree of many items: what is divided by whom does not depend on the number of threads, nor do the
+    /// The whole tree of many items: which thread divides which part does not depend on the number of threads, nor do the
     /// nodes' places.
     void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
     {

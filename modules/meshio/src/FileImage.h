@@ -9,8 +9,8 @@
 
 namespace palpate::meshio::internal {
 
-/// A private copy of a file's bytes in memory, which VTK can open by a name. What was checked is what is read: nobody
-/// else can change or cut it in between, and a path with any characters will do.
+/// A private copy of a file's bytes in memory, which VTK can open by a name. The bytes that were checked are the bytes
+/// that are read: no other process can change or cut them in between. The file's own path may have any characters.
 class FileImage
 {
   public:

@@ -18,7 +18,7 @@ namespace palpate::meshio::internal {
 [[nodiscard]] std::string brief(double value);
 
 /// Reads one JSON object field by field. The first field that is not what it must be is kept as the error, with its
-/// path in the document; fields that nobody asked for are what is unknown.
+/// path in the document; the fields that no call has read are the unknown ones.
 class JsonFields
 {
   public:
@@ -40,7 +40,7 @@ class JsonFields
     /// The fields of each of them.
     std::vector<JsonFields> listOf(const char* name);
 
-    /// Lets fields of an object that nobody asked for count as unknown here. @param fields  as `unknown` says them
+    /// Counts the fields of an object that no call has read as unknown here. @param fields  as `unknown` says them
     void keepUnknown(const char* name, const std::string& fields);
 
     [[nodiscard]] bool has(const char* name) const { return m_object.contains(QLatin1String(name)); }

@@ -14,7 +14,7 @@ namespace palpate::meshio::internal {
 /// @param folder  that the file's path is relative to
 void readLaw(JsonFields& structure, const std::filesystem::path& folder, core::ForceLaw& law);
 
-/// Puts a law into a structure's object, beside fields of it that nobody here knows. A linear one is left out.
+/// Puts a law into a structure's object, beside its fields that this program does not know. A linear one is left out.
 void writeLaw(const core::ForceLaw& law, QJsonObject& structure);
 
 } // namespace palpate::meshio::internal

@@ -20,7 +20,7 @@ using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
 
-/// True for names that programs put in when nobody gave one.
+/// True for names that programs put in for a part without a name.
 bool isPlaceholder(std::string_view name)
 {
     static constexpr std::array<std::string_view, 12> kBegins{"default", "mesh",   "object",  "group",

@@ -91,7 +91,7 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.lawTable = rows.bytes(11);
         structure.maps = rows.bytes(12);
         if (!structure.maps.empty()) {
-            std::string wrong; // said by who needs them
+            std::string wrong; // why it can't be read; reported by the caller that needs the table
             structure.tissueMaps = mapsOf(
                 structure.maps, [this](const std::string& hash) { return mapBytes(hash); }, wrong);
         }

@@ -47,7 +47,7 @@ std::string textCell(std::string_view text)
     return '"' + cell + '"';
 }
 
-/// The note, and below it what was felt, for who reads the list in another program.
+/// The note, and below it what was felt, for a reader of the list in another program.
 QString description(const Finding& finding)
 {
     QStringList felt;

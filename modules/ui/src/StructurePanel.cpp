@@ -275,7 +275,7 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     });
 }
 
-/// The numbers of friction, for who chose to set them.
+/// The numbers of friction, shown when friction is chosen to be set by hand.
 void StructurePanel::showFrictionTerms()
 {
     const bool isOwn = m_friction->currentIndex() == m_friction->count() - 1;

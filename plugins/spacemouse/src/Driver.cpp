@@ -83,7 +83,7 @@ void Driver::makeThreadReady() noexcept
 
 void Driver::tellLost() noexcept
 {
-    m_heard.write(Heard{}); // an unplugged puck leaves its last way: nobody holds it any more
+    m_heard.write(Heard{}); // an unplugged puck leaves its last deflection: no hand holds it any more
     m_isLost = true;
 }
 
@@ -99,7 +99,7 @@ void Driver::serve(hid::HidDevice& mouse) noexcept
             return;
         }
         if (length == 0) {
-            continue; // it says nothing while nobody holds it
+            continue; // it sends nothing while no hand holds it
         }
         if (puck.take({buffer.data(), static_cast<std::size_t>(length)})) {
             ++m_states;

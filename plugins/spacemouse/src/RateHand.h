@@ -37,7 +37,7 @@ class RateHand
     RateSettings m_settings;
     device::DeviceState m_state;
     std::int64_t m_now_ns = 0; // 0: before the first
-    bool m_isNew = false;      // recentred, and nobody has been told
+    bool m_isNew = false;      // recentred, and not yet reported
 };
 
 } // namespace palpate::spacemouse

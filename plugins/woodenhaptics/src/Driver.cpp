@@ -27,7 +27,7 @@ constexpr hid::HidDriver::Kind kKind{"woodenhaptics",
                                      100 * kMillisecond_ns};
 // A force that the servo thread does not renew is not wanted any more.
 constexpr std::int64_t kPushEnds_ns = 20 * kMillisecond_ns;
-constexpr int kPriority = 75; // above the servo thread's, which waits for nobody; each turn is short
+constexpr int kPriority = 75; // above the servo thread's; each turn is short
 
 } // namespace
 

@@ -21,7 +21,7 @@ namespace palpate::session {
 /// Why a recording ends where it does.
 enum class RecordingEnd : std::uint8_t
 {
-    Closed,     ///< who recorded ended it
+    Closed,     ///< ended by the program that recorded it
     DiskFull,   ///< the disk was full: what was felt after is not in it
     DiskFailed, ///< the disk could not be written for another reason
     CutOff      ///< it was not closed: a crash, or a disk that took not even the reason

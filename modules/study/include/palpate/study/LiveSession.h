@@ -51,7 +51,7 @@ class LiveSession
     core::Status stopRecording() { return m_recorder.stop(); }
     [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
 
-    /// For who takes the ticks without a recorder: from the next tick on `loop().popTick` gives each.
+    /// For a caller that takes the ticks without a recorder: from the next tick on `loop().popTick` gives each.
     /// @return what that tick began from, or Internal when the servo thread does not answer
     [[nodiscard]] core::Result<servo::RecordingStart> takeTicks();
 

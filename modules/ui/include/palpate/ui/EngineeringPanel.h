@@ -54,7 +54,7 @@ struct RunningState
 };
 [[nodiscard]] RunningState runningState(const EngineeringReading& reading);
 
-/// Solver, servo loop and device in numbers, and where the loop runs: for who builds or tunes a device.
+/// Solver, servo loop and device in numbers, and where the loop runs: for people who build or tune a device.
 class EngineeringPanel : public QWidget
 {
     Q_OBJECT

@@ -130,7 +130,7 @@ class StructureModel : public QAbstractTableModel
 
     /// How the view shows a structure; one that was removed is hidden.
     [[nodiscard]] view::Appearance appearanceOf(int row) const;
-    /// A structure is felt when it is palpable and shown: a hidden one must not be a wall that nobody sees.
+    /// A structure is felt when it is palpable and shown: a hidden one must not be an invisible wall.
     [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
     [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
     /// What the servo thread can feel now; numbers are the rows.

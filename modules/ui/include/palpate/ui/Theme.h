@@ -22,7 +22,7 @@ enum class Theme
 /// @par Thread The GUI's.
 void applyTheme(Theme theme);
 
-/// Looks whether somebody else has set the application's palette since `applyTheme`: then that is the system's.
+/// Checks whether the application's palette was set elsewhere since `applyTheme`: then it is the system's.
 /// @param mustAsk  the system said that it changed: its palette is fetched anew, and ours is gone until `applyTheme`
 /// @return whether `applyTheme` is to be called again.
 [[nodiscard]] bool noteSystemPalette(bool mustAsk);

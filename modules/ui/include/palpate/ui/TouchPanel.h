@@ -42,7 +42,7 @@ class TouchPanel : public QWidget
     void show(const TouchReading& reading);
     /// What was shown last; that of free space without a hand.
     [[nodiscard]] const TouchReading& reading() const noexcept { return m_reading; }
-    /// Nobody touches: numbers go to a dash, the chart stays.
+    /// Without a hand: the numbers become a dash, the chart stays.
     void showNoHand();
     void clearHistory();
 

@@ -55,7 +55,7 @@ class FindingMarkers
     using IsBehind = std::function<bool(const Vec3& p_W)>;
     /// Asks for each place anew. When the view, the tissue or the findings changed.
     void findHidden(const IsBehind& isBehind);
-    /// Counts the changes of what is marked, for who finds the hidden ones.
+    /// Counts the changes of what is marked, for the code that finds the hidden ones.
     [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
 
     /// Fits everything to the view. Before each frame.

@@ -14,7 +14,7 @@
 namespace palpate::view {
 
 /// A cube in the lower left of the view that turns with it and names the patient's sides: R L A P S I, each with a
-/// question mark while nobody knows whether they are right.
+/// question mark while it is not known whether they are right.
 class OrientationCube
 {
   public:

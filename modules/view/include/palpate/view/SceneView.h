@@ -34,7 +34,7 @@ struct ScenePick
 };
 
 /// The picture: tissue under a three-point light that moves with the camera, the cursor over it, the patient's axes,
-/// a scale and a legend of colours. It draws into a render window that somebody else owns and asks to render.
+/// a scale and a legend of colours. It draws into a render window that its caller owns and renders.
 /// @par Thread One, that of the render window.
 class SceneView
 {

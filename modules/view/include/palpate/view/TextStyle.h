@@ -19,7 +19,7 @@ struct TextStyle
     friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
-/// The ground behind a text that stands on tissue, and the ink of one that is nobody's.
+/// The ground behind a text that stands on tissue, and the ink of a text that belongs to no structure.
 inline constexpr Colour kTextGround{0.08, 0.09, 0.11};
 inline constexpr Colour kTextInk{1.0, 1.0, 1.0};
 
