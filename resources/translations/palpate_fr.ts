@@ -2624,7 +2624,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
-        <translation>ses triangles sont plus larges que le contact d’un doigt&#xa0;: ce que la main sent de ses nodules diffère de&#xa0;%1&#xa0;% au plus de ce qui est montré&#xa0;; un maillage plus fin y remédie</translation>
+        <translation>ses triangles sont plus larges que le contact d’un doigt&#xa0;: ce que la main sent de ses nodules diffère de %1&#xa0;% au plus de ce qui est montré&#xa0;; un maillage plus fin y remédie</translation>
     </message>
 </context>
 <context>
