@@ -2622,6 +2622,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>the SpaceMouse moves the view or presses; switch that off first</source>
         <translation>die SpaceMouse bewegt die Ansicht oder drückt; das zuerst ausschalten</translation>
     </message>
+    <message>
+        <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
+        <translation>seine Dreiecke sind breiter als die Kontaktfläche eines Fingers: was die Hand von seinen Knoten fühlt, weicht um bis zu %1 % vom Gezeigten ab; ein feineres Netz behebt das</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>

@@ -2622,6 +2622,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <source>the SpaceMouse moves the view or presses; switch that off first</source>
         <translation>la SpaceMouse déplace la vue ou appuie&#x202f;; désactivez d’abord cela</translation>
     </message>
+    <message>
+        <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
+        <translation>ses triangles sont plus larges que le contact d’un doigt&#xa0;: ce que la main sent de ses nodules diffère de&#xa0;%1&#xa0;% au plus de ce qui est montré&#xa0;; un maillage plus fin y remédie</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>

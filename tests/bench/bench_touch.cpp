@@ -13,8 +13,8 @@
 // bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
 // ballR/T   a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s
 // tissue/W/R/T  the slide with a point (R 0) or a ball of R mm on W: plain, friction (slides), stuck (1 mm to and fro
-//           within the cone), law, map (of the stiffness), felt (lumps below, beside such a map), all (friction, law,
-//           maps of stiffness and damping)
+//           within the cone), law, map (of the stiffness), felt (lumps below), both (lumps below, beside such a map),
+//           all (friction, law, maps of stiffness and damping)
 // worst/N/R a ball of R mm where a tick is bounded by its work: N = fan, the apex of 10,000 facets; pile, a million
 //           triangles within 1e-9 mm; crowd, 300 spheres of 2,000 triangles through each other
 //
@@ -180,10 +180,10 @@ haptics::HapticScene tissueScene(const std::string& what, int n, double fingerti
         }
         return corners;
     };
-    if (what == "map" || what == "felt" || what == "all") {
+    if (what == "map" || what == "both" || what == "all") {
         on.maps.stiffness.corners = rising(0.01);
     }
-    if (what == "felt") {
+    if (what == "felt" || what == "both") {
         for (std::size_t j = 0; j < on.maps.felt.size(); ++j) {
             on.maps.felt[j].corners = rising(0.002 * static_cast<double>(j));
         }
@@ -313,7 +313,7 @@ int main(int argc, char** argv)
         add(("ball" + std::to_string(radius)).c_str(), 81, 0.02, radius - 2.0, 100.0, false, 20'000, radius);
     }
     for (const double radius : {0.0, 4.0}) {
-        for (const char* what : {"plain", "friction", "stuck", "law", "map", "felt", "all"}) {
+        for (const char* what : {"plain", "friction", "stuck", "law", "map", "felt", "both", "all"}) {
             addTissue(what, radius);
         }
     }

@@ -61,6 +61,31 @@ class FeltSurface : public QObject
     }
 
   private Q_SLOTS:
+    /// The hand feels the organ's own triangles: where these are too wide for a lump it is said by how much.
+    void aCoarseOrganSaysByHowMuchItIsFeltOtherwise()
+    {
+        const std::vector<BuriedLump> lumps{lumpAt(Vec3(0.0, 0.0, 48.0), 6.0)};
+        double before = 0.0;
+        for (const int n : {32, 16, 12}) { // edges of 2.5, 5 and 6.6 mm
+            auto mesh = test::sphere(n, 60.0);
+            const Eigen::AngleAxisd turn(0.7, Vec3(1.0, 2.0, 3.0).normalized()); // no vertex just over the lump
+            for (Vec3& v : mesh.vertices) {
+                v = turn * v;
+            }
+            const auto coarse = buried::feltSurface("organ", *made(mesh), lumps);
+            QVERIFY(coarse.isOk());
+            const buried::FeltSurface& felt = coarse.value();
+            const bool isSaid = std::any_of(felt.notes.begin(), felt.notes.end(), [](const std::string& note) {
+                return note.find("organ: its triangles are wider") == 0;
+            });
+            QVERIFY2(n == 32 ? felt.coarseness == 0.0 : felt.coarseness > 1.5 * before,
+                     qPrintable(QString::number(felt.coarseness)));
+            QCOMPARE(isSaid, n == 12);
+            before = felt.coarseness;
+        }
+        QVERIFY2(before > 0.08 && before < 0.13, qPrintable(QString::number(before))); // 10.4 %, by a search of its own
+    }
+
     void aBallHoldsWhatTheQuadratureSays_data()
     {
         QTest::addColumn<double>("radius");

@@ -6,7 +6,12 @@
 #include "../support/Shapes.h"
 
 #include <palpate/geometry/TriangleMesh.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/Replay.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/StructureSources.h>
 #include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/RecordedTouch.h>
 
 #include <QFile>
 #include <QPushButton>
@@ -160,6 +165,53 @@ class BuriedLump : public QObject
         awaitMaps();
         const double through_N = pressed(view::ViewFrom::Front);
         QVERIFY2(std::abs(through_N - below_N) > 0.05, qPrintable(QString::number(through_N)));
+    }
+
+    /// The way in which a lump is felt, changed twice under the pressing hand while a recording runs: each scene is
+    /// recorded as it was felt, and the whole is computed again to the bit.
+    void changedDuringARecordingItIsRecorded()
+    {
+        open({folder() / "two"});
+        awaitMaps();
+        m_window->setPalpating(true);
+        m_window->viewport().view().look(view::ViewFrom::Front);
+        action("Record")->trigger();
+        ui::PalpationController& hand = m_window->palpation();
+        Q_EMIT m_window->viewport().depthTurned(6.0);
+        hand.pressAt({0.5 * m_window->viewport().width(), 0.5 * m_window->viewport().height()});
+        const auto isHeld = [this, &hand] { return m_force_N > 0.05 && std::abs(m_depth_mm - hand.depth_mm()) < 0.05; };
+        QTRY_VERIFY_WITH_TIMEOUT(isHeld(), 20000);
+        wayBack().click(); // as a layer
+        QTest::qWait(300);
+        action("Undo")->trigger(); // through the organ again
+        awaitMaps();
+        QTest::qWait(300);
+        hand.letGo();
+        QTRY_COMPARE_WITH_TIMEOUT(m_depth_mm, 0.0, 20000);
+        action("Stop")->trigger();
+
+        const ui::RecordedTouch* recorded = m_window->playback().recording();
+        QVERIFY(recorded != nullptr);
+        const auto reader = session::RecordingReader::open(recorded->path());
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        QCOMPARE(reader.value()->extent().dropped, 0);
+        QByteArray ways; // of each scene: through the organ, or as a layer
+        for (const session::SceneRecord& scene : reader.value()->scenes()) {
+            const session::StructureRecord &organ = scene.structures[0], &lump = scene.structures[1];
+            QCOMPARE(lump.palpable, !organ.tissueMaps.hasFelt());
+            QVERIFY(organ.tissueMaps.hasFelt() || lump.layer == 1);
+            const char way = organ.tissueMaps.hasFelt() ? 'F' : 'L';
+            if (ways.isEmpty() || ways.back() != way) {
+                ways += way;
+            }
+        }
+        QCOMPARE(ways, QByteArray("FLF"));
+        const auto meshes = study::recordedSurfaces(*reader.value(), folder() / "two");
+        QVERIFY2(meshes.isOk(), meshes.status().message().c_str());
+        const auto again = session::resimulate(*reader.value(), study::indexedByHash(meshes.value()));
+        QVERIFY2(again.isOk(), again.status().message().c_str());
+        QVERIFY2(again.value().isSame() && again.value().unverified == 0, again.value().difference.c_str());
+        QVERIFY(again.value().compared > 500);
     }
 
     /// Where the model of felt lumps does not hold, the line says why.

@@ -13,7 +13,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QToolButton>
 
@@ -21,6 +23,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace palpate;
@@ -107,6 +110,55 @@ class FeltHere : public QObject
         const double wide = viewport().view().legend().box().sizes().x();
         QVERIFY2(wide <= 0.4 * viewport().width(),
                  qPrintable(QStringLiteral("%1 of %2 px").arg(wide).arg(viewport().width())));
+        const auto middle = [this] { return Eigen::Vector2d(viewport().view().legend().box().center()); };
+        QVERIFY(middle().x() > 0.0 && middle().y() < 0.0); // before the front the phantom's liver is small there
+        m_desk->pressKeyOf("view-back");
+        QTRY_VERIFY(middle().x() < 0.0 && middle().y() > 0.0); // from behind it is the other way about
+    }
+
+    /// Where the table is narrow its words get brief: no column hides, and a screen reader says them all.
+    void theTableHasAllColumnsInView()
+    {
+        showFelt({1024, 700});
+        QTRY_VERIFY(table().rowCount() == 2);
+        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
+        const QTableWidgetItem& light = *table().item(0, FeltPanel::FirstPress);
+        QVERIFY2(!light.text().contains(QStringLiteral("hand")), qPrintable(light.text()));
+        QVERIFY(light.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("not by hand")));
+        const auto key = [this] {
+            const QList<QLabel*> labels = m_desk->window().findChild<FeltPanel*>()->findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [](const QLabel* one) {
+                return one->isVisible() && one->text().contains(QStringLiteral("by a trained hand"));
+            });
+        };
+        QVERIFY(key());
+        m_desk->window().resize(1800, 900);
+        QTRY_VERIFY(light.text().contains(QStringLiteral("not by hand")));
+        QVERIFY(!key());
+        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
+    }
+
+    /// Tabs of panels: all in view, and only the longest title is shortened.
+    void tabsOfPanelsAreAllInView()
+    {
+        showFelt({1024, 700});
+        bool isAny = false;
+        for (const QTabBar* tabs : m_desk->window().findChildren<QTabBar*>()) {
+            if (!tabs->isVisible() || tabs->parentWidget() != &m_desk->window()) {
+                continue;
+            }
+            int longest = 0;
+            for (int i = 1; i < tabs->count(); ++i) {
+                longest = tabs->tabText(i).size() > tabs->tabText(longest).size() ? i : longest;
+            }
+            for (int i = 0; i < tabs->count(); ++i) {
+                const int title = tabs->fontMetrics().size(Qt::TextShowMnemonic, tabs->tabText(i)).width();
+                QVERIFY2(tabs->tabRect(i).right() <= tabs->width(), qPrintable(tabs->tabText(i)));
+                QVERIFY2(i == longest || tabs->tabRect(i).width() >= title, qPrintable(tabs->tabText(i)));
+                isAny = true;
+            }
+        }
+        QVERIFY(isAny);
     }
 
     void coloursTheOrganWithALegend()

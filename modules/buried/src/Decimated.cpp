@@ -3,14 +3,32 @@
 
 #include <vtkAdaptiveSubdivisionFilter.h>
 #include <vtkCellArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkQuadricDecimation.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace palpate::buried {
+
+namespace {
+
+/// With each edge that is longer halved until it is short enough; numbers at the vertices follow linearly.
+vtkSmartPointer<vtkPolyData> subdivided(const vtkSmartPointer<vtkPolyData>& data, double longest_mm)
+{
+    const vtkNew<vtkAdaptiveSubdivisionFilter> subdivision;
+    subdivision->SetInputData(data);
+    subdivision->SetMaximumEdgeLength(longest_mm);
+    subdivision->SetMaximumTriangleArea(std::numeric_limits<double>::max());
+    subdivision->Update();
+    return subdivision->GetOutput();
+}
+
+} // namespace
 
 vtkSmartPointer<vtkPolyData> toVtk(const geometry::TriangleMesh& mesh)
 {
@@ -62,12 +80,20 @@ geometry::TriangleMesh decimated(const geometry::TriangleMesh& mesh, std::size_t
 
 geometry::TriangleMesh refined(const geometry::TriangleMesh& mesh, double longest_mm)
 {
-    const vtkNew<vtkAdaptiveSubdivisionFilter> subdivision;
-    subdivision->SetInputData(toVtk(mesh));
-    subdivision->SetMaximumEdgeLength(longest_mm);
-    subdivision->SetMaximumTriangleArea(std::numeric_limits<double>::max());
-    subdivision->Update();
-    return fromVtk(subdivision->GetOutput());
+    return fromVtk(subdivided(toVtk(mesh), longest_mm));
+}
+
+std::vector<float> refinedValues(const geometry::TriangleMesh& mesh, double longest_mm,
+                                 const std::vector<float>& values)
+{
+    const vtkSmartPointer<vtkPolyData> data = toVtk(mesh);
+    const vtkNew<vtkFloatArray> array;
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->Begin());
+    data->GetPointData()->SetScalars(array);
+    const vtkSmartPointer<vtkPolyData> fine = subdivided(data, longest_mm);
+    auto* found = vtkFloatArray::SafeDownCast(fine->GetPointData()->GetScalars());
+    return found != nullptr ? std::vector<float>(found->Begin(), found->End()) : values;
 }
 
 } // namespace palpate::buried

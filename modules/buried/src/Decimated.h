@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace palpate::buried {
 
@@ -19,5 +20,9 @@ namespace palpate::buried {
 /// The same surface with no edge longer than so much: longer ones are halved until they are short enough. Vertices keep
 /// their number, new ones follow.
 [[nodiscard]] geometry::TriangleMesh refined(const geometry::TriangleMesh& mesh, double longest_mm);
+/// @param values  one for each vertex of `mesh`
+/// @return one for each vertex of the same `refined` surface, linear over each triangle of `mesh`
+[[nodiscard]] std::vector<float> refinedValues(const geometry::TriangleMesh& mesh, double longest_mm,
+                                               const std::vector<float>& values);
 
 } // namespace palpate::buried

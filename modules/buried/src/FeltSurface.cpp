@@ -29,6 +29,8 @@ using core::StatusCode;
 using geometry::RepairedMesh;
 using geometry::SurfaceIndex;
 
+constexpr double kFinest = 0.5; ///< contact radii that an edge is long at most
+
 std::string text(double value)
 {
     std::string out;
@@ -339,6 +341,21 @@ double leastCover(const Prepared& lump, const RepairedMesh& surface, const Surfa
     return least;
 }
 
+/// By how much what is felt on the organ's own triangles, linear over each, differs from what is felt in truth [1].
+double coarsenessOf(const geometry::TriangleMesh& organ, const FeltSurface& felt)
+{
+    double worst = 0.0;
+    for (const FeltSurface::Press& press : felt.press) {
+        const std::vector<float> own(press.ratio.begin(),
+                                     press.ratio.begin() + static_cast<std::ptrdiff_t>(felt.organVertices));
+        const std::vector<float> linear = refinedValues(organ, kFinest * felt.radius_mm, own);
+        for (std::size_t v = felt.organVertices; v < std::min(linear.size(), press.ratio.size()); ++v) {
+            worst = std::max(worst, std::abs(double{linear[v]} / double{press.ratio[v]} - 1.0));
+        }
+    }
+    return worst;
+}
+
 /// The organ with edges short enough for what a finger tells apart.
 RepairedMesh fineEnough(const RepairedMesh& organ, double longest_mm)
 {
@@ -392,7 +409,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         }
         return Status(StatusCode::Empty, why);
     }
-    const RepairedMesh fine = fineEnough(organ, 0.5 * options.radius_mm);
+    const RepairedMesh fine = fineEnough(organ, kFinest * options.radius_mm);
     felt.surface = fine.mesh;
     felt.organVertices = organ.mesh.vertices.size();
     felt.radius_mm = options.radius_mm;
@@ -416,6 +433,16 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
     for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
         felt.lumps[i].leastCover_mm =
             leastCover(*ready.value()[i], *lumps[ready.value()[i]->number].surface, index, felt.surface);
+    }
+    if (vertices > felt.organVertices) {
+        felt.coarseness = coarsenessOf(organ.mesh, felt);
+        if (100.0 * felt.coarseness > kTold_percent[0]) {
+            felt.notes.push_back(name +
+                                 ": its triangles are wider than a finger's contact: what the hand feels of its "
+                                 "lumps differs by up to " +
+                                 text(std::round(100.0 * felt.coarseness)) +
+                                 " % from what is shown; a finer mesh mends it");
+        }
     }
     return felt;
 }

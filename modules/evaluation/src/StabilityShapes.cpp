@@ -9,6 +9,7 @@
 #include <palpate/haptics/Palpator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -114,6 +115,65 @@ Shape roughWall()
     return shape;
 }
 
+using Corners = std::array<Vec3, 3>;
+
+Corners corners(const geometry::SurfaceIndex& surface, std::uint32_t triangle)
+{
+    const geometry::Triangle t = surface.triangle(triangle);
+    return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
+}
+
+/// How steeply what is given at a triangle's corners changes over it [1/mm]; 0 for one without an area.
+double steepness(const Corners& at, const std::array<float, 3>& values)
+{
+    const Vec3 first = at[1] - at[0], second = at[2] - at[0], normal = first.cross(second);
+    const Vec3 along = (values[1] - values[0]) * second.cross(normal) + (values[2] - values[0]) * normal.cross(first);
+    return normal.squaredNorm() > 0.0 ? along.norm() / normal.squaredNorm() : 0.0;
+}
+
+/// Where a structure is pressed: at a few of its triangles, and where a map of its stiffness or of what lumps below
+/// make of it says most and changes most.
+std::vector<std::uint32_t> pressedTriangles(const haptics::HapticStructure& one)
+{
+    constexpr std::uint32_t kUsual = 4;
+    std::vector<std::uint32_t> pressed;
+    if (one.surface == nullptr || one.surface->triangleCount() == 0) {
+        return pressed;
+    }
+    const auto count = static_cast<std::uint32_t>(one.surface->triangleCount());
+    const std::uint32_t usual = std::min(kUsual, count);
+    for (std::uint32_t i = 0; i < usual; ++i) {
+        pressed.push_back(i * (count / usual));
+    }
+    for (const haptics::TissueMap* map : {&one.maps.stiffness, &one.maps.felt.back()}) {
+        if (map->isEmpty()) {
+            continue;
+        }
+        const std::vector<std::array<float, 3>>& values = *map->corners;
+        std::uint32_t stiffest = 0, steepest = 0;
+        for (std::uint32_t i = 1; i < count; ++i) {
+            const auto sum = [&values](std::uint32_t of) { return values[of][0] + values[of][1] + values[of][2]; };
+            stiffest = sum(i) > sum(stiffest) ? i : stiffest;
+            const auto changes = [&](std::uint32_t of) { return steepness(corners(*one.surface, of), values[of]); };
+            steepest = changes(i) > changes(steepest) ? i : steepest;
+        }
+        pressed.insert(pressed.end(), {stiffest, steepest});
+    }
+    return pressed;
+}
+
+/// By how much maps make a structure stiffer where they do most [1]. Of what lumps below add it is that of a light
+/// press: on what is stiff enough to oscillate the few newtons of a hand come no deeper.
+double stiffening(const haptics::TissueMaps& maps)
+{
+    double most = maps.stiffness.isEmpty() ? 1.0 : maps.stiffness.greatest();
+    if (maps.hasFelt()) {
+        static_assert(haptics::kFeltPress_mm[1] == 2.0);
+        most *= std::max(maps.felt[0].greatest(), maps.felt[1].greatest());
+    }
+    return most;
+}
+
 } // namespace
 
 std::vector<Shape> standardShapes()
@@ -137,22 +197,15 @@ std::vector<Shape> standardShapes()
 
 Shape shapeOf(std::string name, const haptics::HapticScene& scene)
 {
-    constexpr std::uint32_t kHolds = 4; // of each structure
     Shape shape;
     shape.name = std::move(name);
     shape.structures = scene.structures();
-    shape.share.assign(shape.structures.size(), 1.0); // layers that are met together are then stiffer still
     for (const haptics::HapticStructure& one : shape.structures) {
-        if (one.surface == nullptr || one.surface->triangleCount() == 0) {
-            continue;
-        }
-        const auto count = static_cast<std::uint32_t>(one.surface->triangleCount());
-        for (std::uint32_t i = 0; i < std::min(kHolds, count); ++i) {
-            const geometry::Triangle t = one.surface->triangle(i * (count / std::min(kHolds, count)));
-            const Vec3& a = one.surface->vertex(t[0]);
-            const Vec3& b = one.surface->vertex(t[1]);
-            const Vec3& c = one.surface->vertex(t[2]);
-            const Hold hold{(a + b + c) / 3.0, -(b - a).cross(c - a).normalized(), Vec3::Zero()};
+        shape.share.push_back(1.0 / stiffening(one.maps)); // layers that are met together are then stiffer still
+        for (const std::uint32_t triangle : pressedTriangles(one)) {
+            const Corners at = corners(*one.surface, triangle);
+            const Hold hold{(at[0] + at[1] + at[2]) / 3.0, -(at[1] - at[0]).cross(at[2] - at[0]).normalized(),
+                            Vec3::Zero()};
             if (isReached(hold, scene)) {
                 shape.holds.push_back(hold);
             }

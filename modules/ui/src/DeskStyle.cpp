@@ -3,9 +3,13 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
 #include <QTabBar>
+
+#include <algorithm>
+#include <vector>
 
 namespace palpate::ui {
 
@@ -35,15 +39,68 @@ void drawEdge(QPainter& painter, const QStyleOption& option, const QRect& place,
     painter.restore();
 }
 
+/// The tabs of panels that share a place.
+bool isOfPanels(const QWidget* tabs)
+{
+    return qobject_cast<const QTabBar*>(tabs) != nullptr &&
+           qobject_cast<const QMainWindow*>(tabs->parentWidget()) != nullptr;
+}
+
+int titleWidth(const QTabBar& tabs, const QString& title)
+{
+    return tabs.fontMetrics().size(Qt::TextShowMnemonic, title).width();
+}
+
+/// How wide a tab may be, so that shortening the longest titles alone makes room for all.
+/// @param beside_px  a tab's width less its title's
+int widestTab(const QTabBar& tabs, int beside_px)
+{
+    std::vector<int> widths;
+    for (int i = 0; i < tabs.count(); ++i) {
+        widths.push_back(titleWidth(tabs, tabs.tabText(i)) + beside_px);
+    }
+    std::sort(widths.begin(), widths.end());
+    int left = tabs.width();
+    for (std::size_t i = 0; i < widths.size(); ++i) { // the shortest get what they ask for, the others share the rest
+        const int share = left / static_cast<int>(widths.size() - i);
+        if (widths[i] > share) {
+            return share;
+        }
+        left -= widths[i];
+    }
+    return tabs.width();
+}
+
 } // namespace
 
 void DeskStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
     if (auto* tabs = qobject_cast<QTabBar*>(widget)) {
-        tabs->setElideMode(Qt::ElideNone);
-        tabs->setUsesScrollButtons(true);
+        // Of panels that share a place each has to be seen, by a part of its name where there is no room; its tip has
+        // the whole. Other tabs keep their names and are scrolled to.
+        tabs->setElideMode(isOfPanels(tabs) ? Qt::ElideRight : Qt::ElideNone);
+        tabs->setUsesScrollButtons(!isOfPanels(tabs));
     }
+}
+
+int DeskStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
+{
+    constexpr int kTabBeside_px = 12; // of a title, both sides together
+    return metric == PM_TabBarTabHSpace && isOfPanels(widget) ? kTabBeside_px
+                                                              : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+QSize DeskStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                                  const QWidget* widget) const
+{
+    QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    if (type == CT_TabBarTab && tab != nullptr && isOfPanels(widget)) {
+        const auto& tabs = static_cast<const QTabBar&>(*widget);
+        size.setWidth(std::min(size.width(), widestTab(tabs, size.width() - titleWidth(tabs, tab->text))));
+    }
+    return size;
 }
 
 void DeskStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

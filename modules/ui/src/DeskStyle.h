@@ -6,8 +6,9 @@
 namespace palpate::ui {
 
 /// Fusion, but where that hides something. It draws edges in a darker shade of the window, which on black is none: in
-/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. And tabs that have
-/// no room for their titles are scrolled, not cut.
+/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. Tabs that have no
+/// room for their titles are scrolled; those of panels stand closer, and the longest titles are shortened before one of
+/// them would hide.
 class DeskStyle final : public QProxyStyle
 {
     Q_OBJECT
@@ -15,6 +16,9 @@ class DeskStyle final : public QProxyStyle
     using QProxyStyle::polish;
     using QProxyStyle::QProxyStyle;
     void polish(QWidget* widget) override;
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,

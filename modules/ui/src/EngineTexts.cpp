@@ -346,6 +346,11 @@ constexpr Template kTemplates[] = {
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, it lies outside %1"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 reach into each other: where both are felt is not judged"),
      0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP(
+         "palpate::ui::Engine",
+         "its triangles are wider than a finger's contact: what the hand feels of its lumps differs by up "
+         "to %1 % from what is shown; a finer mesh mends it"),
+     0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 was read as %2"), 0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 or %2"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "line %1"), 0b0, Holds::Numbers},

@@ -11,11 +11,13 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace palpate::ui {
 
@@ -24,10 +26,45 @@ namespace {
 constexpr double kUsualOrgan_kPa = 6.9; // a healthy liver: three times its shear modulus of 2.3 kPa (PMC2894569)
 constexpr double kLeastRatio = 0.001, kLeast_kPa = 0.01, kMost_kPa = 1e6;
 
+/// A text of the table in full, and as brief as a narrow table needs: the verdict's sign without its words.
+constexpr int kFullText = Qt::UserRole, kBriefText = Qt::UserRole + 1;
+
+QString verdictWords(buried::Verdict verdict)
+{
+    return verdictSign(verdict) + QLatin1Char(' ') + verdictText(verdict);
+}
+
 QString cellText(const buried::FeltSurface::LumpPress& press)
 {
-    const QString verdict = verdictSign(press.verdict) + QLatin1Char(' ') + verdictText(press.verdict);
+    const QString verdict = verdictWords(press.verdict);
     return press.best ? feltChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict;
+}
+
+QString briefText(const buried::FeltSurface::LumpPress& press)
+{
+    const QString sign = verdictSign(press.verdict);
+    return press.best ? feltChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign;
+}
+
+/// What the verdicts' signs mean.
+QString keyOfSigns()
+{
+    QStringList words;
+    for (const buried::Verdict verdict : {buried::Verdict::NotByHand, buried::Verdict::ByTrainedHand,
+                                          buried::Verdict::Plainly, buried::Verdict::NotJudged}) {
+        words << verdictWords(verdict);
+    }
+    return words.join(QStringLiteral(" · "));
+}
+
+/// In two lines where it has several words, broken as near to its middle as can be.
+QString inTwoLines(QString text)
+{
+    qsizetype best = -1;
+    for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0; at = text.indexOf(QLatin1Char(' '), at + 1)) {
+        best = best < 0 || std::abs(2 * at - text.size()) < std::abs(2 * best - text.size()) ? at : best;
+    }
+    return best < 0 ? text : text.replace(best, 1, QLatin1Char('\n'));
 }
 
 QDoubleSpinBox* makeSpin(double least, double most, const QString& name, QWidget* parent)
@@ -65,10 +102,10 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
     m_status->setWordWrap(true);
     m_status->setTextFormat(Qt::PlainText);
     makeTable();
-    auto* notice = new QLabel(tr("Estimate for research and rehearsal."), this);
-    notice->setWordWrap(true);
+    m_notice = new QLabel(this);
+    m_notice->setWordWrap(true);
     auto* left = new QVBoxLayout;
-    left->addWidget(notice);
+    left->addWidget(m_notice);
     left->addWidget(m_status);
     left->addWidget(m_table, 1);
     auto* all = new QHBoxLayout(this);
@@ -91,7 +128,13 @@ void FeltPanel::makeTable()
     m_table->setObjectName(QStringLiteral("feltTable"));
     m_table->setAccessibleName(tr("Lumps and whether a hand finds them"));
     m_table->setColumnCount(static_cast<int>(titles.size()));
-    m_table->setHorizontalHeaderLabels(titles);
+    for (int column = 0; column < static_cast<int>(titles.size()); ++column) {
+        auto* title = new QTableWidgetItem(titles[column]);
+        title->setData(kFullText, titles[column]);
+        title->setData(kBriefText, inTwoLines(titles[column]));
+        title->setData(Qt::AccessibleTextRole, titles[column]);
+        m_table->setHorizontalHeaderItem(column, title);
+    }
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -114,10 +157,47 @@ void FeltPanel::fitRows()
 
 void FeltPanel::changeEvent(QEvent* event)
 {
+    QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
         fitRows();
+        fitColumns();
     }
-    QWidget::changeEvent(event);
+}
+
+void FeltPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
+}
+
+void FeltPanel::setBrief(bool isBrief)
+{
+    const int role = isBrief ? kBriefText : kFullText;
+    for (int column = 0; column < m_table->columnCount(); ++column) {
+        QTableWidgetItem* title = m_table->horizontalHeaderItem(column);
+        title->setText(title->data(role).toString());
+        for (int row = 0; row < m_table->rowCount(); ++row) {
+            QTableWidgetItem* item = m_table->item(row, column);
+            item->setText(item->data(role).toString());
+        }
+    }
+    const QString notice = tr("Estimate for research and rehearsal.");
+    m_notice->setText(isBrief ? notice + QLatin1Char(' ') + keyOfSigns() : notice);
+}
+
+/// In full where that has room, else briefly: no column may hide at the right.
+void FeltPanel::fitColumns()
+{
+    setBrief(false);
+    int wide = 2 * m_table->frameWidth();
+    for (int column = 0; column < m_table->columnCount(); ++column) {
+        int widest = m_table->horizontalHeader()->sectionSizeHint(column);
+        for (int row = 0; row < m_table->rowCount(); ++row) {
+            widest = std::max(widest, m_table->sizeHintForIndex(m_table->model()->index(row, column)).width());
+        }
+        wide += widest;
+    }
+    setBrief(m_table->rowCount() > 0 && wide > m_table->width());
 }
 
 QWidget* FeltPanel::makeChoices()
@@ -195,6 +275,7 @@ void FeltPanel::fill()
             m_table->selectRow(same == m_rows.end() ? 0 : static_cast<int>(same - m_rows.begin()));
         }
     }
+    fitColumns();
     const QSignalBlocker blocker(m_press);
     m_press->setCurrentIndex(static_cast<int>(m_overlay.press()));
     showChosen();
@@ -211,9 +292,11 @@ void FeltPanel::addRow(const Row& row)
                       QLocale().toString(lump.ratio, 'g', 3) + QLatin1Char('\n') +
                           ratioSourceText(organ.organ.lumps[lump.given].source),
                       cover};
-    QStringList tips{QString(), QString(), QString()};
+    QStringList brief{cells[0], QLocale().toString(lump.ratio, 'g', 3), cover};
+    QStringList tips{QString(), ratioSourceText(organ.organ.lumps[lump.given].source), QString()};
     for (const buried::FeltSurface::LumpPress& press : lump.press) {
         cells << cellText(press);
+        brief << briefText(press);
         tips << (press.best
                      ? tr("between %1 and %2").arg(feltChangeText(press.felt.low), feltChangeText(press.felt.high))
                      : QString());
@@ -222,6 +305,9 @@ void FeltPanel::addRow(const Row& row)
     m_table->insertRow(at);
     for (int column = 0; column < static_cast<int>(cells.size()); ++column) {
         auto* item = new QTableWidgetItem(cells[column]);
+        item->setData(kFullText, cells[column]);
+        item->setData(kBriefText, brief[column]);
+        item->setData(Qt::AccessibleTextRole, cells[column]);
         item->setToolTip(tips[column]);
         m_table->setItem(at, column, item);
     }

@@ -169,6 +169,7 @@ void ColourLegend::show(const Content& content)
     m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "", content.decimalPoint).c_str());
     m_texts[4]->SetInput(content.unknown.c_str());
     m_hasUnknown = range.hasUnknown;
+    ++m_revision;
     m_back->VisibilityOn();
     m_bar->VisibilityOn();
     m_grey->SetVisibility(m_hasUnknown);
@@ -288,16 +289,16 @@ double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double
     return reach;
 }
 
-/// Letters so small that the marks' words have room above the cube, each by itself, and most of the view's width is
-/// left to the tissue.
-TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
+/// Letters so small that the marks' words have room above what is below, each by itself, and most of the view's width
+/// is left to the tissue.
+TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px)
 {
     TextStyle style = frame.text;
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // that letters have no part in
     const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + markedHeight(letter);
-    const double room = renderer.GetSize()[1] - r * (cubeTop_px + kAboveCube_px) - apart;
+    const double room = renderer.GetSize()[1] - r * below_px - apart;
     const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // that letters have no part in
     const double wide = reach(renderer, style, r) - beside;
     const double across = kMostWidth * renderer.GetSize()[0] - r * kBarLeft_px - beside;
@@ -306,19 +307,24 @@ TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, d
     return style;
 }
 
-void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px)
+void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Below& below)
 {
     if (!isShown()) {
         return;
     }
     const double r = frame.pixelRatio;
-    const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, cubeTop_px);
+    const bool isRight = m_corner == Corner::LowerRight && !m_marks.empty();
+    const double below_px = (isRight ? below.scale_px : below.cube_px) + kAboveCube_px;
+    const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, below_px);
     const double letter = letterSize_px(style, TextUse::Usual, r);
-    const double left = r * kBarLeft_px, right = r * (kBarLeft_px + kBarWidth_px);
+    const double margin = r * kBarLeft_px;
+    const double left = isRight ? renderer.GetSize()[0] - margin - reach(renderer, style, r) : margin;
+    const double right = left + r * kBarWidth_px;
     const double room = r * kBeside_px;
     const double greyHeight = std::max(r * kGreyHeight_px, letter);
-    double greyLow = r * (cubeTop_px + kAboveCube_px);
-    if (!m_marks.empty()) { // it is wide: in the corner, where it hides least, and no higher than its words need
+    double greyLow = r * below_px;
+    if (!m_marks.empty() &&
+        !isRight) { // it is wide: in the corner, where it hides least, and no higher than its words need
         const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
         greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - markedHeight(letter));
     }

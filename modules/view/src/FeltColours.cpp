@@ -21,8 +21,9 @@ namespace {
 constexpr const char* kArray = "FeltLines";    // change [%], 1 where it is not judged
 constexpr const char* kAttribute = "feltLine"; // the same in the shader
 
-/// Lines where the change passes a threshold: the first dark, the others with a light core and wider, so that they read
-/// on every colour and are told apart. What is felt is opaque, the rest lets through what lies below.
+/// Lines where the change passes a threshold: the first dark between light rims, the others with a light core between
+/// dark rims and wider, so that they read on every colour and ground and are told apart. What is felt is opaque, the
+/// rest lets through what lies below.
 constexpr const char* kFragment = R"(//VTK::Color::Impl
   if (feltLineVSOutput.y > 0.001) {
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
@@ -35,13 +36,13 @@ constexpr const char* kFragment = R"(//VTK::Color::Impl
     float far7 = abs(feltLineVSOutput.x - 7.0) / perPixel;
     float far14 = abs(feltLineVSOutput.x - 14.0) / perPixel;
     float far28 = abs(feltLineVSOutput.x - 28.0) / perPixel;
-    float dark = max(max(1.9 - far7, 2.4 - far14), 3.4 - far28);
-    float light = max(1.2 - far14, 2.2 - far28);
+    float dark = max(max(2.6 - far7, 2.4 - far14), 3.4 - far28);
+    float light = max(max(min(far7 - 0.9, 2.6 - far7), 1.2 - far14), 2.2 - far28);
     float ink = clamp(dark, 0.0, 1.0);
     vec3 line = mix(vec3(0.05, 0.06, 0.08), vec3(1.0), clamp(light, 0.0, 1.0));
     ambientColor = mix(ambientColor, 0.5 * line, ink);
     diffuseColor = mix(diffuseColor, 0.5 * line, ink);
-    opacity = max(opacity, max(ink, mix(0.4, 0.92, clamp(feltLineVSOutput.x / 14.0, 0.0, 1.0))));
+    opacity = max(opacity, max(ink, mix(0.5, 0.92, clamp(feltLineVSOutput.x / 14.0, 0.0, 1.0))));
   }
 )";
 

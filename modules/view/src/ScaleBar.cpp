@@ -98,7 +98,9 @@ void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
     m_caption = shortText(length_mm, 6, frame.text.decimalPoint) + " mm";
     m_text->SetInput(m_caption.c_str());
     setFont(*m_text->GetTextProperty(), frame.text, TextUse::Usual, r);
-    m_text->SetPosition(0.5 * (left + right), low + 9.0 * r);
+    const double textLow = low + 9.0 * r;
+    m_text->SetPosition(0.5 * (left + right), textLow);
+    m_top = textLow + 1.4 * letterSize_px(frame.text, TextUse::Usual, r);
 }
 
 } // namespace palpate::view

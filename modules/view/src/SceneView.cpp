@@ -138,11 +138,13 @@ double SceneView::aspect() const
 void SceneView::look(ViewFrom from)
 {
     lookFrom(camera(), from, bounds(), aspect());
+    ++m_looks;
 }
 
 void SceneView::fitAll()
 {
     fit(camera(), bounds(), aspect());
+    ++m_looks;
 }
 
 void SceneView::centreOn(const Vec3& p_W)
@@ -217,6 +219,47 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
     });
 }
 
+/// How much of the tissue shown a box hides, as a count of its vertices: a few hundred of each structure are asked.
+/// @param box_px  logical pixels from the view's middle
+std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const
+{
+    constexpr vtkIdType kAsked = 512;
+    std::size_t count = 0;
+    for (const ViewStructure& one : m_structures) {
+        if (!one.picture.appearance().isVisible) {
+            continue;
+        }
+        vtkPoints& points = one.picture.points();
+        const vtkIdType all = points.GetNumberOfPoints();
+        const vtkIdType step = std::max<vtkIdType>(1, all / kAsked);
+        for (vtkIdType i = 0; i < all; i += step) {
+            count += box_px.contains(frame.pixelOf(Vec3(points.GetPoint(i)))) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+/// The legend's place. One with marks goes where it hides less, chosen when it is shown, when the view is resized and
+/// when all is fitted into it, not while the view is turned.
+void SceneView::placeLegend(const ViewFrame& frame)
+{
+    using Corner = ColourLegend::Corner;
+    const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio};
+    const LegendSeen now{m_legend.revision(), m_looks, frame.width_px, frame.height_px};
+    if (m_legend.isShown() && m_legend.hasMarks() && !(now == m_legendSeen)) {
+        m_legendSeen = now;
+        m_legend.setCorner(Corner::LowerRight);
+        m_legend.place(*m_overlay, frame, below);
+        const std::size_t right = tissueIn(m_legend.box(), frame);
+        m_legend.setCorner(Corner::UpperLeft);
+        m_legend.place(*m_overlay, frame, below);
+        if (right < tissueIn(m_legend.box(), frame)) {
+            m_legend.setCorner(Corner::LowerRight);
+        }
+    }
+    m_legend.place(*m_overlay, frame, below);
+}
+
 void SceneView::bendTissue(const ViewFrame& frame)
 {
     const Dimple dimple = m_bends ? Dimple::of(m_cursor.state()) : Dimple();
@@ -233,7 +276,8 @@ void SceneView::prepareFrame(double pixelRatio)
     if (m_window != nullptr) {
         m_cube.place(camera(), m_window->GetSize(), frame);
     }
-    m_legend.place(*m_overlay, frame, m_cube.top_px());
+    m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, m_solid->GetSize()[0]);
+    placeLegend(frame);
     bendTissue(frame);
     m_cursor.place(frame, m_legend.box());
     findHiddenFindings(frame);
@@ -249,8 +293,6 @@ void SceneView::prepareFrame(double pixelRatio)
         const double bounds[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
         m_solid->ResetCameraClippingRange(bounds);
     }
-    const int* size = m_solid->GetSize();
-    m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, size[0]);
     // Unsorted, colours of several structures would be mixed by another rule and so be others.
     const auto translucent = std::count_if(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;

@@ -84,4 +84,9 @@ void StructureActor::setAppearance(const Appearance& appearance)
     m_actor->SetVisibility(m_appearance.isVisible && m_appearance.opacity > 0.0);
 }
 
+vtkPoints& StructureActor::points() const
+{
+    return *vtkPolyDataMapper::SafeDownCast(m_actor->GetMapper())->GetInput()->GetPoints();
+}
+
 } // namespace palpate::view

@@ -252,7 +252,8 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
     const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
     const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
     const Eigen::AlignedBox2d view(-half, half);
-    if (!isTouching || (!view.contains(g) && !view.contains(h))) { // a number beside an unseen contact would seem another's
+    if (!isTouching ||
+        (!view.contains(g) && !view.contains(h))) { // a number beside an unseen contact would seem another's
         m_labels.place({}, {}, frame);
         return;
     }

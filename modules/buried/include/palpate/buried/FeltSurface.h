@@ -93,6 +93,9 @@ struct FeltSurface
 
     geometry::TriangleMesh surface; ///< the organ's, refined where its edges are longer than half a contact radius
     std::size_t organVertices = 0;  ///< the first so many are the organ's own
+    /// By how much the maps at the organ's own vertices, linear over its triangles, differ from those of `surface` [1]:
+    /// so much more or less than is shown a hand feels at worst. 0 where the organ is fine enough.
+    double coarseness = 0.0;
     double radius_mm = 0.0;
     std::vector<Press> press;
     std::vector<Lump> lumps;

@@ -53,8 +53,8 @@ struct Shape
 /// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
 /// layers that share the stiffness, a wall whose map steps by 2 : 1 over 10 mm, a wall with friction.
 [[nodiscard]] std::vector<Shape> standardShapes();
-/// A scene as a shape: every palpable structure equally stiff, in whatever layer, held at a few
-/// triangles of each.
+/// A scene as a shape: every palpable structure equally stiff where it is stiffest, in whatever layer, held at a few
+/// triangles of each, and where its maps say most and change most.
 [[nodiscard]] Shape shapeOf(std::string name, const haptics::HapticScene& scene);
 
 /// Device, loop and tissue of one trial.

@@ -43,6 +43,7 @@ class FeltPanel : public QWidget
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     /// Entries of the choice of where a ratio comes from, before the presets.
@@ -62,6 +63,8 @@ class FeltPanel : public QWidget
     QWidget* makeChoices();
     void makeTable();
     void fitRows();
+    void fitColumns();
+    void setBrief(bool isBrief);
     void fill();
     void addRow(const Row& row);
     void showChosen();
@@ -74,6 +77,7 @@ class FeltPanel : public QWidget
     FeltOverlay& m_overlay;
     StructureModel& m_model;
     std::vector<Row> m_rows;
+    QLabel* m_notice = nullptr;
     QLabel* m_status = nullptr;
     QTableWidget* m_table = nullptr;
     QComboBox* m_press = nullptr;

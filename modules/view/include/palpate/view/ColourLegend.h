@@ -17,7 +17,8 @@
 
 namespace palpate::view {
 
-/// What the colours of a structure say: a bar of them at the left of the view with its name, unit and numbers.
+/// What the colours of a structure say: a bar of them at the left of the view with its name, unit and numbers. With
+/// marks it is wide, and stands in the corner where it hides less of the tissue.
 class ColourLegend
 {
   public:
@@ -49,8 +50,23 @@ class ColourLegend
     [[nodiscard]] std::array<std::string, 5> texts() const;
     /// The marks' words, from the lowest.
     [[nodiscard]] std::vector<std::string> markTexts() const;
-    /// @param renderer  that it was added to; @param cubeTop_px  what is below it ends there, logical pixels
-    void place(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
+    /// Where it may stand: at the left above the cube, or, with marks, at the right above the scale.
+    enum class Corner
+    {
+        UpperLeft,
+        LowerRight
+    };
+    void setCorner(Corner corner) noexcept { m_corner = corner; }
+    /// Counts what was shown.
+    [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
+    [[nodiscard]] bool hasMarks() const noexcept { return !m_marks.empty(); }
+    /// What is below it in each corner ends there. [logical px]
+    struct Below
+    {
+        double cube_px = 0.0, scale_px = 0.0;
+    };
+    /// @param renderer  that it was added to
+    void place(vtkRenderer& renderer, const ViewFrame& frame, const Below& below);
     /// Where it stands after `place`, for what is to stay clear of it; empty when it is not shown. Logical pixels from
     /// the view's middle.
     [[nodiscard]] Eigen::AlignedBox2d box() const { return isShown() ? m_box : Eigen::AlignedBox2d(); }
@@ -62,7 +78,7 @@ class ColourLegend
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
     [[nodiscard]] double markedHeight(double letter) const;
-    [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double cubeTop_px);
+    [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px);
     [[nodiscard]] double reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio);
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
@@ -72,6 +88,8 @@ class ColourLegend
     vtkSmartPointer<vtkActor2D> m_grey;
     std::array<vtkSmartPointer<vtkTextActor>, 5> m_texts;
     Eigen::AlignedBox2d m_box;
+    Corner m_corner = Corner::UpperLeft;
+    std::size_t m_revision = 0;
     bool m_hasUnknown = false;
     ColourRange m_range;
     std::vector<Mark> m_marks;

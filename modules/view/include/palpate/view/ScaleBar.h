@@ -21,6 +21,8 @@ class ScaleBar
     void addTo(vtkRenderer& renderer);
     /// @param focus_W  where the bar's length holds
     void place(const Vec3& focus_W, const ViewFrame& frame, int width_px);
+    /// Where it ends after `place`. [device px above the view's lower edge]
+    [[nodiscard]] double top() const noexcept { return m_top; }
     [[nodiscard]] const std::string& text() const noexcept { return m_caption; }
     void setColour(const Colour& colour);
 
@@ -28,6 +30,7 @@ class ScaleBar
     vtkSmartPointer<vtkActor2D> m_bar;
     vtkSmartPointer<vtkTextActor> m_text;
     std::string m_caption;
+    double m_top = 0.0;
 };
 
 } // namespace palpate::view

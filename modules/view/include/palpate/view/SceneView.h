@@ -104,6 +104,8 @@ class SceneView
     [[nodiscard]] double aspect() const;
     void bendTissue(const ViewFrame& frame);
     void findHiddenFindings(const ViewFrame& frame);
+    void placeLegend(const ViewFrame& frame);
+    [[nodiscard]] std::size_t tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
 
     vtkSmartPointer<vtkRenderer> m_solid;
     vtkSmartPointer<vtkRenderer> m_overlay;
@@ -122,6 +124,15 @@ class SceneView
         friend bool operator==(const Seen&, const Seen&) = default;
     };
     std::optional<Seen> m_seen;
+    /// What the legend's corner was chosen for: while the view is turned it stays.
+    struct LegendSeen
+    {
+        std::size_t legend = 0, looks = 0;
+        double width_px = 0.0, height_px = 0.0;
+        friend bool operator==(const LegendSeen&, const LegendSeen&) = default;
+    };
+    LegendSeen m_legendSeen;
+    std::size_t m_looks = 0;          ///< counts what put all of the scene into the view
     std::size_t m_tissueRevision = 0; ///< counts changes of what can hide a finding
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;

@@ -5,6 +5,7 @@
 #include "palpate/view/Dimple.h"
 
 #include <vtkActor.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -37,6 +38,8 @@ class StructureActor
     /// Lights the structure up a little, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
+    /// Where its surface's vertices are drawn without a dent, world frame [mm].
+    [[nodiscard]] vtkPoints& points() const;
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 
   private:
