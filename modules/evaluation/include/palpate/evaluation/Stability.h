@@ -91,8 +91,8 @@ struct MapEdge
 };
 
 /// A tip that a map pushes aside comes to rest where that push begins, and the push switched on and off late is a relay
-/// in the loop: it keeps the tip swinging, however soft the tissue. Below kLimitCycle_mm nothing is held less than on a
-/// plain wall for the map's sake. Friction of the tissue takes the push, and so all of this, away.
+/// in the loop: it keeps the tip swinging, however soft the tissue. Where the swing is below kLimitCycle_mm the tip
+/// rests. Friction of the tissue takes the push, and so all of this, away.
 /// @param setup  its device, rate and delay; the tissue is the scene's own
 /// @return the edge with the largest swing over both grips; nothing without a map of stiffness that bends that way
 /// @par Source resources/docs/stability.md, "A map's edges": the relay's describing function against the damping, the
