@@ -100,6 +100,7 @@ int runStability(const StabilityOptions& options)
     }
     std::vector<stability::Shape> shapes;
     std::string subject = "standard shapes";
+    std::shared_ptr<const haptics::HapticScene> scene;
     if (options.scene.empty()) {
         shapes = stability::standardShapes();
     } else {
@@ -111,7 +112,8 @@ int runStability(const StabilityOptions& options)
             return report(loaded.status());
         }
         subject = options.scene.filename().string();
-        shapes.push_back(stability::shapeOf(subject, *study::hapticScene(loaded.value())));
+        scene = study::hapticScene(loaded.value());
+        shapes.push_back(stability::shapeOf(subject, *scene));
         if (shapes.front().holds.empty()) {
             return report(Status(StatusCode::Empty,
                                  options.scene.string() + ": found nothing to press, expected a palpable surface"));
@@ -130,6 +132,11 @@ int runStability(const StabilityOptions& options)
         return report(status);
     }
     printResult(result);
+    if (scene != nullptr) {
+        for (const std::string& line : stability::mapWarnings(*scene, how)) {
+            print("%s\n", line.c_str());
+        }
+    }
     print("%s\n", (options.out / "stability.html").string().c_str());
     for (const stability::Row& row : result.rows) {
         if (!std::isfinite(row.restless_mm)) {

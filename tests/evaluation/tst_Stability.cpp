@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
+#include <palpate/evaluation/Shapes.h>
 #include <palpate/evaluation/Stability.h>
+#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/servo/PassivityController.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
 
 using namespace palpate::evaluation::stability;
 using palpate::device::DevicePreset;
@@ -26,6 +34,47 @@ const std::vector<Shape>& touchedShapes()
 {
     static const std::vector<Shape> kShapes = standardShapes();
     return kShapes;
+}
+
+/// A wall whose map rises from half to all between two lines of its triangles.
+/// @param isRound  as an S on triangles of 0.5 mm; else straight between its two corners
+Shape stepOver(double width_mm, bool isRound)
+{
+    using palpate::core::Vec3;
+    const int cells = isRound ? 120 : 6;
+    const double cell_mm = 60.0 / cells;
+    auto box = palpate::evaluation::shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), cells);
+    if (!isRound) { // the line at 10 mm goes to where the step ends, those beyond it follow
+        for (Vec3& v : box.vertices) {
+            v.x() = v.x() < 0.5 * cell_mm ? v.x() : width_mm + (v.x() - cell_mm) * (30.0 - width_mm) / (30.0 - cell_mm);
+        }
+    }
+    const auto mesh = palpate::geometry::repair(box);
+    auto surface =
+        std::make_shared<const palpate::geometry::SurfaceIndex>(palpate::geometry::SurfaceIndex::build(mesh));
+    std::vector<float> values;
+    for (const Vec3& v : mesh.mesh.vertices) {
+        const double t = std::clamp(v.x() / width_mm, 0.0, 1.0);
+        values.push_back(static_cast<float>(0.5 + 0.5 * (isRound ? t * t * (3.0 - 2.0 * t) : t)));
+    }
+    palpate::haptics::HapticStructure wall;
+    wall.name = "wall";
+    wall.maps.stiffness = palpate::haptics::TissueMap::atVertices(*surface, mesh, values);
+    wall.surface = std::move(surface);
+    Shape shape;
+    shape.structures = {std::move(wall)};
+    shape.share = {1.0};
+    for (const double share : {0.1, 0.5, 0.9}) {
+        shape.holds.push_back({Vec3(share * width_mm, 0.2, 0), -Vec3::UnitZ(), Vec3::Zero()});
+    }
+    return shape;
+}
+
+palpate::haptics::HapticScene sceneAt(const Shape& shape, double stiffness_N_per_mm)
+{
+    auto structures = shape.structures;
+    structures[0].tissue.stiffness_N_per_mm = stiffness_N_per_mm;
+    return palpate::haptics::HapticScene(std::move(structures));
 }
 
 } // namespace
@@ -116,6 +165,83 @@ class Stability : public QObject
                                                                 .arg(wall)));
             }
         }
+    }
+
+    /// What the formula says of a map's edge is what the loop does there: above the bound it swings, by about as much;
+    /// below it, it rests.
+    void aMapsEdgeSwingsAsFar_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<double>("width_mm");
+        QTest::addColumn<bool>("isRound");
+        for (const char* id : {"omega", "woodenhaptics"}) {
+            for (const double width_mm : {2.0, 5.0, 10.0, 20.0}) {
+                for (const bool isRound : {false, true}) {
+                    QTest::newRow(
+                        qPrintable(QString("%1, %2 mm%3").arg(id).arg(width_mm).arg(isRound ? ", round" : "")))
+                        << QByteArray(id) << width_mm << isRound;
+                }
+            }
+        }
+    }
+    void aMapsEdgeSwingsAsFar()
+    {
+        QFETCH(QByteArray, id);
+        QFETCH(double, width_mm);
+        QFETCH(bool, isRound);
+        constexpr double kTissue_N_per_mm = 0.2;
+        const Shape shape = stepOver(width_mm, isRound);
+        for (const bool isControlled : {false, true}) {
+            const Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
+            const auto edge = worstMapEdge(sceneAt(shape, kTissue_N_per_mm), setup);
+            QVERIFY(edge && edge->structure == 0 && edge->jump_N > 0.0);
+            if (!isRound) { // at its foot, where it begins to rise
+                QVERIFY2(std::abs(edge->p_W.x()) < 1e-9, qPrintable(QString::number(edge->p_W.x())));
+            }
+            const double moved = restlessness_mm(shape, kTissue_N_per_mm, setup);
+            const QString both = QString("said %1 mm, moved %2 mm").arg(edge->swing_mm).arg(moved);
+            if (edge->swing_mm < kLimitCycle_mm) {
+                QVERIFY2(moved < kLimitCycle_mm, qPrintable(both));
+            }
+            if (moved > 0.1) { // motion that is large beside a count of the sensors
+                QVERIFY2(edge->swing_mm > 0.4 * moved, qPrintable(both));
+            }
+        }
+    }
+
+    void aWarningNamesStructureAndPlace()
+    {
+        Options options;
+        options.presets = {*findDevicePreset("touch"), *findDevicePreset("omega")};
+        const auto scene = sceneAt(stepOver(5.0, false), 0.2);
+        const auto lines = mapWarnings(scene, options);
+        QCOMPARE(lines.size(), std::size_t{1}); // a Touch, with more friction, rests there
+        const QString line = QString::fromStdString(lines[0]);
+        QVERIFY2(line.startsWith("wall: its map of stiffness bends too sharply for omega at (0.0, "), qPrintable(line));
+        const auto edge = worstMapEdge(scene, setupOf(options.presets[1]));
+        QVERIFY2(
+            line.contains(QString("jumps by %1 N").arg(edge->jump_N, 0, 'f', 2)) &&
+                line.contains(QString("swinging by %1 mm, expected less than 0.05;").arg(edge->swing_mm, 0, 'f', 2)),
+            qPrintable(line));
+        QVERIFY(mapWarnings(sceneAt(stepOver(20.0, true), 0.2), options).empty());
+    }
+
+    void aMapsEdgeIsNoneWithoutABend()
+    {
+        const Setup setup = setupOf(*findDevicePreset("omega"));
+        Shape flat = stepOver(5.0, false);
+        auto corners = *flat.structures[0].maps.stiffness.corners;
+        for (auto& at : corners) {
+            at = {0.7F, 0.7F, 0.7F};
+        }
+        flat.structures[0].maps.stiffness.corners =
+            std::make_shared<const std::vector<std::array<float, 3>>>(std::move(corners));
+        QVERIFY(!worstMapEdge(sceneAt(flat, 0.2), setup));
+        Shape rough = stepOver(5.0, false);
+        QVERIFY(worstMapEdge(sceneAt(rough, 0.2), setup));
+        rough.structures[0].tissue.friction_static = rough.structures[0].tissue.friction_dynamic = 0.1;
+        QVERIFY(!worstMapEdge(sceneAt(rough, 0.2), setup)); // it takes the push
+        QVERIFY(!worstMapEdge(sceneAt(touchedShapes().front(), 0.2), setup));
     }
 
     /// The omega's stated 5 N/mm oscillates at 1 kHz without the controller: the loop can, and this sees it.

@@ -3,6 +3,8 @@
 #include "MeshWire.h"
 #include "ReadMesh.h"
 #include "Samples.h"
+#include "VolumeFile.h"
+#include "Volumes.h"
 
 #include <QtTest>
 
@@ -21,39 +23,42 @@
 using namespace palpate;
 using core::StatusCode;
 using meshio::internal::readOutcome;
+using meshio::internal::takeVolume;
+using meshio::internal::VoxelGrid;
 using meshio::internal::writeOutcome;
+using meshio::internal::writeVolume;
 
 namespace {
 
 /// What goes wrong in the reader, by the name of the file that it is given.
 void misbehave(const char* path)
 {
-    const std::string name = std::filesystem::path(path).filename().string();
-    if (name == "segv.stl") {
+    const std::string name = std::filesystem::path(path).stem().string();
+    if (name == "segv") {
         (void)std::raise(SIGSEGV);
-    } else if (name == "abort.stl") {
+    } else if (name == "abort") {
         std::abort();
-    } else if (name == "exit.stl") {
+    } else if (name == "exit") {
         ::_exit(7);
-    } else if (name == "hang.stl") {
+    } else if (name == "hang") {
         std::ofstream(std::string(path) + ".pid") << ::getpid() << std::flush;
         while (true) {
             ::pause();
         }
-    } else if (name == "spin.stl") {
+    } else if (name == "spin") {
         for (std::atomic<unsigned> i = 0;; ++i) {
         }
-    } else if (name == "eat.stl") {
+    } else if (name == "eat") {
         while (true) { // to the end of all memory that it can get
             std::memset(::operator new (std::size_t{1} << 24), 1, std::size_t{1} << 24);
         }
-    } else if (name == "files.stl") {
+    } else if (name == "files") {
         int opened = 0;
         while (opened < 1000 && ::open("/dev/null", O_RDONLY) >= 0) {
             ++opened;
         }
         ::_exit(opened < 32 ? 7 : 8);
-    } else if (name == "noise.stl") {
+    } else if (name == "noise") {
         (void)!::write(1, "out", 3);
         (void)!::write(2, "error", 5);
     }
@@ -79,6 +84,7 @@ class Wire
         QCOMPARE(::ftruncate(m_file, 0), 0);
         QCOMPARE(::pwrite(m_file, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
     }
+    [[nodiscard]] core::Result<VoxelGrid> volume() const { return takeVolume(m_file, "/somewhere/a.mha"); }
     [[nodiscard]] core::Result<meshio::MeshFile> taken() const { return readOutcome(m_file, "/somewhere/a.stl"); }
 
   private:
@@ -140,6 +146,14 @@ class ImportServer : public QObject
     void liesAreRefused_data();
     void liesAreRefused();
     void anyByteMayBeWrong();
+    void readsVolumesAsThisProcessDoes();
+    void readerOfAVolumeThatEndsBadlyIsOneError_data();
+    void readerOfAVolumeThatEndsBadlyIsOneError();
+    void aVolumeThatHangsCanBeCancelled();
+    void mapsGoThroughTheChild();
+    void liesAboutAVolumeAreRefused_data();
+    void liesAboutAVolumeAreRefused();
+    void anyByteOfAVolumeMayBeWrong();
 };
 
 void ImportServer::readsWhatThisProcessReads()
@@ -382,6 +396,165 @@ void ImportServer::anyByteMayBeWrong()
                         QVERIFY(*std::max_element(triangle.begin(), triangle.end()) < structure.mesh.vertices.size());
                     }
                 }
+            }
+        }
+    }
+}
+
+void ImportServer::readsVolumesAsThisProcessDoes()
+{
+    const std::size_t before = openDescriptors();
+    for (const test::VolumeSample& sample : test::volumeSamples()) {
+        const test::Folder folder;
+        if (!sample.dataName.empty()) {
+            (void)folder.write(sample.dataName, sample.data);
+        }
+        const auto path = folder.write(sample.name, sample.bytes);
+        const auto here = meshio::internal::readVolumeHere(path, meshio::FileFrame::Ras, {});
+        double last = 0.0;
+        const auto child = meshio::internal::readVolume(path, meshio::FileFrame::Ras, [&last](double share) {
+            last = share >= last ? share : 2.0;
+            return true;
+        });
+        QVERIFY2(here.isOk() && child.isOk(), child.status().message().c_str());
+        QVERIFY(child.value().size == here.value().size);
+        QVERIFY(child.value().values == here.value().values);
+        QVERIFY(child.value().toVoxel.matrix() == here.value().toVoxel.matrix());
+        QCOMPARE(last, 1.0);
+    }
+    QCOMPARE(openDescriptors(), before);
+    const test::Folder folder;
+    QCOMPARE(meshio::internal::readVolume(folder.path("gone.mha"), meshio::FileFrame::Ras, {}).status().code(),
+             StatusCode::NotFound);
+}
+
+void ImportServer::readerOfAVolumeThatEndsBadlyIsOneError_data()
+{
+    QTest::addColumn<std::string>("found");
+    QTest::addColumn<std::string>("expected");
+    QTest::newRow("segv.mha") << std::string("the process that read it crashed (Segmentation fault)")
+                              << std::string("a file that can be read");
+    QTest::newRow("exit.vti") << std::string("the process that read it gave up (exit code 7)")
+                              << std::string("a file that can be read");
+    QTest::newRow("hang.nrrd") << std::string("reading it took more than ")
+                               << std::string("a volume that can be read sooner");
+    QTest::newRow("spin.nii") << std::string("reading it took more than ")
+                              << std::string("a volume that can be read sooner");
+    QTest::newRow("eat.mha") << std::string("the process that read it crashed (Aborted)") // by an uncaught bad_alloc
+                             << std::string("a file that can be read");
+}
+
+void ImportServer::readerOfAVolumeThatEndsBadlyIsOneError()
+{
+    QFETCH(std::string, found);
+    QFETCH(std::string, expected);
+    const test::Folder folder;
+    const std::string name = QTest::currentDataTag();
+    const auto volume = meshio::internal::readVolume(folder.write(name, "x"), meshio::FileFrame::Untagged, {});
+    QVERIFY(!volume.isOk());
+    const std::string& message = volume.status().message();
+    QVERIFY2(message.starts_with(name + ": " + found), message.c_str());
+    QVERIFY2(message.ends_with("; expected " + expected), message.c_str());
+    QCOMPARE(std::count(message.begin(), message.end(), '\n'), std::ptrdiff_t{0});
+}
+
+void ImportServer::aVolumeThatHangsCanBeCancelled()
+{
+    const test::Folder folder;
+    const auto path = folder.write("hang.mha", "x");
+    const auto note = folder.path("hang.mha.pid");
+    std::string process;
+    const auto volume = meshio::internal::readVolume(path, meshio::FileFrame::Untagged, [&](double) {
+        process = test::fileBytes(note);
+        return process.empty();
+    });
+    QCOMPARE(volume.status().code(), StatusCode::Cancelled);
+    QVERIFY(isGone(static_cast<pid_t>(std::stol(process))));
+}
+
+void ImportServer::mapsGoThroughTheChild()
+{
+    const test::Folder folder;
+    QVERIFY(meshio::writeMesh(folder.path("m.vtp"), std::vector{test::tetrahedron("liver")}).isOk());
+    (void)folder.write("segv.mha", "x");
+    const auto scene = meshio::loadScene(folder.write(
+        "s.palpate.json", "{\"version\": 1, \"structures\": [{\"mesh\": \"m.vtp\", \"stiffness_N_per_mm\": 0.4, "
+                          "\"maps\": [{\"quantity\": \"friction\", \"file\": \"segv.mha\"}]}]}"));
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    QVERIFY(scene.value().structures[0].maps.empty());
+    QCOMPARE(scene.value().losses.size(), std::size_t{1});
+    QVERIFY2(scene.value().losses[0].find("segv.mha: the process that read it crashed") != std::string::npos,
+             scene.value().losses[0].c_str());
+}
+
+void ImportServer::liesAboutAVolumeAreRefused_data()
+{
+    QTest::addColumn<std::string>("bytes");
+    const auto row = [](const char* name, auto&& change) {
+        VoxelGrid grid;
+        grid.size = {2, 3, 1};
+        grid.values.assign(6, 1.0F);
+        change(grid);
+        const Wire wire;
+        QVERIFY(writeVolume(wire.file(), std::move(grid)));
+        QTest::newRow(name) << wire.bytes();
+    };
+    row("more than there are", [](auto& g) { g.size[2] = 2; });
+    row("fewer than there are", [](auto& g) { g.size[0] = 1; });
+    row("none", [](auto& g) {
+        g.size[1] = 0;
+        g.values.clear();
+    });
+    row("a product of 2^96", [](auto& g) { g.size = {~0U, ~0U, ~0U}; });
+    row("a product of 2^64 is 0", [](auto& g) {
+        g.size = {1U << 30, 1U << 30, 16};
+        g.values.clear();
+    });
+    row("not a number", [](auto& g) { g.toVoxel.matrix()(1, 2) = std::nan(""); });
+    row("infinite", [](auto& g) { g.toVoxel.matrix()(0, 3) = std::numeric_limits<double>::infinity(); });
+    VoxelGrid grid;
+    grid.size = {2, 3, 1};
+    grid.values.assign(6, 1.0F);
+    const Wire wire;
+    QVERIFY(writeVolume(wire.file(), std::move(grid)));
+    QVERIFY(wire.volume().isOk()); // the others are not refused for nothing
+    QTest::newRow("cut") << wire.bytes().substr(0, wire.bytes().size() - 1);
+    QTest::newRow("longer") << wire.bytes() + 'a';
+    QTest::newRow("nothing") << std::string();
+    QTest::newRow("head alone") << std::string(8, '\xff');
+    QTest::newRow("ok without a volume") << std::string(8, '\0');
+}
+
+void ImportServer::liesAboutAVolumeAreRefused()
+{
+    QFETCH(std::string, bytes);
+    const Wire wire;
+    wire.set(bytes);
+    const auto volume = wire.volume();
+    QVERIFY(!volume.isOk());
+    QCOMPARE(volume.status().code(), StatusCode::Internal);
+    QVERIFY(volume.status().message().starts_with("a.mha: the import process handed back "));
+}
+
+void ImportServer::anyByteOfAVolumeMayBeWrong()
+{
+    constexpr std::size_t kStep = 13;
+    for (const test::VolumeSample& sample : test::volumeSamples()) {
+        const test::Folder folder;
+        if (!sample.dataName.empty()) {
+            (void)folder.write(sample.dataName, sample.data);
+        }
+        for (std::size_t i = 0; i < sample.bytes.size(); i += kStep) {
+            std::string damaged = sample.bytes;
+            damaged[i] = static_cast<char>(damaged[i] ^ (i % 2 == 0 ? '\x01' : '\xff'));
+            const auto volume =
+                meshio::internal::readVolume(folder.write(sample.name, damaged), meshio::FileFrame::Untagged, {});
+            if (volume.isOk()) {
+                const auto& size = volume.value().size;
+                QCOMPARE(volume.value().values.size(), std::size_t{size[0]} * size[1] * size[2]);
+                QVERIFY(volume.value().toVoxel.matrix().allFinite());
+            } else {
+                QVERIFY2(volume.status().message().starts_with(sample.name + ": "), volume.status().message().c_str());
             }
         }
     }

@@ -149,6 +149,26 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("pose": [1,0,0,0, 0,2,0,0, 0,0,1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
     field(R"("pose": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
     field(R"("name": null)", "name: found null, expected a text");
+    field(R"("stiffness_N_per_mm": 1001)", "stiffness_N_per_mm: found 1001, expected 0 to 1000");
+    field(R"("stiffness_N_per_mm": null)", "stiffness_N_per_mm: found null, expected 0 to 1000");
+    field(R"("damping_Ns_per_mm": -0.001)", "damping_Ns_per_mm: found -0.001, expected 0 to 1000");
+    field(R"("damping_Ns_per_mm": 1e4)", "damping_Ns_per_mm: found 10000, expected 0 to 1000");
+    field(R"("friction": 0.3)", "friction: found 0.3, expected an object");
+    field(R"("friction": {"static": -0.1})", "friction.static: found -0.1, expected 0 to 5");
+    field(R"("friction": {"static": 5.1})", "friction.static: found 5.1, expected 0 to 5");
+    field(R"("friction": {"static": null})", "friction.static: found null, expected 0 to 5");
+    field(R"("friction": {"static": "nan"})", "friction.static: found \"nan\", expected 0 to 5");
+    field(R"("friction": {"static": 0.3, "dynamic": -0.1})", "friction.dynamic: found -0.1, expected 0 to 5");
+    field(R"("friction": {"static": 0.3, "dynamic": 0.31})",
+          "friction.dynamic: found 0.31, expected at most `static`, which is 0.3");
+    field(R"("friction": {"dynamic": 0.1})", "friction.dynamic: found 0.1, expected at most `static`, which is 0");
+    field(R"("friction": {"static": 0.3, "drag_Ns_per_mm": -1})",
+          "friction.drag_Ns_per_mm: found -1, expected 0 to 1000");
+    field(R"("law": {"kind": "hertz", "young_kPa": 0})", "law.young_kPa: found 0, expected 0.001 to");
+    field(R"("law": {"kind": "hertz", "radius_mm": -8})", "law.radius_mm: found -8, expected 0.001 to 1000");
+    field(R"("law": {"kind": "layer", "thickness_mm": 0})", "law.thickness_mm: found 0, expected 0.01 to 1000");
+    field(R"("law": {"kind": "click", "F1_N": 1, "F2_N": 2})", "law: F2_N is 2, above F1_N, 1");
+    field(R"("law": {"kind": "click", "fall_mm": 0})", "law.fall_mm: found 0, expected 0.001 to 25");
     field(R"("law": "hertz")", "law: found \"hertz\", expected an object");
     field(R"("law": {})", "law.kind: found nothing, expected one of linear, exponential, hertz, layer, click, points");
     field(R"("law": {"kind": "fung"})", "law.kind: found \"fung\", expected one of linear, exponential");
@@ -278,6 +298,10 @@ void SceneFile::aWrongCurveIsNamedByItsLine_data()
     row("a cell too few", head + "0,0\n1\n", "line 3: force_N is \"\"");
     row("no number", head + "0,0\n1,nan\n", "line 3: point 2 of 2 is (1 mm, nan N)");
     row("does not ascend", head + "0,0\n\n2,1\n1,2\n", "line 5: point 3 of 3 is (1 mm, 2 N)");
+    row("falls below nothing", head + "0,0\n1,-0.1\n", "line 3: point 2 of 2 is (1 mm, -0.1 N)");
+    row("no end", head + "0,0\n1,inf\n", "line 3: point 2 of 2 is (1 mm, inf N)");
+    row("twice the same depth", head + "0,0\n1,1\n1,1\n", "line 4: point 3 of 3 is (1 mm, 1 N)");
+    row("begins with a force", head + "0,0.2\n1,1\n", "line 2: point 1 of 2 is (0 mm, 0.2 N)");
     row("begins in the air", head + "0.5,0\n1,1\n", "line 2: point 1 of 2 is (0.5 mm, 0 N)");
     row("too steep", head + "0,0\n1,1001\n", "line 3: point 2 of 2 is (1 mm, 1001 N), a slope of 1001 N/mm");
     std::string many = head;

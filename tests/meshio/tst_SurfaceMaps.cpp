@@ -6,9 +6,11 @@
 #include <palpate/meshio/SurfaceMaps.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 using namespace palpate;
@@ -155,6 +157,90 @@ class SurfaceMaps : public QObject
         QCOMPARE(masked.value().structures[0].surface->mesh.arrays.size(), std::size_t{1});
     }
 
+    /// What is not above 0 of a stiffness, or below 0 of the others, is not known; a factor of 0 takes friction away.
+    void whatCantBeFeltIsNotKnown_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("values");
+        QTest::addColumn<QString>("known"); // 1 or 0 for each vertex, in the file's order
+        QTest::newRow("scale") << "StiffnessScale"
+                               << "0 -1 inf 2"
+                               << "0001";
+        QTest::newRow("stiffness") << "Stiffness_N_per_mm"
+                                   << "nan 0 -0.5 2"
+                                   << "0001";
+        QTest::newRow("beyond a float") << "Stiffness_N_per_mm"
+                                        << "1e39 -1e39 1 2"
+                                        << "0011";
+        QTest::newRow("Young") << "YoungsModulus_kPa"
+                               << "0 -3 10 inf"
+                               << "0010";
+        QTest::newRow("shear") << "ShearModulus_kPa"
+                               << "-inf 2.3 0 nan"
+                               << "0100";
+        QTest::newRow("damping") << "Damping_Ns_per_mm"
+                                 << "0 -0.001 nan 0.002"
+                                 << "1001";
+        QTest::newRow("friction") << "Friction"
+                                  << "0 -1 inf 2"
+                                  << "1001";
+    }
+    void whatCantBeFeltIsNotKnown()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, values);
+        QFETCH(QString, known);
+        const test::Folder folder;
+        const auto scene =
+            meshio::loadScene(folder.write("m.vtp", vtp(array(name.toStdString(), values.toStdString() + "\n"))));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        const meshio::SurfaceMap& map = scene.value().structures[0].maps.at(0);
+        const std::array<int, 4> order{0, 2, 1, 3}; // of first use, in which vertices stand
+        std::ptrdiff_t unknown = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const bool isKnown = known[order[i]] == QLatin1Char('1');
+            QCOMPARE(std::isfinite(map.values[i]), isKnown);
+            QVERIFY(!isKnown || map.values[i] >= 0.0F);
+            unknown += isKnown ? 0 : 1;
+        }
+        QCOMPARE(meshio::missingValues(map), static_cast<std::size_t>(unknown));
+        const std::string said = "m: the array \"" + name.toStdString() + "\" says nothing at " +
+                                 std::to_string(unknown) + " places of 4, more than a fifth";
+        QVERIFY2(std::any_of(scene.value().warnings.begin(), scene.value().warnings.end(),
+                             [&said](const std::string& line) { return line.starts_with(said); }),
+                 said.c_str());
+    }
+
+    void aFifthIsManyAndLessIsNot()
+    {
+        geometry::TriangleMesh mesh; // a strip of ten vertices
+        for (int i = 0; i < 10; ++i) {
+            mesh.vertices.emplace_back(10.0 * (i / 2), 10.0 * (i % 2), 0.0);
+        }
+        for (std::uint32_t i = 0; i + 2 < 10; ++i) {
+            mesh.triangles.push_back(i % 2 == 0 ? geometry::Triangle{i, i + 2, i + 1}
+                                                : geometry::Triangle{i, i + 1, i + 2});
+        }
+        for (const int missing : {0, 1, 2, 3}) {
+            mesh.arrays = {{"StiffnessScale", false, std::vector<float>(10, 1.0F)}};
+            std::fill_n(mesh.arrays[0].values.begin(), missing, std::numeric_limits<float>::quiet_NaN());
+            meshio::LoadedStructure structure;
+            structure.description.name = "liver";
+            structure.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+            std::vector<std::string> warnings, losses;
+            meshio::resolveMaps(structure, warnings, losses);
+            QVERIFY(losses.empty());
+            QCOMPARE(warnings.size(), std::size_t{missing > 0 ? 1U : 0U});
+            if (missing > 0) {
+                QCOMPARE(warnings[0].find("more than a fifth") != std::string::npos, missing == 3);
+                QVERIFY2(warnings[0].starts_with("liver: the array \"StiffnessScale\" says nothing at " +
+                                                 std::to_string(missing) + (missing > 1 ? " places" : " place") +
+                                                 " of 10"),
+                         warnings[0].c_str());
+            }
+        }
+    }
+
     void weldingTakesTheMeanAndCounts()
     {
         geometry::TriangleMesh mesh;
@@ -181,6 +267,11 @@ class SurfaceMaps : public QObject
                                           << "array \"StiffnessScale\": 3 components for each point; expected 1";
         QTest::newRow("cells too long") << "" << q(array("Friction", "1 2 3 4 5"))
                                         << "array \"Friction\": 5 values; expected 4, one for each polygon";
+        QTest::newRow("three components of a cell")
+            << "" << q(array("Damping_Ns_per_mm", "1 2 3 4 5 6 7 8 9 1 2 3", 3))
+            << "array \"Damping_Ns_per_mm\": 3 components for each polygon; expected 1";
+        QTest::newRow("none") << q(array("Friction", "")) << ""
+                              << "array \"Friction\": 0 values";
         QTest::newRow("no number") << q(array("ShearModulus_kPa", "1 2 soft 4")) << ""
                                    << "array \"ShearModulus_kPa\": value 2 is \"soft\"";
     }
@@ -214,6 +305,17 @@ class SurfaceMaps : public QObject
         QTest::newRow("clamp") << QString::fromStdString(
                                       json("[{'quantity': 'friction', 'array': 'a', 'clamp': [3, 1]}]"))
                                << "maps[0].clamp";
+        QTest::newRow("clamp below nothing")
+            << QString::fromStdString(json("[{'quantity': 'friction', 'array': 'a', 'clamp': [-1, 1]}]"))
+            << "maps[0].clamp[0]: found -1";
+        QTest::newRow("clamp of one") << QString::fromStdString(
+                                             json("[{'quantity': 'friction', 'array': 'a', 'clamp': [1]}]"))
+                                      << "maps[0].clamp: found an array of 1";
+        QTest::newRow("both") << QString::fromStdString(
+                                     json("[{'quantity': 'friction', 'array': 'a', 'file': 'v.mha'}]"))
+                              << "maps[0]";
+        QTest::newRow("no list") << QString::fromStdString(json("{'quantity': 'friction', 'array': 'a'}"))
+                                 << "maps: found an object";
         QTest::newRow("radius")
             << QString::fromStdString(
                    json("[{'quantity': 'stiffness', 'array': 'a', 'unit': 'young_kPa', 'contact_radius_mm': 0}]"))

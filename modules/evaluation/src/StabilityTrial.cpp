@@ -18,12 +18,6 @@ constexpr double kSettle_s = 1.0;
 constexpr double kWatch_s = 0.5;
 constexpr double kSlideSpeed_mm_per_s = 50.0;
 
-/// A hand's push when it rests [N]: 3 N, or 40 % of what the device can.
-double push_N(const device::DevicePreset& preset)
-{
-    return std::min(3.0, 0.4 * preset.maxForce_N);
-}
-
 /// A script that comes down at a speed, slides if asked to, and rests.
 std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, double speed_mm_per_s)
 {
@@ -44,6 +38,11 @@ std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, doub
 }
 
 } // namespace
+
+double push_N(const device::DevicePreset& preset)
+{
+    return std::min(3.0, 0.4 * preset.maxForce_N);
+}
 
 const std::vector<Grip>& grips()
 {

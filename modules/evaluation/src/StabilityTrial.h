@@ -14,6 +14,9 @@ namespace palpate::evaluation::stability {
 /// A hand begins this far off the surface. [mm]
 inline constexpr double kClearance_mm = 5.0;
 
+/// A hand's push when it rests [N]: 3 N, or 40 % of what the device can.
+[[nodiscard]] double push_N(const device::DevicePreset& preset);
+
 /// The shape's structures with this stiffness, as the servo touches them.
 [[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double stiffness_N_per_mm,
                                                                   double damping_Ns_per_mm);

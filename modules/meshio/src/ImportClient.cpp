@@ -11,12 +11,14 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <functional>
 #include <poll.h>
 #include <string>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -66,7 +68,8 @@ std::string inSeconds(double value)
 }
 
 /// What a reader that handed nothing back died of.
-Status death(int outcome, const std::string& file, const Budget& budget)
+/// @param noun  "mesh" or "volume"
+Status death(int outcome, const std::string& file, const Budget& budget, const std::string& noun)
 {
     const auto refused = [&file](StatusCode code, std::string found, std::string_view expected) {
         return fault(code, file, "", found, expected);
@@ -79,14 +82,15 @@ Status death(int outcome, const std::string& file, const Budget& budget)
         case SIGXCPU:
             return refused(StatusCode::OutOfRange,
                            "reading it took more than " + inSeconds(budget.cpu_s) + " of processor time",
-                           "a mesh that can be read sooner");
+                           "a " + noun + " that can be read sooner");
         case SIGXFSZ:
             return refused(StatusCode::OutOfRange,
-                           "its mesh is larger than " + grouped(budget.memory_bytes >> 20) + " MiB",
-                           "a mesh that fits its file's size");
+                           "its " + noun + " is larger than " + grouped(budget.memory_bytes >> 20) + " MiB",
+                           "a " + noun + " that fits its file's size");
         case SIGKILL:
             return refused(StatusCode::OutOfRange,
-                           "the system ended the process that read it, perhaps for want of memory", "a mesh that fits");
+                           "the system ended the process that read it, perhaps for want of memory",
+                           "a " + noun + " that fits");
         default:
             return refused(StatusCode::BadFormat,
                            std::string("the process that read it crashed (") + ::strsignal(signal) + ")",
@@ -107,7 +111,7 @@ enum class End : std::uint8_t
 };
 
 /// Waits for the reader's done byte, telling progress meanwhile.
-End follow(int progress, const ReadOptions& options, Clock::time_point deadline)
+End follow(int progress, const std::function<bool(double)>& told, Clock::time_point deadline)
 {
     constexpr int kLook_ms = 50;    // a cancel takes effect within this
     constexpr double kShare = 0.95; // of the time; the rest is taking the mesh over
@@ -126,7 +130,7 @@ End follow(int progress, const ReadOptions& options, Clock::time_point deadline)
                 return End::Died;
             }
         }
-        if (options.progress && !options.progress(kShare * double(newest) / double(kDoneByte))) {
+        if (told && !told(kShare * double(newest) / double(kDoneByte))) {
             return End::Cancelled;
         }
         if (Clock::now() > deadline) {
@@ -201,7 +205,14 @@ Status startImportServer(const ImportLimits& limits, ReaderHook hook)
     return {};
 }
 
-Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path, const ReadOptions& options)
+namespace {
+
+/// Has a file read in a child, and waits until the outcome lies in a memory file.
+/// @param task  but for its limits; @param size  by which they go: of the file, or files [bytes]
+/// @param noun  what it is, in messages
+Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_t size,
+                             const std::filesystem::path& path, const std::function<bool(double)>& told,
+                             const std::string& noun)
 {
     const std::string name = path.filename().string();
     const auto unstarted = [&name](int error) {
@@ -214,50 +225,77 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
         return unstarted(errno);
     }
     const Descriptor progress(pipe[0]);
-    Descriptor told(pipe[1]);
+    Descriptor toldEnd(pipe[1]);
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pipe.data()) != 0) {
         return unstarted(errno);
     }
     const Descriptor control(pipe[0]); // closed on any return, which ends the reader
     Descriptor keeper(pipe[1]);
-    const Descriptor result(::memfd_create("palpate-import", MFD_CLOEXEC));
+    Descriptor result(::memfd_create("palpate-import", MFD_CLOEXEC));
     if (result.value() < 0) {
         return unstarted(errno);
     }
-    const Budget budget = budgetFor(server().limits, file.size);
+    const Budget budget = budgetFor(server().limits, size);
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget.wall_s));
-    ImportTask task;
     task.memory_bytes = budget.memory_bytes;
     task.cpu_s = static_cast<std::uint64_t>(std::ceil(budget.cpu_s));
     task.files = server().limits.files;
-    task.unit_mm = options.unit_mm;
-    task.isPartial = options.isPartial;
-    task.frame = options.frame;
-    task.readsScale = options.readsScale;
-    if (const int error = ask(task, path, {file.descriptor.value(), result.value(), told.value(), keeper.value()});
+    if (const int error = ask(task, path, {file.descriptor.value(), result.value(), toldEnd.value(), keeper.value()});
         error != 0) {
         return unstarted(error);
     }
-    told = Descriptor(); // only the reader has it now, so that its end is seen
+    toldEnd = Descriptor(); // only the reader has it now, so that its end is seen
     keeper = Descriptor();
-    switch (follow(progress.value(), options, deadline)) {
+    switch (follow(progress.value(), told, deadline)) {
     case End::Done:
         break;
     case End::Died:
-        return death(exitStatus(control.value()), name, budget);
+        return death(exitStatus(control.value()), name, budget, noun);
     case End::Cancelled:
         return Status(StatusCode::Cancelled, name + ": reading was cancelled");
     case End::TooLate:
         return fault(StatusCode::OutOfRange, name, "", "reading it took more than " + inSeconds(budget.wall_s),
-                     "a mesh that can be read sooner");
+                     "a " + noun + " that can be read sooner");
     }
-    // The reader gives its memory back meanwhile.
-    Result<MeshFile> outcome = readOutcome(result.value(), path);
-    if (outcome.isOk() && options.progress && !options.progress(1.0)) {
-        return Status(StatusCode::Cancelled, name + ": reading was cancelled");
+    return result;
+}
+
+/// @return the outcome, or that the person has cancelled while it was taken over
+template<class T>
+Result<T> unlessCancelled(Result<T> outcome, const std::filesystem::path& path, const std::function<bool(double)>& told)
+{
+    if (outcome.isOk() && told && !told(1.0)) {
+        return Status(StatusCode::Cancelled, path.filename().string() + ": reading was cancelled");
     }
     return outcome;
+}
+
+} // namespace
+
+Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path, const ReadOptions& options)
+{
+    ImportTask task;
+    task.unit_mm = options.unit_mm;
+    task.isPartial = options.isPartial;
+    task.frame = options.frame;
+    task.readsScale = options.readsScale;
+    const Result<Descriptor> result = outcomeOf(task, file, file.size, path, options.progress, "mesh");
+    // The reader gives its memory back meanwhile.
+    return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
+                         : result.status();
+}
+
+Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem::path& path, core::FileFrame frame,
+                                    const std::function<bool(double)>& progress)
+{
+    ImportTask task;
+    task.kind = ImportKind::Volume;
+    task.frame = frame;
+    // The server stands where the program stood when it began.
+    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, "volume");
+    return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();
 }
 
 } // namespace internal

@@ -12,10 +12,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <functional>
 #include <malloc.h>
 #include <new>
 #include <poll.h>
 #include <string>
+#include <string_view>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -45,7 +47,27 @@ bool confine(const ImportTask& task)
            ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
-Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+/// @return what tells the client of the share done
+std::function<bool(double)> progressTo(int pipe)
+{
+    return [pipe, newest = -1](double share) mutable {
+        const int step = static_cast<int>(share * (kDoneByte - 1));
+        if (step > newest && step < kDoneByte) {
+            newest = step;
+            const auto byte = static_cast<std::uint8_t>(step);
+            (void)!::write(pipe, &byte, 1); // a client that is behind misses a step
+        }
+        return true;
+    };
+}
+
+core::Status tooLarge(const ImportTask& task, const std::string& name, std::string_view fits)
+{
+    return fault(StatusCode::OutOfRange, name, "",
+                 "reading it takes more than " + grouped(task.memory_bytes >> 20) + " MiB of memory", fits);
+}
+
+Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
 {
     const std::string name = path.filename().string();
     try {
@@ -54,15 +76,7 @@ Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path,
         options.isPartial = task.isPartial;
         options.frame = task.frame;
         options.readsScale = task.readsScale;
-        options.progress = [progress = ends.progress, newest = -1](double share) mutable {
-            const int step = static_cast<int>(share * (kDoneByte - 1));
-            if (step > newest && step < kDoneByte) {
-                newest = step;
-                const auto byte = static_cast<std::uint8_t>(step);
-                (void)!::write(progress, &byte, 1); // a client that is behind misses a step
-            }
-            return true;
-        };
+        options.progress = progressTo(ends.progress);
         const Result<OpenFile> file = openFile(Descriptor(ends.source), name);
         if (!file.isOk()) {
             return file.status();
@@ -70,9 +84,16 @@ Result<MeshFile> read(const ImportTask& task, const std::filesystem::path& path,
         Result<FileImage> image = FileImage::load(file.value(), name);
         return image.isOk() ? decodeMesh(std::move(image).value(), path, options) : image.status();
     } catch (const std::bad_alloc&) {
-        return fault(StatusCode::OutOfRange, name, "",
-                     "reading it takes more than " + grouped(task.memory_bytes >> 20) + " MiB of memory",
-                     "a mesh that fits its file's size");
+        return tooLarge(task, name, "a mesh that fits its file's size");
+    }
+}
+
+Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+{
+    try {
+        return readVolumeHere(path, task.frame, progressTo(ends.progress));
+    } catch (const std::bad_alloc&) {
+        return tooLarge(task, path.filename().string(), "a volume that fits its file's size");
     }
 }
 
@@ -104,7 +125,9 @@ void prepareHeap(const ImportTask& task)
     if (hook != nullptr) {
         hook(path);
     }
-    if (!writeOutcome(ends.result, read(task, path, ends))) {
+    const bool isWritten = task.kind == ImportKind::Volume ? writeVolume(ends.result, readVolumeFor(task, path, ends))
+                                                           : writeOutcome(ends.result, readMeshFor(task, path, ends));
+    if (!isWritten) {
         ::_exit(kBad);
     }
     (void)!::write(ends.progress, &kDoneByte, 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "OpenFile.h"
+#include "VolumeFile.h"
 
 #include "palpate/meshio/ImportServer.h"
 #include "palpate/meshio/MeshFile.h"
@@ -14,6 +15,13 @@ namespace palpate::meshio::internal {
 // Three processes: the client asks the server over a socket; the server forks a keeper, which forks the reader and
 // tells the client how that one ended, or ends it when the client hangs up.
 
+/// What a file is read as.
+enum class ImportKind : std::uint8_t
+{
+    Mesh,
+    Volume, ///< by its path: VTK's readers go by its ending, and some have their numbers in another file
+};
+
 /// What the reader does; sent with the descriptors below and followed by the path.
 struct ImportTask
 {
@@ -24,12 +32,13 @@ struct ImportTask
     FileFrame frame = FileFrame::Untagged;
     bool isPartial = false;
     bool readsScale = true;
+    ImportKind kind = ImportKind::Mesh;
 };
 
 /// The descriptors that go with a task.
 struct ImportEnds
 {
-    int source;   ///< the mesh file
+    int source;   ///< the mesh file, or that of the volume
     int result;   ///< an empty memory file for the outcome
     int progress; ///< a pipe: one byte a step, 0 … kDoneByte - 1, then kDoneByte
     int control;  ///< the keeper's end of a socket: the reader's exit status comes out, hanging up ends the reader
@@ -53,5 +62,10 @@ core::Status startImportServer(const ImportLimits& limits, ReaderHook hook);
 /// @par Thread Any number at a time, a child each.
 [[nodiscard]] core::Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path,
                                                  const ReadOptions& options);
+
+/// The same for a volume. @param frame, progress  as for `readVolume`
+[[nodiscard]] core::Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem::path& path,
+                                                        core::FileFrame frame,
+                                                        const std::function<bool(double)>& progress);
 
 } // namespace palpate::meshio::internal

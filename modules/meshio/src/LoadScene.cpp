@@ -288,7 +288,10 @@ void Loader::collect()
         }
         m_scene.scene.structures.push_back(pending.description);
         m_scene.structures.push_back({std::move(pending.description), pending.frame, std::move(pending.surface)});
-        resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses);
+        resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses, [this] {
+            m_isCancelled = m_isCancelled || (m_options.progress && !m_options.progress(1.0));
+            return !m_isCancelled;
+        });
     }
 }
 
@@ -406,6 +409,9 @@ Result<LoadedScene> Loader::open(const std::string& name)
         return cancelled;
     }
     collect();
+    if (m_isCancelled) {
+        return cancelled;
+    }
     if (m_scene.structures.empty()) {
         return !m_firstFailure.isOk() ? m_firstFailure
                                       : Status(StatusCode::Empty, name + ": " + m_scene.losses.front());

@@ -4,6 +4,7 @@
 #include "Fault.h"
 #include "NumericLocale.h"
 #include "VtkMessages.h"
+#include "VtkProgress.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -21,24 +22,6 @@ namespace {
 using core::Result;
 using core::Status;
 using core::StatusCode;
-
-/// Stops a VTK algorithm when the caller asks for it.
-class ProgressObserver : public vtkCommand
-{
-  public:
-    static ProgressObserver* New() { return new ProgressObserver; }
-    void Execute(vtkObject* caller, unsigned long, void*) override
-    {
-        auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-        if (algorithm != nullptr && report && !report(algorithm->GetProgress())) {
-            isCancelled = true;
-            algorithm->SetAbortExecute(1);
-        }
-    }
-
-    std::function<bool(double)> report;
-    bool isCancelled = false;
-};
 
 } // namespace
 

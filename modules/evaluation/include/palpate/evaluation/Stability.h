@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,25 @@ inline constexpr double kStiffest_N_per_mm = 25.0;
 /// The largest stiffness below which no limit cycle was found, to 4 %; kStiffest_N_per_mm when none at all was.
 [[nodiscard]] double largestStiffness(const Shape& shape, const Setup& setup);
 
+/// Where a map of stiffness bends most for a device: at an edge of its triangles, from flat to rising or from rising
+/// to steeper.
+struct MapEdge
+{
+    std::size_t structure = 0;
+    Vec3 p_W = Vec3::Zero(); ///< middle of the edge [mm]
+    double jump_N = 0.0;     ///< by which the push aside `W grad s` jumps there, with a hand that rests there
+    double swing_mm = 0.0;   ///< of the tip about it that the device can't be sure to damp, peak to peak
+};
+
+/// A tip that a map pushes aside comes to rest where that push begins, and the push switched on and off late is a relay
+/// in the loop: it keeps the tip swinging, however soft the tissue. Where the swing is below kLimitCycle_mm the tip
+/// rests. Friction of the tissue takes the push, and so all of this, away.
+/// @param setup  its device, rate and delay; the tissue is the scene's own
+/// @return the edge with the largest swing over both grips; nothing without a map of stiffness that bends that way
+/// @par Source resources/docs/stability.md, "A map's edges": the relay's describing function against the damping, the
+///             friction and the mass of device and hand.
+[[nodiscard]] std::optional<MapEdge> worstMapEdge(const haptics::HapticScene& scene, const Setup& setup);
+
 /// What the controller changes in the force while a hand presses and slides over the shape at 100 mm/s.
 struct Cost
 {
@@ -134,6 +154,10 @@ struct Options
     std::function<void(double share, const std::string& what)> progress;
 };
 [[nodiscard]] Result measure(const std::string& subject, const std::vector<Shape>& shapes, const Options& options);
+
+/// @return one line for each device of `options` that a map of the scene can keep swinging: structure, device, place,
+/// jump and swing. See worstMapEdge.
+[[nodiscard]] std::vector<std::string> mapWarnings(const haptics::HapticScene& scene, const Options& options);
 
 /// `stability.html` (self-contained) and `stability.csv` in a folder, each only when whole.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Result& result);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <palpate/core/Status.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+// How an outcome crosses from the process that reads to the program: in a memory file, head size, head, then numbers
+// as they lie in memory. Both ends are one build on one machine.
+
+/// What stands at the front of an outcome: its status, names and counts.
+class WireHead
+{
+  public:
+    template<class T>
+    void put(T value)
+    {
+        m_bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    }
+    void put(const std::string& text)
+    {
+        put(std::uint64_t{text.size()});
+        m_bytes.append(text);
+    }
+    /// Begins a head. An error is all of one.
+    void put(const core::Status& status);
+    [[nodiscard]] const std::string& bytes() const noexcept { return m_bytes; }
+    /// Writes its size and itself. @return false when the memory file does not take it
+    [[nodiscard]] bool write(int descriptor) const;
+
+  private:
+    std::string m_bytes;
+};
+
+/// Takes values off a head; after the first that is not there all are zero and `isGood` is false.
+class WireHeadReader
+{
+  public:
+    explicit WireHeadReader(std::string_view bytes)
+        : m_rest(bytes)
+    {
+    }
+    template<class T>
+    T take()
+    {
+        T value{};
+        if (m_rest.size() < sizeof(value)) {
+            m_isGood = false;
+            return value;
+        }
+        std::memcpy(&value, m_rest.data(), sizeof(value));
+        m_rest.remove_prefix(sizeof(value));
+        return value;
+    }
+    std::string text();
+    [[nodiscard]] bool isGood() const noexcept { return m_isGood; }
+    [[nodiscard]] bool isAtEnd() const noexcept { return m_isGood && m_rest.empty(); }
+
+  private:
+    std::string_view m_rest;
+    bool m_isGood = true;
+};
+
+/// An outcome as it was handed back, up to the numbers behind its head.
+struct WireOutcome
+{
+    std::string head;        ///< after its status, which was good
+    std::uint64_t begin = 0; ///< where the numbers begin [bytes]
+    std::uint64_t size = 0;  ///< of the memory file [bytes]
+    core::Status status;     ///< what the reader says, one line that names the file; or that it says nonsense
+};
+/// @param file  its name in messages; @param expected  of an outcome, in them: "a checked mesh"
+[[nodiscard]] WireOutcome readHead(int descriptor, const std::string& file, std::string_view expected);
+
+[[nodiscard]] bool writeAll(int descriptor, const void* data, std::size_t size);
+[[nodiscard]] bool readAll(int descriptor, void* data, std::size_t size, std::uint64_t at);
+
+/// Moves `count` items from the memory file into `out`, a part at a time, each checked while it is near; the file's
+/// pages are given back on the way, so that they are never in memory twice.
+template<class T, class Check>
+[[nodiscard]] bool moveItems(int descriptor, std::uint64_t& at, std::uint64_t count, std::vector<T>& out,
+                             Check&& isGood)
+{
+    constexpr std::size_t kItems = (std::size_t{1} << 22) / sizeof(T);
+    out.reserve(count);
+    while (out.size() < count) {
+        const std::size_t begin = out.size();
+        const std::size_t items = std::min<std::size_t>(kItems, count - begin);
+        out.resize(begin + items);
+        if (!readAll(descriptor, &out[begin], items * sizeof(T), at)) {
+            return false;
+        }
+        (void)::fallocate(descriptor, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(at),
+                          static_cast<off_t>(items * sizeof(T))); // without it only memory is lost
+        at += items * sizeof(T);
+        if (!std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), isGood)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace palpate::meshio::internal

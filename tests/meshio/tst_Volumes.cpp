@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes for maps, read in this process: every form the same numbers at the same places, and what is wrong refused.
+#include "TestRunner.h"
+#include "VolumeFile.h"
+#include "Volumes.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+using namespace palpate;
+using meshio::internal::readVolumeHere;
+using meshio::internal::VoxelGrid;
+
+namespace {
+
+core::Result<VoxelGrid> readSample(const test::Folder& folder, const test::VolumeSample& sample)
+{
+    if (!sample.dataName.empty()) {
+        (void)folder.write(sample.dataName, sample.data);
+    }
+    return readVolumeHere(folder.write(sample.name, sample.bytes), core::FileFrame::Untagged, {});
+}
+
+bool isWhole(const VoxelGrid& grid)
+{
+    bool isRight = grid.size == std::array<std::uint32_t, 3>{12, 3, 2} && grid.values.size() == 72;
+    for (int n = 0; isRight && n < 72; ++n) {
+        const int i = n % 12, j = n / 12 % 3, k = n / 36;
+        isRight = grid.values[static_cast<std::size_t>(n)] == test::volumeValue(i, j, k) &&
+                  (grid.toVoxel * test::volumePlace(i, j, k) - core::Vec3(i, j, k)).norm() < 1e-6;
+    }
+    return isRight;
+}
+
+} // namespace
+
+class Volumes : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyFormSaysTheSame()
+    {
+        for (const test::VolumeSample& sample : test::volumeSamples()) {
+            const test::Folder folder;
+            const auto grid = readSample(folder, sample);
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            QVERIFY2(isWhole(grid.value()), sample.name.c_str());
+        }
+    }
+
+    void whatIsCutShortIsRefused()
+    {
+        for (const test::VolumeSample& sample : test::volumeSamples()) {
+            const bool isBeside = !sample.dataName.empty();
+            const std::size_t size = isBeside ? sample.data.size() : sample.bytes.size();
+            for (std::size_t kept = 0; kept < size; ++kept) {
+                const test::Folder folder;
+                test::VolumeSample cut = sample;
+                (isBeside ? cut.data : cut.bytes).resize(kept);
+                const auto grid = readSample(folder, cut);
+                // What is lost may say nothing: the end of an XML text, gzip's sum.
+                QVERIFY2(!grid.isOk() || isWhole(grid.value()),
+                         (sample.name + " cut at " + std::to_string(kept) + " of " + std::to_string(size)).c_str());
+                if (!grid.isOk()) {
+                    const std::string& said = grid.status().message();
+                    QVERIFY2(said.starts_with(sample.name + ": ") && said.find("; expected ") != std::string::npos &&
+                                 said.find('\n') == std::string::npos,
+                             said.c_str());
+                }
+            }
+        }
+    }
+
+    void whatIsWrongIsRefused_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* what, const char* name, const std::string& bytes, const char* said) {
+            QTest::newRow(what) << QString(name) << QByteArray::fromStdString(bytes) << QString(said);
+        };
+        const std::string floats = test::volumeNumbers();
+        const auto meta = [&floats](const std::string& from, const std::string& to) {
+            std::string text = test::metaHeader("MET_FLOAT", "LOCAL");
+            return text.replace(text.find(from), from.size(), to) + floats;
+        };
+        const auto nifti = [&floats](std::size_t at, auto value) {
+            std::string text = test::niftiHeader();
+            std::memcpy(&text[at], &value, sizeof(value));
+            return text + floats;
+        };
+        row("more voxels than bytes", "v.mha", meta("DimSize = 12 3 2", "DimSize = 12 3 3"),
+            "v.mha: 108 voxels declared; expected as many as its 288 bytes can hold");
+        row("a product beyond 32 bits", "v.mha", meta("DimSize = 12 3 2", "DimSize = 65536 65536 2"),
+            "v.mha: 8,589,934,592 voxels declared");
+        row("a product beyond 64 bits", "v.mha", meta("DimSize = 12 3 2", "DimSize = 2000000000 2000000000 2000000000"),
+            "v.mha: 1,000,000,000,000,000,000 voxels declared");
+        row("no voxel along an axis", "v.mha", meta("DimSize = 12 3 2", "DimSize = 12 0 2"), "v.mha: ");
+        row("less than none", "v.mha", meta("DimSize = 12 3 2", "DimSize = 12 -3 2"), "v.mha: ");
+        row("a distance of 0", "v.mha", meta("ElementSpacing = 1 2 3", "ElementSpacing = 1 0 3"), "v.mha: ");
+        row("a distance that is no number", "v.mha", meta("ElementSpacing = 1 2 3", "ElementSpacing = 1 nan 3"),
+            "v.mha: ");
+        row("axes in a plane", "v.mha", meta("1 0 0 0 1 0 0 0 1", "1 0 0 0 1 0 1 1 0"),
+            "v.mha: header: directions of its axes that can't be read");
+        row("three numbers a voxel", "v.mha",
+            meta("ElementType = MET_FLOAT", "ElementNumberOfChannels = 3\nElementType = MET_FLOAT") + floats + floats,
+            "v.mha: 3 components a voxel; expected one number for each voxel");
+        row("a header without an end", "v.mha", "ObjectType = Image\nNDims = 3\n", "v.mha: header: it does not end");
+        row("packed, and too few", "v.mha",
+            test::metaHeader("MET_FLOAT", "LOCAL", "CompressedData = True\n") + test::zlibbed(floats.substr(0, 100)),
+            "v.mha: 100 bytes when unpacked; expected 288 bytes of voxels");
+        row("packed, and broken", "v.mha",
+            test::metaHeader("MET_FLOAT", "LOCAL", "CompressedData = True\n") + std::string(200, 'x'),
+            "v.mha: its compressed voxels are cut off or broken");
+        row("NRRD, a header without an end", "v.nrrd", "NRRD0004\ntype: float\ndimension: 3\n",
+            "v.nrrd: header: it does not end");
+        row("NRRD, text", "v.nrrd", test::nrrdHeader("ascii") + "1 2 3",
+            "v.nrrd: header: voxels in another encoding; expected `raw` or `gzip`");
+        row("NRRD, packed, and too few", "v.nrrd", test::nrrdHeader("gzip") + test::gzipped(floats.substr(0, 100)),
+            "v.nrrd: ");
+        row("NIfTI, packed, and too few", "v.nii.gz", test::gzipped(test::niftiHeader() + floats.substr(0, 100)),
+            "v.nii.gz: ");
+        row("NIfTI, more voxels than bytes", "v.nii", nifti(42, std::int16_t{32767}), "v.nii: ");
+        row("NIfTI, less than none", "v.nii", nifti(44, std::int16_t{-3}), "v.nii: ");
+        row("NIfTI, a matrix in a plane", "v.nii", nifti(320, 0.0F), "v.nii: ");
+        row("NIfTI, a matrix of no numbers", "v.nii", nifti(280, std::nanf("")), "v.nii: ");
+        row("VTI, fewer numbers than voxels", "v.vti", test::vtiText("1 2 3"), "v.vti: ");
+        row("VTI, a vast extent", "v.vti", test::vtiText("1 2 3", "0 2000000000 0 2000000000 0 2000000000"),
+            "v.vti: 1,000,000,000,000,000,000 voxels declared");
+        row("VTI, a bomb", "v.vti", test::vtiText("1 2 3", "0 999 0 999 0 999"),
+            "v.vti: 1,000,000,000 voxels declared");
+        row("VTI, fewer numbers behind it", "v.vti", test::vtiAppended(floats.substr(0, 100)), "v.vti: ");
+        row("VTI, no image", "v.vti", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"></VTKFile>", "v.vti: ");
+        row("VTI, cut off", "v.vti", test::vtiText("1 2 3").substr(0, 300),
+            "v.vti: it does not end with its last tag; expected `</VTKFile>` at the end");
+        std::string flat = test::vtiAppended(floats);
+        row("VTI, a distance of 0", "v.vti", flat.replace(flat.find("1 2 3"), 5, "1 0 3"),
+            "v.vti: axes or distances of its voxels that say no place");
+        row("nothing", "v.vti", "", "v.vti: ");
+    }
+    void whatIsWrongIsRefused()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, said);
+        const test::Folder folder;
+        const auto grid = readSample(folder, {name.toStdString(), bytes.toStdString()});
+        QVERIFY(!grid.isOk());
+        const std::string& message = grid.status().message();
+        QVERIFY2(QString::fromStdString(message).startsWith(said), message.c_str());
+        QVERIFY2(message.find("; expected ") != std::string::npos, message.c_str());
+    }
+
+    void whatIsNoNumberIsKept()
+    {
+        const test::Folder folder;
+        std::string bytes = test::metaHeader("MET_FLOAT", "LOCAL") + test::volumeNumbers();
+        const float kNot = std::nanf("");
+        std::memcpy(&bytes[bytes.size() - sizeof(float)], &kNot, sizeof(kNot));
+        const auto grid = readSample(folder, {"v.mha", bytes});
+        QVERIFY2(grid.isOk(), grid.status().message().c_str());
+        QVERIFY(std::isnan(grid.value().values.back()));
+        QCOMPARE(grid.value().values[70], test::volumeValue(10, 2, 1));
+    }
+};
+
+PALPATE_TEST(Volumes)
+#include "tst_Volumes.moc"
