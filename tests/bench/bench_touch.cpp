@@ -14,7 +14,7 @@
 // ballR/T   a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s
 // tissue/W/R/T  the slide with a point (R 0) or a ball of R mm on W: plain, friction (slides), stuck (1 mm to and fro
 //           within the cone), law, map (of the stiffness), felt (lumps below), both (lumps below, beside such a map),
-//           all (friction, law, maps of stiffness and damping)
+//           all (friction, law, maps of stiffness and damping), held (friction, lumps below), whole (all of these)
 // worst/N/R a ball of R mm where a tick is bounded by its work: N = fan, the apex of 10,000 facets; pile, a million
 //           triangles within 1e-9 mm; crowd, 300 spheres of 2,000 triangles through each other
 //
@@ -163,11 +163,11 @@ void add(const char* name, int n, double bump, double distance_mm, double speed_
 haptics::HapticScene tissueScene(const std::string& what, int n, double fingertip_mm)
 {
     haptics::HapticStructure on{"sphere", test::indexed(test::bumpySphere(n, kRadius_mm, 0.0)), {0.5, 0.0}, 0};
-    if (what == "friction" || what == "stuck" || what == "all") {
+    if (what == "friction" || what == "stuck" || what == "all" || what == "held" || what == "whole") {
         on.tissue.friction_static = what == "stuck" ? 1.0 : 0.15;
         on.tissue.friction_dynamic = what == "stuck" ? 1.0 : 0.1;
     }
-    if (what == "law" || what == "all") {
+    if (what == "law" || what == "all" || what == "whole") {
         on.tissue.law = core::usualLaw(core::LawKind::Exponential);
     }
     const auto rising = [&on](double perMm) {
@@ -180,15 +180,15 @@ haptics::HapticScene tissueScene(const std::string& what, int n, double fingerti
         }
         return corners;
     };
-    if (what == "map" || what == "both" || what == "all") {
+    if (what == "map" || what == "both" || what == "all" || what == "whole") {
         on.maps.stiffness.corners = rising(0.01);
     }
-    if (what == "felt" || what == "both") {
+    if (what == "felt" || what == "both" || what == "held" || what == "whole") {
         for (std::size_t j = 0; j < on.maps.felt.size(); ++j) {
             on.maps.felt[j].corners = rising(0.002 * static_cast<double>(j));
         }
     }
-    if (what == "all") {
+    if (what == "all" || what == "whole") {
         on.maps.damping = {rising(0.01), 1e-3};
     }
     return haptics::HapticScene({std::move(on)}, fingertip_mm);
@@ -313,7 +313,7 @@ int main(int argc, char** argv)
         add(("ball" + std::to_string(radius)).c_str(), 81, 0.02, radius - 2.0, 100.0, false, 20'000, radius);
     }
     for (const double radius : {0.0, 4.0}) {
-        for (const char* what : {"plain", "friction", "stuck", "law", "map", "felt", "both", "all"}) {
+        for (const char* what : {"plain", "friction", "stuck", "law", "map", "felt", "both", "all", "held", "whole"}) {
             addTissue(what, radius);
         }
     }

@@ -40,7 +40,11 @@ struct Rough
     Palpator palpator;
 
     Rough(const geometry::TriangleMesh& mesh, const Tissue& tissue, double radius_mm = 0.0)
-        : scene({HapticStructure{"it", indexed(mesh), tissue, 0}}, radius_mm)
+        : Rough(HapticStructure{"it", indexed(mesh), tissue, 0}, radius_mm)
+    {
+    }
+    explicit Rough(const HapticStructure& structure, double radius_mm = 0.0)
+        : scene({structure}, radius_mm)
     {
         palpator.setScene(&scene);
     }
@@ -290,17 +294,43 @@ class TestFriction : public QObject
         QCOMPARE(t.p_WG.x(), again);
     }
 
+    void dragIsForceBySpeed_data()
+    {
+        QTest::addColumn<double>("mapped");
+        QTest::addColumn<double>("below");
+        QTest::newRow("no map") << 1.0 << 1.0;
+        QTest::newRow("map of the stiffness") << 2.0 << 1.0;
+        QTest::newRow("lumps felt below") << 1.0 << 2.5;
+        QTest::newRow("both") << 2.0 << 2.5;
+    }
     void dragIsForceBySpeed()
     {
+        QFETCH(const double, mapped);
+        QFETCH(const double, below);
         const double mu = 0.2, drag = 0.02, speed = 30.0, depth = 3.0; // N s/mm, mm/s, mm
+        HapticStructure on{"it", indexed(block()), rough(mu, mu, drag), 0};
+        const auto everywhere = [&on](double value) {
+            const auto number = static_cast<float>(value);
+            return std::make_shared<std::vector<std::array<float, 3>>>(on.surface->triangleCount(),
+                                                                       std::array<float, 3>{number, number, number});
+        };
+        if (mapped != 1.0) {
+            on.maps.stiffness.corners = everywhere(mapped);
+        }
+        if (below != 1.0) {
+            for (haptics::TissueMap& map : on.maps.felt) {
+                map.corners = everywhere(below);
+            }
+        }
         for (const double dt : {1e-3, 1e-4}) {
-            Rough feel(block(), rough(mu, mu, drag));
+            Rough feel(on);
             (void)feel.at(Vec3(-10, 0.3, 1), dt);
             TickResult t;
             const int ticks = static_cast<int>(1.5 / dt); // e^-37 from its steady state
             for (int i = 0; i <= ticks; ++i) {
                 t = feel.at(Vec3(-10 + speed * dt * i, 0.3, -depth), dt);
             }
+            QVERIFY(std::abs(t.f_W.z() - mapped * below * kStiffness * depth) < 1e-6);
             const double felt = mu * t.f_W.z() + drag * speed;
             QVERIFY2(std::abs(along(t.f_W).norm() - felt) < 1e-11 * felt,
                      qPrintable(QString("%1, expected %2").arg(along(t.f_W).norm()).arg(felt)));

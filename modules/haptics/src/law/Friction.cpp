@@ -25,6 +25,25 @@ bool isGentle(const TissueMap& map, const Facet& facet, double most_per_mm) noex
     return area2 > kSliver * e11 * e22 && rise2 <= most * most * area2;
 }
 
+/// @return the force at a depth by the depth, with all that maps say there [N/mm]; where nothing is pressed yet, about
+/// its limit
+double stiffnessAt(const HapticStructure& on, const Facet& facet, const Vec3& foot, double depth_mm) noexcept
+{
+    const bool isPressed = depth_mm > 0.0, hasFelt = on.maps.hasFelt();
+    const TissueMap& map = on.maps.stiffness;
+    const ForceTable::Value law = isPressed ? on.lawAt(depth_mm) : ForceTable::Value{};
+    const double k = isPressed ? law.force_N / depth_mm : on.tissue.stiffness_N_per_mm;
+    if (map.isEmpty() && !hasFelt) {
+        return k;
+    }
+    const law::MapPlace place(facet, foot);
+    double s = map.isEmpty() ? 1.0 : place.risesOf(map).value;
+    if (hasFelt) {
+        s *= isPressed ? law::FeltBelow::at(place, on, depth_mm, law).scale : place.risesOf(on.maps.felt[0]).value;
+    }
+    return s * k;
+}
+
 } // namespace
 
 void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept
@@ -43,11 +62,8 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
     m_still_mm += atRest * lambda_mm;
     m_sliding_mm += sliding * lambda_mm;
     if (m_layer.drags) {
-        const TissueMap& map = on.maps.stiffness;
-        const double s = map.isEmpty() ? 1.0 : law::MapPlace(facet, foot).risesOf(map).value;
-        const double k = lambda_mm > 0.0 ? on.lawAt(lambda_mm).force_N / lambda_mm : on.tissue.stiffness_N_per_mm;
         m_drag = std::max(m_drag, on.tissue.friction_drag_Ns_per_mm);
-        m_stiffest = std::max(m_stiffest, s * k);
+        m_stiffest = std::max(m_stiffest, stiffnessAt(on, facet, foot, lambda_mm));
     }
 }
 
