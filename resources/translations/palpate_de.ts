@@ -2626,6 +2626,122 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
         <translation>seine Dreiecke sind breiter als die Kontaktfläche eines Fingers: was die Hand von seinen Knoten fühlt, weicht um bis zu %1 % vom Gezeigten ab; ein feineres Netz behebt das</translation>
     </message>
+    <message>
+        <source>its volume is larger than %1 MiB</source>
+        <translation>sein Volumen ist größer als %1 MiB</translation>
+    </message>
+    <message>
+        <source>a volume that fits its file&apos;s size</source>
+        <translation>ein Volumen, das zur Größe der Datei passt</translation>
+    </message>
+    <message>
+        <source>a volume that fits</source>
+        <translation>ein Volumen, das hineinpasst</translation>
+    </message>
+    <message>
+        <source>a volume that can be read sooner</source>
+        <translation>ein Volumen, das schneller zu lesen ist</translation>
+    </message>
+    <message>
+        <source>the process that read it gave up (exit code %1)</source>
+        <translation>der Prozess, der es las, hat aufgegeben (Rückgabewert %1)</translation>
+    </message>
+    <message>
+        <source>reading was cancelled</source>
+        <translation>das Lesen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>a readable volume</source>
+        <translation>ein lesbares Volumen</translation>
+    </message>
+    <message>
+        <source>it does not end</source>
+        <translation>er endet nicht</translation>
+    </message>
+    <message>
+        <source>a header that says where the voxels are</source>
+        <translation>ein Dateikopf, der sagt, wo die Voxel stehen</translation>
+    </message>
+    <message>
+        <source>it does not end with its last tag</source>
+        <translation>es endet nicht mit seinem letzten Tag</translation>
+    </message>
+    <message>
+        <source>`&lt;/VTKFile&gt;` at the end</source>
+        <translation>`&lt;/VTKFile&gt;` am Ende</translation>
+    </message>
+    <message>
+        <source>its compressed voxels are cut off or broken</source>
+        <translation>seine komprimierten Voxel sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 bytes when unpacked</source>
+        <translation>%1 Bytes, wenn sie entpackt sind</translation>
+    </message>
+    <message>
+        <source>%1 bytes of voxels</source>
+        <translation>%1 Bytes an Voxeln</translation>
+    </message>
+    <message>
+        <source>%1 voxels declared</source>
+        <translation>%1 Voxel sind angekündigt</translation>
+    </message>
+    <message>
+        <source>as many as its %1 bytes can hold</source>
+        <translation>so viele, wie in seine %1 Bytes passen</translation>
+    </message>
+    <message>
+        <source>an axis without a voxel</source>
+        <translation>eine Achse ohne Voxel</translation>
+    </message>
+    <message>
+        <source>at least one along each axis</source>
+        <translation>mindestens eines entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>%1 components a voxel</source>
+        <translation>%1 Komponenten je Voxel</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>keine Zahlen</translation>
+    </message>
+    <message>
+        <source>one number for each voxel</source>
+        <translation>eine Zahl für jedes Voxel</translation>
+    </message>
+    <message>
+        <source>axes or distances of its voxels that say no place</source>
+        <translation>Achsen oder Abstände seiner Voxel, die keinen Ort angeben</translation>
+    </message>
+    <message>
+        <source>three directions that are not in a plane, and distances that are not 0</source>
+        <translation>drei Richtungen, die nicht in einer Ebene liegen, und Abstände, die nicht 0 sind</translation>
+    </message>
+    <message>
+        <source>directions of its axes that can&apos;t be read</source>
+        <translation>Richtungen seiner Achsen, die nicht lesbar sind</translation>
+    </message>
+    <message>
+        <source>three vectors that are not in a plane</source>
+        <translation>drei Vektoren, die nicht in einer Ebene liegen</translation>
+    </message>
+    <message>
+        <source>voxels in another encoding</source>
+        <translation>Voxel in einer anderen Kodierung</translation>
+    </message>
+    <message>
+        <source>`raw` or `gzip`</source>
+        <translation>`raw` oder `gzip`</translation>
+    </message>
+    <message>
+        <source>the process that read it crashed (%1)</source>
+        <translation>der Prozess, der es las, ist abgestürzt (%1)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>

@@ -2624,7 +2624,123 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
-        <translation>ses triangles sont plus larges que le contact d’un doigt&#xa0;: ce que la main sent de ses nodules diffère de %1&#xa0;% au plus de ce qui est montré&#xa0;; un maillage plus fin y remédie</translation>
+        <translation>ses triangles sont plus larges que le contact d’un doigt&#x202f;: ce que la main sent de ses nodules diffère de %1&#xa0;% au plus de ce qui est montré&#x202f;; un maillage plus fin y remédie</translation>
+    </message>
+    <message>
+        <source>its volume is larger than %1 MiB</source>
+        <translation>son volume dépasse %1 Mio</translation>
+    </message>
+    <message>
+        <source>a volume that fits its file&apos;s size</source>
+        <translation>un volume qui correspond à la taille de son fichier</translation>
+    </message>
+    <message>
+        <source>a volume that fits</source>
+        <translation>un volume qui y tient</translation>
+    </message>
+    <message>
+        <source>a volume that can be read sooner</source>
+        <translation>un volume qui se lit plus vite</translation>
+    </message>
+    <message>
+        <source>the process that read it gave up (exit code %1)</source>
+        <translation>le processus qui le lisait a abandonné (code de retour %1)</translation>
+    </message>
+    <message>
+        <source>reading was cancelled</source>
+        <translation>la lecture a été annulée</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>un volume</translation>
+    </message>
+    <message>
+        <source>a readable volume</source>
+        <translation>un volume lisible</translation>
+    </message>
+    <message>
+        <source>it does not end</source>
+        <translation>il ne se termine pas</translation>
+    </message>
+    <message>
+        <source>a header that says where the voxels are</source>
+        <translation>un en-tête qui dit où sont les voxels</translation>
+    </message>
+    <message>
+        <source>it does not end with its last tag</source>
+        <translation>il ne se termine pas par sa dernière balise</translation>
+    </message>
+    <message>
+        <source>`&lt;/VTKFile&gt;` at the end</source>
+        <translation>`&lt;/VTKFile&gt;` à la fin</translation>
+    </message>
+    <message>
+        <source>its compressed voxels are cut off or broken</source>
+        <translation>ses voxels compressés sont tronqués ou endommagés</translation>
+    </message>
+    <message>
+        <source>%1 bytes when unpacked</source>
+        <translation>%1 octets une fois décompressés</translation>
+    </message>
+    <message>
+        <source>%1 bytes of voxels</source>
+        <translation>%1 octets de voxels</translation>
+    </message>
+    <message>
+        <source>%1 voxels declared</source>
+        <translation>%1 voxels annoncés</translation>
+    </message>
+    <message>
+        <source>as many as its %1 bytes can hold</source>
+        <translation>autant que ses %1 octets peuvent en contenir</translation>
+    </message>
+    <message>
+        <source>an axis without a voxel</source>
+        <translation>un axe sans voxel</translation>
+    </message>
+    <message>
+        <source>at least one along each axis</source>
+        <translation>au moins un le long de chaque axe</translation>
+    </message>
+    <message>
+        <source>%1 components a voxel</source>
+        <translation>%1 composantes par voxel</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>aucun nombre</translation>
+    </message>
+    <message>
+        <source>one number for each voxel</source>
+        <translation>un nombre pour chaque voxel</translation>
+    </message>
+    <message>
+        <source>axes or distances of its voxels that say no place</source>
+        <translation>des axes ou des distances de voxels qui ne donnent aucun lieu</translation>
+    </message>
+    <message>
+        <source>three directions that are not in a plane, and distances that are not 0</source>
+        <translation>trois directions qui ne sont pas dans un plan, et des distances non nulles</translation>
+    </message>
+    <message>
+        <source>directions of its axes that can&apos;t be read</source>
+        <translation>des directions d’axes illisibles</translation>
+    </message>
+    <message>
+        <source>three vectors that are not in a plane</source>
+        <translation>trois vecteurs qui ne sont pas dans un plan</translation>
+    </message>
+    <message>
+        <source>voxels in another encoding</source>
+        <translation>des voxels dans un autre codage</translation>
+    </message>
+    <message>
+        <source>`raw` or `gzip`</source>
+        <translation>`raw` ou `gzip`</translation>
+    </message>
+    <message>
+        <source>the process that read it crashed (%1)</source>
+        <translation>le processus qui le lisait s’est arrêté brutalement (%1)</translation>
     </message>
 </context>
 <context>
