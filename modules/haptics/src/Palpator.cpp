@@ -103,26 +103,12 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
 struct Palpator::Impl
 {
     GodObjectLimits limits;
-    GodObjectLimits given; ///< to the next layer: `limits`, or what is shared
-    internal::SharedWork work;
     const HapticScene* scene = nullptr;
     std::array<GodObject, kLayers> gods;
     std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null: there is room for points alone
     std::array<Numbers, kLayers> numbers;
     Vec3 p_WH = Vec3::Zero(); ///< of the last tick [mm]
     bool started = false;
-
-    // A single layer is to pay nothing for what others share.
-    [[gnu::noinline]] void beginSharing(std::size_t layers) noexcept
-    {
-        work = internal::SharedWork(limits.work, layers);
-        given.work = work.next();
-    }
-    [[gnu::noinline]] void goOnSharing(std::uint32_t spent) noexcept
-    {
-        work.spend(spent);
-        given.work = work.next();
-    }
 
     [[nodiscard]] bool canFeel(const Vec3& hip) const noexcept
     {
@@ -158,7 +144,6 @@ void Palpator::setScene(const HapticScene* scene) noexcept
 {
     Impl& me = *m_impl;
     me.scene = scene;
-    me.given = me.limits;
     const PalpatorState before = state();
     const std::array<Numbers, kLayers> numbers = std::exchange(me.numbers, {});
     for (std::size_t i = 0; i < kLayers; ++i) {
@@ -202,16 +187,12 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     me.started = true;
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
-    if (layers > 1) {
-        me.beginSharing(layers);
-    }
+    internal::SharedWork work(me.limits.work, layers);
     for (std::size_t i = 0; i < layers; ++i) {
         const HapticLayer& layer = me.scene->layer(i);
-        const GodObjectStep step =
-            me.gods[i].step(p_WH, dt_s, layer, me.given, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
-        if (layers > 1) {
-            me.goOnSharing(step.work);
-        }
+        const GodObjectStep step = me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()},
+                                                   me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+        work.spend(step.work);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {

@@ -34,7 +34,6 @@ class TickWork
 class SharedWork
 {
   public:
-    SharedWork() = default;
     /// @param units  of the whole tick; @param layers  how many share them; a single one has them all
     SharedWork(std::uint32_t units, std::size_t layers) noexcept
         : m_left(units)
@@ -46,16 +45,16 @@ class SharedWork
     /// @return how many units the next layer may spend
     [[nodiscard]] std::uint32_t next() noexcept
     {
-        m_kept -= std::min(m_sure, m_kept);
+        m_kept -= m_sure;
         return m_left - m_kept;
     }
     /// Tells what that layer has spent, at most what it was given.
     void spend(std::uint32_t units) noexcept { m_left -= units; }
 
   private:
-    std::uint32_t m_left = 0;
-    std::uint32_t m_sure = 0; ///< of each layer
-    std::uint32_t m_kept = 0; ///< for the layers to come
+    std::uint32_t m_left;
+    std::uint32_t m_sure; ///< of each layer
+    std::uint32_t m_kept; ///< for the layers to come
 };
 
 /// How a sweep of one straight move ended.
