@@ -2,8 +2,6 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
-#include "nearby/TickWork.h"
-
 #include <palpate/haptics/Palpator.h>
 
 #include <algorithm>
@@ -40,20 +38,6 @@ geometry::TriangleMesh crowdedCone()
         mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kFacets});
     }
     return mesh;
-}
-
-/// 60,000 facets at one vertex, more than the work of a tick can ask.
-geometry::TriangleMesh steepFan()
-{
-    geometry::TriangleMesh fan;
-    constexpr std::uint32_t kFacets = 60000;
-    fan.vertices.push_back(Vec3(0.0, 0.0, 5.0));
-    for (std::uint32_t i = 0; i < kFacets; ++i) {
-        const double a = 2.0 * 3.14159265358979 * i / kFacets;
-        fan.vertices.push_back(Vec3(20.0 * std::cos(a), 20.0 * std::sin(a), 0.0));
-        fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % kFacets});
-    }
-    return fan;
 }
 
 bool isSameBits(const Vec3& a, const Vec3& b)
@@ -129,87 +113,18 @@ class PalpatorTest : public QObject
         }
     }
 
-    void theLayersOfATickShareItsWork()
-    {
-        using haptics::internal::SharedWork;
-        for (const std::size_t layers : {1u, 2u, 3u, 4u}) {
-            SharedWork all(20000, layers), first(20000, layers);
-            std::uint32_t spent = 0;
-            for (std::size_t i = 0; i < layers; ++i) {
-                const std::uint32_t given = all.next(), left = first.next();
-                QVERIFY(given >= 20000 / (2 * layers));
-                QVERIFY(i > 0 || layers == 1 || given == 20000 - 20000 / (2 * layers) * (layers - 1));
-                all.spend(given);
-                first.spend(i == 0 ? 100 : 0); // what it leaves is for the others
-                QVERIFY(i == 0 || left == 20000 - 100 - 20000 / (2 * layers) * (layers - 1 - i));
-                spent += given;
-            }
-            QCOMPARE(spent, 20000u);
-        }
-    }
-
-    void aTickOfManyLayersIsBoundedAsOneOfASingleLayer_data()
-    {
-        QTest::addColumn<double>("fingertip_mm");
-        QTest::newRow("point") << 0.0;
-        QTest::newRow("ball") << 4.0;
-    }
-    void aTickOfManyLayersIsBoundedAsOneOfASingleLayer()
-    {
-        QFETCH(const double, fingertip_mm);
-        const auto hills = indexed(bumpySphere(40, 40.0, 0.04));
-        std::vector<HapticStructure> structures;
-        for (std::uint32_t layer = 0; layer < 4; ++layer) {
-            structures.push_back({"hills", hills, {0.5, 0.0}, layer});
-        }
-        const HapticScene four(structures, fingertip_mm), one({structures[0]}, fingertip_mm);
-        const haptics::GodObjectLimits limits{512, fingertip_mm > 0.0 ? 8000u : 800u};
-        Palpator single(haptics::Fingertips::Any, limits), several(haptics::Fingertips::Any, limits);
-        single.setScene(&one);
-        several.setScene(&four);
-        std::uint64_t moves = 0, ofFour = 0;
-        int bounded = 0;
-        for (int i = 0; i < 300; ++i) {
-            const Vec3 hip = 30.0 * Vec3(std::cos(0.9 * i), std::sin(0.9 * i), std::sin(0.3 * i)) * (i < 2 ? 3.0 : 1.0);
-            haptics::PalpatorState state = single.state();
-            state.layers.fill(state.layers[0]);
-            several.restore(state);
-            const TickResult alone = single.step(hip, 1e-3), together = several.step(hip, 1e-3);
-            if (alone.status == TickStatus::IterationLimit) {
-                ++bounded;
-                moves += alone.iterations;
-                ofFour += together.iterations;
-                QCOMPARE(together.status, TickStatus::IterationLimit);
-            }
-        }
-        QVERIFY2(bounded > 20, qPrintable(QString::number(bounded)));
-        // Four times the start of a tick, before the first unit is spent, and no more moves than one layer makes.
-        QVERIFY2(2 * ofFour < 3 * moves, qPrintable(QString("%1 moves, %2 of four").arg(moves).arg(ofFour)));
-    }
-
-    void aLayerAtItsBoundLeavesTheInnerOneAsItIs()
-    {
-        const HapticStructure fan{"fan", indexed(steepFan()), {0.5, 0.0}, 0};
-        const HapticStructure inner{"ball", indexed(sphere(10, 4.0)), {0.5, 0.0}, 1};
-        const HapticScene both({fan, inner}), alone({inner});
-        Palpator palpator, ofInner;
-        palpator.setScene(&both);
-        ofInner.setScene(&alone);
-        int bounded = 0;
-        for (int i = 0; i < 60; ++i) {
-            const Vec3 hip(1e-3 * i, 2e-3 * i, 6.0 - 0.1 * i);
-            const TickResult one = palpator.step(hip, 1e-3);
-            (void)ofInner.step(hip, 1e-3);
-            QVERIFY(isSameBits(palpator.state().layers[1].p_WG, ofInner.state().layers[0].p_WG));
-            bounded += one.status == TickStatus::IterationLimit ? 1 : 0;
-        }
-        QVERIFY(bounded > 0);
-    }
-
     void theWorkOfAPointsTickIsBounded()
     {
         // 60,000 facets at one vertex: none of the sweeps along them ends, and the god-object stays in front of them.
-        const HapticScene scene{{HapticStructure{"fan", indexed(steepFan()), {0.5, 0.0}, 0}}};
+        geometry::TriangleMesh fan;
+        constexpr std::uint32_t kFacets = 60000;
+        fan.vertices.push_back(Vec3(0.0, 0.0, 5.0));
+        for (std::uint32_t i = 0; i < kFacets; ++i) {
+            const double a = 2.0 * 3.14159265358979 * i / kFacets;
+            fan.vertices.push_back(Vec3(20.0 * std::cos(a), 20.0 * std::sin(a), 0.0));
+            fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % kFacets});
+        }
+        const HapticScene scene{{HapticStructure{"fan", indexed(fan), {0.5, 0.0}, 0}}};
         Palpator warm, cold;
         warm.setScene(&scene);
         cold.setScene(&scene);

@@ -187,12 +187,10 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     me.started = true;
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
-    internal::SharedWork work(me.limits.work, layers);
     for (std::size_t i = 0; i < layers; ++i) {
         const HapticLayer& layer = me.scene->layer(i);
-        const GodObjectStep step = me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()},
-                                                   me.balls == nullptr ? nullptr : &(*me.balls)[i]);
-        work.spend(step.work);
+        const GodObjectStep step =
+            me.gods[i].step(p_WH, dt_s, layer, me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
         if (i == 0) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 
 namespace palpate::haptics::internal {
@@ -27,34 +26,6 @@ class TickWork
 
   private:
     std::uint32_t m_left;
-};
-
-/// The work of a tick, dealt out to its layers one after the other: each is sure of an equal part of the half of it,
-/// and what a layer leaves of the rest is for those that follow.
-class SharedWork
-{
-  public:
-    /// @param units  of the whole tick; @param layers  how many share them; a single one has them all
-    SharedWork(std::uint32_t units, std::size_t layers) noexcept
-        : m_left(units)
-        , m_sure(layers > 1 ? units / (2 * static_cast<std::uint32_t>(layers)) : 0)
-        , m_kept(layers > 1 ? m_sure * static_cast<std::uint32_t>(layers) : 0)
-    {
-    }
-
-    /// @return how many units the next layer may spend
-    [[nodiscard]] std::uint32_t next() noexcept
-    {
-        m_kept -= m_sure;
-        return m_left - m_kept;
-    }
-    /// Tells what that layer has spent, at most what it was given.
-    void spend(std::uint32_t units) noexcept { m_left -= units; }
-
-  private:
-    std::uint32_t m_left;
-    std::uint32_t m_sure; ///< of each layer
-    std::uint32_t m_kept; ///< for the layers to come
 };
 
 /// How a sweep of one straight move ended.

@@ -152,7 +152,6 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     if (result.iterations >= limits.iterations || work.isSpent()) {
         result.status = TickStatus::IterationLimit;
     }
-    result.work = limits.work - work.left();
     m_state.p_WG = tick.god();
     keep(tick.contacts());
     report(result);
@@ -197,7 +196,6 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         m_state.p_WG = tick.god();
         keep(tick.contacts());
     }
-    result.work = limits.work - m_near.work().left();
     report(result);
     // Then it stands a skin above the facet; where friction holds it stands as it came.
     m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());

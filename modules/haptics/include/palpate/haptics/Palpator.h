@@ -11,14 +11,11 @@
 
 namespace palpate::haptics {
 
-/// Bounds on the work of one tick, in counts and never in time, so that a replay is exact.
-///
-/// The work is one budget for all layers. Each is sure of an equal part of its half, whatever the others need; of the
-/// other half the outermost takes what it needs, and each further one what is left. So which other layers there are
-/// decides nothing for a layer until a tick reaches its bound.
+/// Bounds on the work of one tick of one layer, in counts and never in time, so that a replay is exact. Each layer has
+/// its own: what one is given must not depend on which others there are.
 struct GodObjectLimits
 {
-    std::uint32_t iterations = 512; ///< moves tried in a tick by each layer; reaching it is reported
+    std::uint32_t iterations = 512; ///< moves tried in a tick; reaching it is reported
     std::uint32_t work = 20000;     ///< units of about 10 ns (internal::TickWork); reaching it is reported, too
 };
 
@@ -59,7 +56,7 @@ class Palpator
     /// @param p_WH  HIP [mm]; one that is not finite, or farther away than HapticScene::reaches, leaves everything as
     ///              it was and gives zero force
     /// @param dt_s  time since the previous tick [s], > 0; gives the damper its velocity, zero on the first tick
-    /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits.
+    /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits for each layer.
     [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] std::size_t byteSize() const noexcept; ///< of all that it holds; the scene is not its own
