@@ -269,6 +269,31 @@ class LawEditor : public QObject
         QCOMPARE(p.plot()->touchedPlace(), p.plot()->placeOf(4.0, 1.5 * 4.0 * k));
         p.keep("dot-scaled");
     }
+    /// In a narrow panel nothing is written over the name of the axis or over what is felt now.
+    void textsOfANarrowPlotDoNotMeet()
+    {
+        core::Tissue tissue;
+        tissue.stiffness_N_per_mm = 0.2;
+        const auto draw = [&](int width, double greatest_N_per_mm, double depth_mm) {
+            ui::LawPlot plot;
+            plot.resize(width, plot.sizeHint().height());
+            plot.show(tissue, greatest_N_per_mm);
+            plot.setTouch(depth_mm, 1.0);
+            return std::pair(plot.grab().toImage(), QRectF(plot.placeOf(0.0, 5.0), plot.placeOf(12.0, 0.0)));
+        };
+        const auto head = [](const auto& drawn) {
+            constexpr int kLine_px = 14;
+            const QRectF in = drawn.second;
+            return drawn.first.copy(int(in.left()), int(in.top()) - kLine_px, int(in.width()), kLine_px);
+        };
+        const auto foot = [](const auto& drawn) {
+            const QRectF in = drawn.second;
+            return drawn.first.copy(int(in.left()), int(in.bottom()) + 2, 100, 14);
+        };
+        constexpr int kNarrow_px = 165, kWide_px = 400;
+        QCOMPARE(head(draw(kNarrow_px, 5.0, 0.0)), head(draw(kNarrow_px, core::unbounded().stiffness_N_per_mm, 0.0)));
+        QCOMPARE(foot(draw(kNarrow_px, 5.0, 3.97)), foot(draw(kWide_px, 5.0, 3.97)));
+    }
     void aCurveIsLoadedOrItsFaultIsSaid()
     {
         Panel p;

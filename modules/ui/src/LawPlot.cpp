@@ -94,11 +94,24 @@ double LawPlot::forceAt(double depth_mm) const
     return m_table == nullptr ? m_tissue.stiffness_N_per_mm * depth_mm : m_table->force(depth_mm);
 }
 
+QString LawPlot::limitText() const
+{
+    return tr("– – device %1 N/mm").arg(plotText(m_greatest));
+}
+
+/// What the device holds stands beside the axis's name, or in a line of its own where there is no room for both.
+bool LawPlot::isLimitAbove() const
+{
+    const QFontMetricsF metrics(font());
+    const double beside = metrics.horizontalAdvance(QStringLiteral("0.05") + tr("Force [N]") + QStringLiteral("  "));
+    return std::isfinite(m_greatest) && beside + metrics.horizontalAdvance(limitText()) + 8.0 > width();
+}
+
 QRectF LawPlot::area() const
 {
     const QFontMetricsF metrics(font());
     const double left = metrics.horizontalAdvance(QStringLiteral("0.05")) + 6.0;
-    const double head = metrics.height() + 4.0;
+    const double head = (isLimitAbove() ? 2.0 : 1.0) * metrics.height() + 4.0;
     return {left, head, width() - left - 8.0, height() - head - metrics.height() - 3.0};
 }
 
@@ -112,6 +125,16 @@ QPointF LawPlot::touchedPlace() const
 {
     const double force_N = m_scale * (m_felt == nullptr ? forceAt(m_depth_mm) : m_felt->force(m_depth_mm));
     return placeOf(std::min(m_depth_mm, m_reach_mm), std::min(force_N, m_top_N));
+}
+
+QString LawPlot::touchText() const
+{
+    constexpr double kSeen = 0.01; // a difference from 1 that is worth a word
+    if (m_depth_mm <= 0.0) {
+        return {};
+    }
+    return std::abs(m_scale - 1.0) < kSeen ? tr("now %1 mm").arg(plotText(m_depth_mm))
+                                           : tr("now %1 mm, here × %2").arg(plotText(m_depth_mm), plotText(m_scale));
 }
 
 QPolygonF LawPlot::curve(const haptics::ForceTable* table) const
@@ -147,8 +170,13 @@ void LawPlot::paintFrame(QPainter& painter) const
     painter.drawText(scale, Qt::AlignRight | Qt::AlignVCenter, plotText(m_top_N));
     painter.drawText(scale.translated(0.0, in.height()), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
     const QRectF foot(in.left(), in.bottom() + 2.0, in.width() + 6.0, metrics.height());
-    painter.drawText(foot, Qt::AlignRight, tr("%1 mm deep").arg(plotText(m_reach_mm)));
+    const QString end = tr("%1 mm deep").arg(plotText(m_reach_mm)), now = touchText();
+    if (metrics.horizontalAdvance(now + QStringLiteral("  ") + end) < foot.width()) { // else what is felt goes first
+        painter.drawText(foot, Qt::AlignRight, end);
+    }
     painter.setPen(palette().color(QPalette::Text));
+    const double over = std::max(0.0, metrics.horizontalAdvance(now) - foot.width());
+    painter.drawText(foot.adjusted(-over, 0.0, 0.0, 0.0), Qt::AlignLeft, now);
     painter.drawText(QPointF(in.left(), in.top() - metrics.descent() - 3.0), tr("Force [N]"));
 }
 
@@ -165,8 +193,8 @@ void LawPlot::paintLimit(QPainter& painter) const
     painter.restore();
     painter.setPen(mutedColour());
     const QFontMetricsF metrics(font());
-    const QRectF head(in.left(), 0.0, in.width() + 6.0, metrics.height() + 2.0);
-    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("– – device %1 N/mm").arg(plotText(m_greatest)));
+    painter.drawText(QRectF(0.0, 0.0, in.right() + 6.0, metrics.height() + 2.0), Qt::AlignRight | Qt::AlignVCenter,
+                     limitText());
 }
 
 void LawPlot::paintEvent(QPaintEvent*)
@@ -195,14 +223,6 @@ void LawPlot::paintEvent(QPaintEvent*)
         painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
         painter.setBrush(palette().color(QPalette::Text));
         painter.drawEllipse(dot, 5.5, 5.5);
-        painter.setPen(palette().color(QPalette::Text));
-        const QFontMetricsF metrics(font());
-        const QRectF foot(area().left(), area().bottom() + 2.0, area().width(), metrics.height());
-        constexpr double kSeen = 0.01; // a difference from 1 that is worth a word
-        painter.drawText(foot, Qt::AlignLeft,
-                         std::abs(m_scale - 1.0) < kSeen
-                             ? tr("now %1 mm").arg(plotText(m_depth_mm))
-                             : tr("now %1 mm, here × %2").arg(plotText(m_depth_mm), plotText(m_scale)));
     }
 }
 

@@ -47,6 +47,9 @@ class LawPlot : public QWidget
     void fitAxes();
     [[nodiscard]] double forceAt(double depth_mm) const;
     [[nodiscard]] QRectF area() const;
+    [[nodiscard]] QString limitText() const;
+    [[nodiscard]] QString touchText() const;
+    [[nodiscard]] bool isLimitAbove() const;
     [[nodiscard]] QPolygonF curve(const haptics::ForceTable* table) const;
     void paintFrame(QPainter& painter) const;
     void paintLimit(QPainter& painter) const;
