@@ -5036,5 +5036,9 @@ und wie tief die Hand in ihr ist [mm]</translation>
         <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
         <translation>Dann P drücken, zum Drücken ziehen und die Tiefe mit dem Rad stellen. ? zeigt alle Tasten.</translation>
     </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
 </context>
 </TS>

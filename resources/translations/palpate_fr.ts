@@ -5036,5 +5036,9 @@ et la profondeur de la main en elle [mm]</translation>
         <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
         <translation>Puis taper P, glisser pour appuyer, et régler la profondeur à la molette.&#x202f;? affiche les raccourcis.</translation>
     </message>
+    <message>
+        <source>or</source>
+        <translation>ou</translation>
+    </message>
 </context>
 </TS>

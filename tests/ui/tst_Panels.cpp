@@ -176,6 +176,31 @@ class Panels : public QObject
         QVERIFY(says(panel, QStringLiteral("press on a structure to feel it")));
         QCOMPARE(panel.findChild<ui::ForceBar*>()->share(), 0.0);
     }
+    /// Names that were shortened are whole again once the panel is wide enough.
+    void namesAreWholeInAWiderPanel()
+    {
+        const QString name = QStringLiteral("right posterior segmental branch");
+        ui::TouchReading reading;
+        reading.structure = name;
+        ui::TouchPanel touch;
+        ui::StructureModel model;
+        std::vector<ui::StructureRow> rows;
+        rows.push_back(test::row(name.toStdString(), test::ball(50.0, 4)));
+        model.setRows(std::move(rows));
+        ui::StructurePanel panel(model);
+        for (QWidget* one : {static_cast<QWidget*>(&touch), static_cast<QWidget*>(&panel)}) {
+            one->resize(150, 700);
+            one->show();
+        }
+        touch.show(reading);
+        panel.select(0);
+        QVERIFY(!says(touch, name));
+        QVERIFY(!says(panel, name));
+        touch.resize(700, 700);
+        panel.resize(700, 700);
+        QVERIFY(says(touch, name));
+        QVERIFY(says(panel, name));
+    }
     void barEndsAtTheLimit()
     {
         ui::ForceBar bar;

@@ -161,6 +161,9 @@ class Language : public QObject
         QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
         QCoreApplication::installTranslator(&translator);
         QVERIFY(m_desk->show({1280, 800}));
+        for (const QLabel* label : m_desk->window().findChildren<QLabel*>()) {
+            QVERIFY2(!label->text().contains(QStringLiteral(" or ")), qPrintable(label->text()));
+        }
         QVERIFY(m_desk->openPhantom());
         QTest::qWait(500);
         const QStringList found = cutTexts(m_desk->window());

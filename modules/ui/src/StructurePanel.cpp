@@ -504,12 +504,26 @@ bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
+void StructurePanel::fitTitle()
+{
+    m_title->setText(
+        m_title->fontMetrics().elidedText(m_title->toolTip(), Qt::ElideRight, std::max(120, width() - 70)));
+}
+
+void StructurePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (!m_title->toolTip().isEmpty()) {
+        fitTitle();
+    }
+}
+
 void StructurePanel::showHead(const std::vector<int>& rows)
 {
     const QString name =
         rows.size() > 1 ? tr("%1 structures").arg(rows.size()) : readableName(m_model.structure(rows.front()).name);
-    m_title->setText(fontMetrics().elidedText(name, Qt::ElideRight, std::max(120, width() - 70)));
     m_title->setToolTip(name);
+    fitTitle();
     const QStringList found = rows.size() > 1 ? QStringList() : m_model.defects(rows.front());
     m_findings->setVisible(!found.isEmpty());
     m_findings->setText(found.join(QLatin1Char('\n')));
@@ -536,6 +550,7 @@ void StructurePanel::showSelection()
         showBound(row);
     } else {
         m_bound->hide();
+        m_title->setToolTip({});
         m_title->setText(tr("No structure selected"));
         m_findings->hide();
     }

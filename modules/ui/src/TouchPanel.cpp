@@ -116,6 +116,12 @@ void TouchPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
+void TouchPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    setLine(m_structure->toolTip(), m_detail->text()); // as much of the name as there is room for now
+}
+
 double TouchPanel::forceLimit_N() const
 {
     return m_bar->limit_N();
@@ -132,8 +138,8 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
         m_structure->fontMetrics().elidedText(structure, Qt::ElideMiddle, std::max(100, width() - 28));
     if (m_structure->text() != shown) {
         m_structure->setText(shown);
-        m_structure->setToolTip(structure);
     }
+    m_structure->setToolTip(structure);
     m_detail->setText(detail);
 }
 

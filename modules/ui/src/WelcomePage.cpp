@@ -22,9 +22,9 @@ WelcomePage::WelcomePage(QWidget* parent)
     auto* title = new QLabel(tr("Feel segmented anatomy"), m_card);
     keepFont(*title, 2.0, QFont::DemiBold);
     title->setAlignment(Qt::AlignCenter);
-    auto* hint = new QLabel(
-        tr("Drop surface meshes or a scene here: %1").arg(QString::fromStdString(meshio::meshFormatNames("or"))),
-        m_card);
+    auto* hint = new QLabel(tr("Drop surface meshes or a scene here: %1")
+                                .arg(QString::fromStdString(meshio::meshFormatNames(tr("or").toStdString()))),
+                            m_card);
     hint->setAlignment(Qt::AlignCenter);
     hint->setForegroundRole(QPalette::PlaceholderText);
     hint->setWordWrap(true);

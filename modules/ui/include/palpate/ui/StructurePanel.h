@@ -65,6 +65,7 @@ class StructurePanel : public QWidget
     /// In the list: Ctrl+E shows or hides the selected structures, Ctrl+H makes them felt or not, Ctrl+Down and Ctrl+Up
     /// have them felt a layer deeper or farther out; Del takes them out, Esc selects none.
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     using Change = std::function<void(meshio::SceneStructure&)>;
@@ -75,6 +76,7 @@ class StructurePanel : public QWidget
     void moveLayers(int steps);
     void showSelection();
     void showHead(const std::vector<int>& rows);
+    void fitTitle();
     void refuse(const QString& line);
     [[nodiscard]] QString refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const;
     void setLayer(const QVariant& chosen);

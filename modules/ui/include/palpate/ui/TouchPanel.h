@@ -52,6 +52,7 @@ class TouchPanel : public QWidget
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void fitFont();
