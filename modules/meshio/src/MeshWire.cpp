@@ -118,7 +118,7 @@ const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshC
 Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
-    constexpr std::string_view kExpected = "a checked mesh";
+    static constexpr std::string_view kExpected = "a checked mesh";
     const auto nonsense = [&name](const char* what) {
         return fault(StatusCode::Internal, name, "", std::string("the import process handed back ") + what, kExpected);
     };

@@ -32,7 +32,7 @@ bool writeVolume(int descriptor, Result<VoxelGrid> outcome)
 Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
-    constexpr std::string_view kExpected = "a checked volume";
+    static constexpr std::string_view kExpected = "a checked volume";
     const auto nonsense = [&name](const char* what) {
         return fault(StatusCode::Internal, name, "", std::string("the import process handed back ") + what, kExpected);
     };
