@@ -9,7 +9,8 @@
 
 namespace palpate::app {
 
-/// One line on stderr that is written over, at most ten times a second; a line for every tenth where stderr is not a terminal.
+/// One line on stderr that is written over, at most ten times a second; a line for every tenth where stderr is not a
+/// terminal.
 class ProgressLine
 {
   public:

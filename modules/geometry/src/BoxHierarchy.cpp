@@ -281,8 +281,8 @@ class HierarchyBuilder
         return next;
     }
 
-    /// The whole tree of many items: which thread divides which part does not depend on the number of threads, nor do the
-    /// nodes' places.
+    /// The whole tree of many items: which thread divides which part does not depend on the number of threads, nor do
+    /// the nodes' places.
     void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
     {
         constexpr std::uint32_t kTrees = 128; // several for each thread: they take unequal times

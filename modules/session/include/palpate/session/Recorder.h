@@ -14,8 +14,8 @@
 
 namespace palpate::session {
 
-/// Lets a loop record from its next tick on. Ticks and beginnings of an earlier recording that were not taken are thrown
-/// away.
+/// Lets a loop record from its next tick on. Ticks and beginnings of an earlier recording that were not taken are
+/// thrown away.
 /// @return where it begins, or nothing when the loop does not answer
 [[nodiscard]] std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop);
 
