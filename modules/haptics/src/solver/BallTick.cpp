@@ -15,6 +15,9 @@ namespace {
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
+// Steps no longer than so many skins come nearer by less than kArrived skins in kPatience moves: they are not made. Far
+// from the origin they are rounding, and each may ask for all facets around.
+constexpr double kShortest = kArrived / kPatience;
 constexpr int kMostSlight = 4; // moves aside in a tick that gain no more than that and are followed up
 
 // Steps creep when kCreeping in a row lead the same way, to the cosine kAlike. Then one is made as long as they all
@@ -406,7 +409,7 @@ bool BallTick::goesOn() noexcept
         return !isKept(true);
     }
     const double step = u.cwiseAbs().maxCoeff();
-    if (!m_active.isEmpty() && step <= kRoundingOfMoves * m_skin_mm) {
+    if (!m_active.isEmpty() && step <= kShortest * m_skin_mm) {
         return !isKept(true) || topples();
     }
     const bool isLong = m_trialMoves == kTrial;
