@@ -254,6 +254,30 @@ class Fingertip : public QObject
         }
     }
 
+    void farFromTheOriginItRestsAtOnce()
+    {
+        // There a step is seldom nothing: the rounding of positions turns the contact point's plane to and fro.
+        geometry::TriangleMesh mesh = sphere(10, 30.0);
+        const Vec3 far(-282557.4, 9611.3, 277752.6);
+        for (Vec3& v : mesh.vertices) {
+            v += far;
+        }
+        BallFeel feel(mesh, 20.0);
+        std::mt19937_64 random(1);
+        std::normal_distribution<double> normal;
+        std::uint32_t most = 0;
+        for (int place = 0; place < 40; ++place) {
+            const Vec3 out = Vec3(normal(random), normal(random), normal(random)).normalized();
+            (void)feel.move(far + 60.0 * out, far + 35.0 * out, 50);
+            for (int i = 0; i < 5; ++i) {
+                most = std::max(most, feel.at(far + 35.0 * out).iterations);
+            }
+            (void)feel.at(far + 60.0 * out);
+        }
+        qInfo("%u moves at most where the HIP rests", most);
+        QVERIFY(most <= 8);
+    }
+
     void whereTheHipIsAVertexItStays()
     {
         // All around the vertex is as near to the HIP: whatever the ball's way there, it then goes nowhere.
