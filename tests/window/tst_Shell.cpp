@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QToolButton>
 #include <QTreeView>
@@ -273,6 +274,8 @@ class Shell : public QObject
     void lettersInAListLookForNames()
     {
         list().setFocus();
+        const auto putBack = qScopeGuard(
+            [before = QApplication::keyboardInputInterval()] { QApplication::setKeyboardInputInterval(before); });
         QApplication::setKeyboardInputInterval(20000); // so that a busy machine does not begin a name anew
         the<ui::StructurePanel>().select(0);
         const bool wasModified = window().isWindowModified();
