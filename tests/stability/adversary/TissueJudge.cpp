@@ -45,14 +45,22 @@ double at(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& sha
     return map.factor * (shares[0] * double{corner[0]} + shares[1] * double{corner[1]} + shares[2] * double{corner[2]});
 }
 
-/// How steep a map is on a triangle: it rises along each edge by the difference of its ends. [1/mm of its unit]
+/// How steep a map is on a triangle, across which it rises from the first corner by what the others have more: by the
+/// length of the difference of two edges, each times the rise along the other, over twice the area. In long double: on
+/// a sliver the area is a small difference. [1/mm of the map's unit]
 double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& ab, const Vec3& ac)
 {
-    Eigen::Matrix<double, 3, 2> edges;
-    edges << ab, ac;
+    using Long3 = Eigen::Matrix<long double, 3, 1>;
     const std::array<float, 3>& corner = (*map.corners)[triangle];
-    const Eigen::Vector2d rise(double{corner[1]} - double{corner[0]}, double{corner[2]} - double{corner[0]});
-    return map.factor * (edges * (edges.transpose() * edges).inverse() * rise).norm();
+    const Long3 b = ab.cast<long double>(), c = ac.cast<long double>();
+    const auto rise = [&corner](int i) { return static_cast<long double>(corner[i]) - corner[0]; };
+    return map.factor * static_cast<double>((rise(1) * c - rise(2) * b).norm() / b.cross(c).norm());
+}
+
+/// @return what an area in double precision is uncertain by, as a share of it: much on a sliver.
+double roundingOfArea(const Vec3& ab, const Vec3& ac)
+{
+    return 16.0 * kUlp * std::max(ab.squaredNorm(), ac.squaredNorm()) / ab.cross(ac).norm();
 }
 
 } // namespace
@@ -99,6 +107,7 @@ ForceOfTissue::ForceOfTissue(const haptics::HapticStructure& structure, const ha
         m_stiffness = at(maps.stiffness, plane.triangle, shares);
         m_least = maps.stiffness.factor * double{std::ranges::min((*maps.stiffness.corners)[plane.triangle])};
         m_slope_per_mm = slope(maps.stiffness, plane.triangle, b - a, c - a);
+        m_rounding = roundingOfArea(b - a, c - a);
     }
 }
 
@@ -115,7 +124,7 @@ bool ForceOfTissue::is(const Vec3& f_W, const Vec3& v_WH) const
     const double place =
         128.0 * m_on.surface->skin_mm() * (m_slope_per_mm * law.force_N + m_dampingSlope * v_WH.norm());
     return (f_W - elastic + viscous).norm() <=
-           (1.0 + 1e-6) * beside + place + rounding * (elastic.norm() + viscous.norm());
+           (1.0 + 1e-6 + m_rounding) * beside + place + rounding * (elastic.norm() + viscous.norm());
 }
 
 double ForceOfTissue::coefficient(double mu, double lambda_mm) const

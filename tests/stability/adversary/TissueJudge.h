@@ -43,6 +43,7 @@ class ForceOfTissue
     const haptics::HapticStructure& m_on;
     Vec3 m_spring;
     double m_stiffness = 1.0, m_slope_per_mm = 0.0; ///< s and |grad s|
+    double m_rounding = 0.0;                        ///< of the latter, as a share of it
     double m_damping, m_dampingSlope = 0.0;
     double m_least = 1.0, m_friction = 1.0; ///< least s and greatest scale of friction, anywhere on the triangle
 };

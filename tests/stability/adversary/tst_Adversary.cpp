@@ -51,6 +51,47 @@ class Adversary : public QObject
     void roughballs() { checkFamily(Family::RoughBalls, 1, 400000); }
 };
 
+/// Seeds that have found something, up to the tick that was wrong.
+class FoundSeeds : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void stayRight_data()
+    {
+        QTest::addColumn<Family>("family");
+        QTest::addColumn<quint64>("seed");
+        QTest::addColumn<int>("ticks");
+        const auto row = [](const char* what, Family family, quint64 seed, int lastTick) {
+            QTest::addRow("%s: %s %llu", what, nameOf(family), static_cast<unsigned long long>(seed))
+                << family << seed << lastTick + 1;
+        };
+        row("a free way shorter than rounding ends beside the HIP", Family::Closed, 1000731, 713);
+        row("planes at shallow angles lead away from the HIP", Family::Closed, 1001218, 788);
+        row("planes at shallow angles lead away from the HIP", Family::Closed, 1007036, 211);
+        row("a facet stops a move in its plane far before it", Family::Layers, 1003802, 233);
+        row("a contact is lost to the rounding of a larger structure", Family::Rough, 5249, 3724);
+        row("a facet holds a ball that came around its rim", Family::RoughBalls, 201, 2579);
+        row("a facet holds a ball that came around its rim", Family::RoughBalls, 286, 149);
+        row("a facet holds a ball that came around its rim", Family::RoughBalls, 313, 2213);
+        row("a facet holds a ball that came around its rim", Family::Balls, 50251, 3537);
+        row("a facet holds a ball that came around its rim", Family::Balls, 50355, 3481);
+        row("judged by a map's slope on a sliver", Family::Rough, 9237, 1060);
+        row("judged by a map's slope on a sliver", Family::Rough, 20069, 15);
+        row("judged by a map's slope on a sliver", Family::Rough, 700031, 1728);
+    }
+    void stayRight()
+    {
+        QFETCH(const Family, family);
+        QFETCH(const quint64, seed);
+        QFETCH(const int, ticks);
+        Tally tally;
+        play(family, seed, ticks, tally);
+        QVERIFY(tally.inContact > 0);
+        QVERIFY2(tally.lines.empty(), tally.lines.empty() ? "" : tally.lines.front().c_str());
+    }
+};
+
 /// A hundred millions, of other seeds.
 class LongAdversary : public QObject
 {
@@ -90,5 +131,6 @@ class ShortAdversary : public QObject
 
 PALPATE_TEST(Adversary)
 PALPATE_TEST(LongAdversary)
+PALPATE_TEST(FoundSeeds)
 PALPATE_TEST(ShortAdversary)
 #include "tst_Adversary.moc"

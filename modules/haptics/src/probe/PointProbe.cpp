@@ -60,6 +60,28 @@ Part partInBox(const Facet& facet, const Vec3& x, const Vec3& y, double around_m
     return part;
 }
 
+/// Keeps the part of the move x → y that is at most `around_mm` outside each of the facet's edges, seen along its
+/// normal.
+void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm, Part& part) noexcept
+{
+    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
+    for (std::size_t i = 0; i < 3 && !part.isEmpty(); ++i) {
+        const Vec3 edge = *corner[i + 1] - *corner[i];
+        const Vec3 outwards = edge.cross(facet.n);
+        part.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), around_mm * edge.norm());
+    }
+}
+
+/// @return the share of a move in a facet's plane that leads up to the facet from beside: before it is at its edge, and
+/// before it is behind the plane by more than counts as on it.
+double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double start, double end) noexcept
+{
+    const double around = kBesideEdge * facet.skin_mm;
+    Part part = partInBox(facet, x, y, around);
+    clipToEdges(facet, x, y, around, part);
+    return std::max(0.0, std::min(part.begin, (start + kOnPlane * facet.skin_mm) / (start - end)));
+}
+
 /// A move seen from the side of a facet that it starts on.
 struct Approach
 {
@@ -84,12 +106,7 @@ bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approac
     inside.clip(start, end, half);
     inside.clip(-start, -end, half);
     const double level = inside.begin;
-    const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
-    for (std::size_t i = 0; i < 3 && !inside.isEmpty(); ++i) {
-        const Vec3 edge = *corner[i + 1] - *corner[i];
-        const Vec3 outwards = edge.cross(facet.n);
-        inside.clip(outwards.dot(x - *corner[i]), outwards.dot(y - *corner[i]), half * edge.norm());
-    }
+    clipToEdges(facet, x, y, half, inside);
     // A god-object that was put down in a plate may leave it.
     if (inside.isEmpty() || (inside.begin <= 0.0 && (!facet.isTwoSided || end >= start))) {
         return false;
@@ -175,6 +192,9 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     }
     crossing.depth = -end;
     crossing.stop = std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
+    if (!isTouched && along < part.begin) {
+        crossing.stop = std::min(crossing.key, shareBeside(facet, x, y, start, end)); // it is met from beside
+    }
     crossing.facet = facet;
     crossing.side = 1;
     return true;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "probe/Skin.h"
 #include "solver/ConstrainedPoint.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace palpate::haptics::internal {
@@ -49,17 +51,19 @@ class ActiveSet
 
     /// Finds the allowed displacement nearest to `wanted`, and lets go of the contacts with no part in it.
     /// @param planeOf  gives a contact's HalfSpace of displacements
-    /// @param allowance_mm  as of `constrainedPoint`
     /// @return the displacement [mm]
     template<class PlaneOf>
-    [[nodiscard]] Vec3 constrain(const Vec3& wanted, double allowance_mm, PlaneOf&& planeOf) noexcept
+    [[nodiscard]] Vec3 constrain(const Vec3& wanted, PlaneOf&& planeOf) noexcept
     {
         std::array<HalfSpace, kMost> planes;
+        double skin_mm =
+            std::numeric_limits<double>::infinity(); // the thinnest: no contact is lost to another's rounding
         for (std::size_t i = 0; i < m_count; ++i) {
             planes[i] = planeOf(m_contacts[i]);
+            skin_mm = std::min(skin_mm, m_contacts[i].facet.skin_mm);
         }
         const ConstrainedPoint point =
-            constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_count), allowance_mm);
+            constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_count), allowance(skin_mm, wanted));
         m_count = static_cast<std::size_t>(point.count);
         for (std::size_t i = 0; i < m_count; ++i) {
             // `active` ascends, so nothing is overwritten before it is used.

@@ -85,6 +85,11 @@ void BallContact::lookFrom(const Vec3& g) noexcept
     } else {
         n = side * facet.n;
         distance_mm = n.dot(g - facet.a);
+        if (facet.isTwoSided && distance_mm < -kOnPlane * facet.skin_mm) { // it has come around the rim
+            side = -side;
+            n = -n;
+            distance_mm = -distance_mm;
+        }
     }
 }
 
@@ -144,7 +149,7 @@ Vec3 BallTick::nextMove() noexcept
         return wanted;
     }
     const double radius = m_layer.fingertip_mm;
-    const Vec3 u = m_active.constrain(wanted, allowance(m_skin_mm, wanted), [radius](const BallContact& c) {
+    const Vec3 u = m_active.constrain(wanted, [radius](const BallContact& c) {
         const double missing = radius + c.facet.skin_mm - c.distance_mm;
         return HalfSpace{c.n, missing <= kPressed * c.facet.skin_mm ? missing : 0.0};
     });
@@ -480,7 +485,9 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
 
 bool BallTick::isTouched(const BallContact& contact) const noexcept
 {
-    return contact.distance_mm <= m_layer.fingertip_mm + kParted * contact.facet.skin_mm;
+    const double skin = contact.facet.skin_mm;
+    // A facet with an inside holds nothing that is behind it.
+    return contact.distance_mm >= -kOnPlane * skin && contact.distance_mm <= m_layer.fingertip_mm + kParted * skin;
 }
 
 /// True when the ball is nearer to a contact than its radius: it was put there, and each move lets it out farther.

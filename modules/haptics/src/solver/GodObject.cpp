@@ -6,6 +6,7 @@
 #include "solver/Walk.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 namespace palpate::haptics::internal {
@@ -76,10 +77,10 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
 ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
                                             std::array<HalfSpace, 3>& planes) const noexcept
 {
-    double skin_mm = 0.0;
+    double skin_mm = std::numeric_limits<double>::infinity(); // the thinnest
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
         const Facet& facet = m_facets[i];
-        skin_mm = std::max(skin_mm, facet.skin_mm);
+        skin_mm = std::min(skin_mm, facet.skin_mm);
         if (layer.fingertip_mm > 0.0) {
             BallContact contact;
             contact.facet = facet;
@@ -193,8 +194,12 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         if (result.iterations >= limits.iterations || m_near.work().isSpent()) {
             result.status = TickStatus::IterationLimit;
         }
-        m_state.p_WG = tick.god();
-        keep(tick.contacts());
+        // Where many planes cross at shallow angles, keeping a skin from each may lead away: then it stays.
+        const double most = (p_WH - m_state.p_WG).norm() + kTouched * layer.skin_mm;
+        if (m_state.constraints == 0 || (p_WH - tick.god()).norm() <= most) {
+            m_state.p_WG = tick.god();
+            keep(tick.contacts());
+        }
     }
     report(result);
     // Then it stands a skin above the facet; where friction holds it stands as it came.

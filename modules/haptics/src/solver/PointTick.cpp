@@ -71,6 +71,10 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             }
             continue;
         }
+        if (m_active.isEmpty()) {
+            m_god = target; // the HIP: nothing holds it short of that, be it by rounding
+            return i + 1 + m_walked;
+        }
         moveTo(target);
         const std::size_t before = m_active.count();
         keepSupporting();
@@ -115,8 +119,7 @@ Vec3 PointTick::nextTarget() noexcept
         return m_hip;
     }
     const Vec3 wanted = m_hip - m_god;
-    const Vec3 u = m_active.constrain(wanted, allowance(m_skin_mm, wanted),
-                                      [this](const PointContact& c) { return c.planeFrom(m_god); });
+    const Vec3 u = m_active.constrain(wanted, [this](const PointContact& c) { return c.planeFrom(m_god); });
     return m_god + (m_friction == nullptr || m_active.isEmpty() ? u : slowed(u));
 }
 
