@@ -76,6 +76,13 @@ class FoundSeeds : public QObject
         row("a facet holds a ball that came around its rim", Family::RoughBalls, 313, 2213);
         row("a facet holds a ball that came around its rim", Family::Balls, 50251, 3537);
         row("a facet holds a ball that came around its rim", Family::Balls, 50355, 3481);
+        row("a facet is met late by a move in its plane", Family::Closed, 3102114, 1857);
+        row("two planes, one to rounding, cross far beside their edge", Family::Closed, 3100175, 1315);
+        row("of facets that hold in turn one is told to friction", Family::Rough, 3100098, 401);
+        row("of facets that hold in turn one is told to friction", Family::Rough, 3100599, 846);
+        row("of facets that hold in turn one is told to friction", Family::Rough, 3102136, 98);
+        row("of facets that hold in turn one is told to friction", Family::Rough, 3102177, 1484);
+        row("it lags behind on what does not drag", Family::Rough, 3101374, 2218);
         row("judged by a map's slope on a sliver", Family::Rough, 9237, 1060);
         row("judged by a map's slope on a sliver", Family::Rough, 20069, 15);
         row("judged by a map's slope on a sliver", Family::Rough, 700031, 1728);

@@ -115,7 +115,8 @@ double CoulombFriction::left(double r_mm, double rounding_mm) noexcept
         const double c = m_drag / m_dt_s;
         m_behind_mm = (r_mm - m_sliding_mm) * (c / (m_stiffest + c));
     }
-    const double left = std::min(1.0, (m_sliding_mm + m_behind_mm) / r_mm);
+    const double behind_mm = m_drag > 0.0 ? m_behind_mm : 0.0; // nothing lags behind on what does not drag
+    const double left = std::min(1.0, (m_sliding_mm + behind_mm) / r_mm);
     m_lastSlid = left < 1.0;
     return left;
 }

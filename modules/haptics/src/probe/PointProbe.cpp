@@ -72,8 +72,8 @@ void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around
     }
 }
 
-/// @return the share of a move in a facet's plane that leads up to the facet from beside: before it is at its edge, and
-/// before it is behind the plane by more than counts as on it.
+/// @return the share of a move in a facet's plane that leads up to the facet: before it is at its edge, and before it
+/// is behind the plane by more than counts as on it.
 double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double start, double end) noexcept
 {
     const double around = kBesideEdge * facet.skin_mm;
@@ -186,15 +186,15 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     }
     const double place = std::clamp(along, part.begin, part.end);
     const bool isTouched = touches(facet, start, place, d2);
-    crossing.key = isTouched ? 0.0 : place;
+    // In the facet's plane, rounding tells where it is met: that is where the move comes to its edge.
+    const bool isBeside = !isTouched && start < onPlane;
+    crossing.key = isTouched ? 0.0 : isBeside ? std::min(place, shareBeside(facet, x, y, start, end)) : place;
     if (crossing.key > limit) {
         return false;
     }
     crossing.depth = -end;
-    crossing.stop = std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
-    if (!isTouched && along < part.begin) {
-        crossing.stop = std::min(crossing.key, shareBeside(facet, x, y, start, end)); // it is met from beside
-    }
+    crossing.stop =
+        isBeside ? crossing.key : std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
     crossing.facet = facet;
     crossing.side = 1;
     return true;

@@ -13,7 +13,8 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kPatience = 32; // moves that together must gain a skin
-constexpr int kRounds = 3;              // rounds over a convex edge that together must gain a skin
+constexpr std::size_t kMostHeld = 3;
+constexpr int kRounds = 3; // rounds over a convex edge that together must gain a skin
 
 } // namespace
 
@@ -67,7 +68,14 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
         if (swept == Sweep::Blocked) {
             const bool isOnEdge = m_active.isEmpty() && turnsRound();
             if ((!stopAt(target, crossing) || isOnEdge) && !escapes()) {
+                if (isOnEdge && m_friction != nullptr) {
+                    holdByAllInTurn();
+                }
                 return i + 1 + m_walked;
+            }
+            if (m_friction != nullptr) {
+                m_inTurn[m_turn++ % m_inTurn.size()] = {{crossing.facet.structure, crossing.facet.triangle},
+                                                        crossing.side};
             }
             continue;
         }
@@ -108,9 +116,22 @@ bool PointTick::turnsRound() noexcept
     if (spring < m_letGo_mm - m_skin_mm) {
         m_letGo_mm = spring;
         m_rounds = 0;
+        m_turn = 0;
         return false;
     }
     return ++m_rounds >= kRounds;
+}
+
+/// Facets that block in turn hold the god-object together, each a part of the pull. Friction asks which.
+void PointTick::holdByAllInTurn() noexcept
+{
+    for (std::size_t i = 0; i < std::min<std::size_t>(m_turn, m_inTurn.size()) && m_active.count() < kMostHeld; ++i) {
+        const auto& [number, side] = m_inTurn[i];
+        const PointContact other{Facet::of(m_layer.surface(number.structure), number.structure, number.triangle), side};
+        if (std::none_of(m_active.begin(), m_active.end(), [&](const PointContact& c) { return c.isSame(other); })) {
+            m_active.add() = other;
+        }
+    }
 }
 
 Vec3 PointTick::nextTarget() noexcept

@@ -5,6 +5,8 @@
 #include "nearby/NearPoint.h"
 #include "solver/PointContact.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -45,6 +47,7 @@ class PointTick
     [[nodiscard]] std::uint32_t moveUntilDone(std::uint32_t limit) noexcept;
     [[nodiscard]] bool hasWalkedHome(std::uint32_t most) noexcept;
     [[nodiscard]] bool turnsRound() noexcept;
+    void holdByAllInTurn() noexcept;
     [[nodiscard]] Vec3 nextTarget() noexcept;
     [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& target, const Crossing& crossing) noexcept;
@@ -66,7 +69,15 @@ class PointTick
     double m_skin_mm = 0.0;                                      ///< the largest of those touched
     double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
     int m_rounds = 0;                                            ///< in which that fell by less than a skin
-    std::optional<PointContact> m_lastMet;                       ///< the last facet in the way
+    /// A facet that was in the way, and the side that it was met from.
+    struct Met
+    {
+        FacetNumber number;
+        int side;
+    };
+    std::array<Met, 3> m_inTurn;           ///< the last since then
+    std::size_t m_turn = 0;                ///< how many were
+    std::optional<PointContact> m_lastMet; ///< the last facet in the way
 };
 
 } // namespace palpate::haptics::internal

@@ -47,7 +47,7 @@ struct Walk::Crease
     Vec3 target;          ///< constrained point of the planes that hold [mm]
     int held = 0;         ///< how many of the two hold
     int first = 0;        ///< number of the first that does
-    bool isWithin = true; ///< the target is between the ends of the edge, by at least the margin
+    bool isWithin = true; ///< the target is at the edge, between its ends by at least the margin
 };
 
 Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
@@ -246,7 +246,10 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
         const double left = m_friction->left(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
         crease.target = left < 1.0 ? Vec3(crease.target - left * ahead * along) : g;
     }
-    crease.isWithin = along.dot(crease.target - begin) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
+    // Where two planes are one to rounding, so is where they cross: that may lie anywhere beside the edge.
+    const Vec3 from = crease.target - begin;
+    const bool isAtEdge = from.cross(along).norm() <= kBesideEdge * facet.skin_mm;
+    crease.isWithin = isAtEdge && along.dot(from) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
     return crease;
 }
 
