@@ -25,7 +25,7 @@ class EnergyJudge
   public:
     void forget() { m_last.reset(); }
     /// @param structures  by number in the scene; @param v_WH  velocity of the hand, for the damper [mm/s]
-    /// @param rounding_mm  of a coordinate
+    /// @param rounding_mm  of a coordinate, or how well else the god-object's place is known
     /// @return energy that the tick made from nothing [mJ], 0 where it made none or that can't be told
     [[nodiscard]] double made_mJ(const std::vector<haptics::HapticStructure>& structures,
                                  const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH,

@@ -4,6 +4,7 @@
 #include "TissueJudge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace palpate::adversary {
@@ -61,9 +62,11 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
     if (m_scene.fingertip_mm > 0.0) {
         judgeBall(god, faults);
     }
-    if (m_isDeep) {
-        m_energy.forget(); // it is let out, and nothing holds it
-    } else if (const double made = m_energy.made_mJ(m_structures, tick, hip, v_WH, m_rounding_mm); made > 0.0) {
+    const bool mayHaveTouched = m_scene.fingertip_mm > 0.0 && tick.iterations > 2; // something else on its way
+    const double place_mm = m_rounding_mm + aside_mm(tick, hip);
+    if (m_isDeep || mayHaveTouched) { // deep it is let out, and nothing holds it
+        m_energy.forget();
+    } else if (const double made = m_energy.made_mJ(m_structures, tick, hip, v_WH, place_mm); made > 0.0) {
         faults.push_back({"energy from nothing", made, "mJ", m_god, god});
     }
     // Where the bound stopped it, the god-object may be on its way.
@@ -270,6 +273,13 @@ void LayerJudge::judgeBall(const Vec3& god, Faults& faults)
     m_isDeep = least < radius - slack;
 }
 
+/// A ball has arrived where it comes no nearer by 1e-8 of the distance (resources/docs/fingertip.md), and what a way
+/// aside gains goes by its square.
+double LayerJudge::aside_mm(const haptics::TickResult& tick, const Vec3& hip) const
+{
+    return m_scene.fingertip_mm > 0.0 ? std::sqrt(2e-8) * (tick.p_WG - hip).norm() : 0.0;
+}
+
 /// One facet alone holds it within the cone of what it touches; a tick that went on has said so.
 void LayerJudge::judgeFriction(const haptics::TickResult& tick, const Vec3& hip, Faults& faults) const
 {
@@ -284,7 +294,7 @@ void LayerJudge::judgeFriction(const haptics::TickResult& tick, const Vec3& hip,
         return;
     }
     const double outside = outsideCone_mm(m_structures[tick.active[0].structure], tick, hip);
-    const double slack = 64.0 * m_layer.skin_mm + m_rounding_mm;
+    const double slack = 64.0 * m_layer.skin_mm + m_rounding_mm + aside_mm(tick, hip);
     if (outside > slack) {
         faults.push_back({"outside the cone of friction", outside, "mm", m_god, tick.p_WG});
     }

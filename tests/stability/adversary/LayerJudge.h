@@ -57,6 +57,7 @@ class LayerJudge
     void judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& god, const Vec3& hip, Faults& faults);
     void judgeBall(const Vec3& god, Faults& faults);
     void judgeRest(const Vec3& god, const Vec3& hip, Faults& faults);
+    [[nodiscard]] double aside_mm(const haptics::TickResult& tick, const Vec3& hip) const;
     void judgeFriction(const haptics::TickResult& tick, const Vec3& hip, Faults& faults) const;
     [[nodiscard]] double distance_mm(const Sheet& sheet, const Vec3& p) const;
     [[nodiscard]] std::optional<bool> isCrossed(const Sheet& sheet, const Vec3& from, const Vec3& to) const;

@@ -82,6 +82,10 @@ class FoundSeeds : public QObject
         row("of facets that hold in turn one is told to friction", Family::Rough, 3100599, 846);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3102136, 98);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3102177, 1484);
+        row("a ball rests short of a contact with a small structure", Family::RoughBalls, 4100280, 2097);
+        row("a ball rests short of a contact with a small structure", Family::RoughBalls, 4101469, 1618);
+        row("a small ball's normal is rounded far from the origin", Family::RoughBalls, 4102172, 2344);
+        row("a contact reached but for the last slight gain is dropped", Family::RoughBalls, 4100782, 1240);
         row("it lags behind on what does not drag", Family::Rough, 3101374, 2218);
         row("judged by a map's slope on a sliver", Family::Rough, 9237, 1060);
         row("judged by a map's slope on a sliver", Family::Rough, 20069, 15);

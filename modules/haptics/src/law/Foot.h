@@ -50,7 +50,8 @@ class Foot
     [[nodiscard]] PALPATE_ALWAYS_INLINE static internal::Nearest nearestOn(const Touch& touch) noexcept
     {
         // A point is above its foot, where it has the same barycentric coordinates.
-        return touch.fingertip_mm > 0.0 ? internal::nearestOn(touch.facet, touch.p_WG) : internal::Nearest{touch.p_WG};
+        return touch.fingertip_mm > 0.0 ? internal::nearestOn(touch.facet, touch.p_WG)
+                                        : internal::Nearest{touch.p_WG, Vec3::Zero()};
     }
     // By value, so that what is not passed in most ticks stays in registers.
     [[nodiscard]] static Vec3 heldPart(Vec3 gradient, std::span<const ActiveConstraint> planes, bool isOnEdge,

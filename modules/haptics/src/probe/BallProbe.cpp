@@ -83,33 +83,37 @@ Nearest nearestOn(const Facet& facet, const Vec3& p) noexcept
     const Vec3 ab = facet.b - facet.a, ac = facet.c - facet.a, ap = p - facet.a;
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
     if (d1 <= 0.0 && d2 <= 0.0) {
-        return {facet.a, Vec3::Zero(), true, -1, 0};
+        return {facet.a, ap, Vec3::Zero(), true, -1, 0};
     }
     const Vec3 bp = p - facet.b;
     const double d3 = ab.dot(bp), d4 = ac.dot(bp);
     if (d3 >= 0.0 && d4 <= d3) {
-        return {facet.b, Vec3::Zero(), true, -1, 1};
+        return {facet.b, bp, Vec3::Zero(), true, -1, 1};
     }
     const Vec3 cp = p - facet.c;
     const double d5 = ab.dot(cp), d6 = ac.dot(cp);
     if (d6 >= 0.0 && d5 <= d6) {
-        return {facet.c, Vec3::Zero(), true, -1, 2};
+        return {facet.c, cp, Vec3::Zero(), true, -1, 2};
     }
     const double vc = d1 * d4 - d3 * d2;
     if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        return {facet.a + d1 / (d1 - d3) * ab, ab.normalized(), true, 0};
+        const Vec3 along = d1 / (d1 - d3) * ab;
+        return {facet.a + along, ap - along, ab.normalized(), true, 0};
     }
     const double vb = d5 * d2 - d1 * d6;
     if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        return {facet.a + d2 / (d2 - d6) * ac, ac.normalized(), true, 2};
+        const Vec3 along = d2 / (d2 - d6) * ac;
+        return {facet.a + along, ap - along, ac.normalized(), true, 2};
     }
     const double va = d3 * d6 - d5 * d4;
     if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
         const Vec3 bc = facet.c - facet.b;
-        return {facet.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * bc, bc.normalized(), true, 1};
+        const Vec3 along = (d4 - d3) / ((d4 - d3) + (d5 - d6)) * bc;
+        return {facet.b + along, bp - along, bc.normalized(), true, 1};
     }
     // By the plane rather than by the weights: exact for slivers, too.
-    return {p - facet.n.dot(ap) * facet.n, Vec3::Zero(), false};
+    const Vec3 away = facet.n.dot(ap) * facet.n;
+    return {p - away, away, Vec3::Zero(), false};
 }
 
 bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_mm, double limit,
@@ -123,7 +127,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     const double side = height < 0.0 && facet.isTwoSided ? -1.0 : 1.0;
     const Vec3 d = y - x;
     const double length = d.norm();
-    Vec3 away = x - nearestOn(facet, x).q;
+    Vec3 away = nearestOn(facet, x).away;
     const double distance = away.norm();
     if (distance <= onPlane) {
         away = side * facet.n; // on the facet itself: up is where it leads away

@@ -5,10 +5,11 @@
 
 namespace palpate::haptics::internal {
 
-/// Nearest point of a triangle, and which of its features it lies on.
+/// Nearest point of a triangle to a point, and which of its features it lies on.
 struct Nearest
 {
     Vec3 q;                    ///< [mm]
+    Vec3 away;                 ///< from q to the point, to the rounding of the point's own differences [mm]
     Vec3 along = Vec3::Zero(); ///< unit direction of the edge that q lies on; zero on the face and at a corner
     bool isCurved = false;     ///< on an edge or a corner: a ball rolls around it
     int edge = -1;             ///< that q lies on: 0 … 2, from corner a, b, c to the next; else -1

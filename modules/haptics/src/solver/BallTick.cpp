@@ -78,10 +78,9 @@ void BallContact::lookFrom(const Vec3& g) noexcept
 {
     nearest = nearestOn(facet, g);
     if (nearest.isCurved) {
-        const Vec3 away = g - nearest.q;
-        distance_mm = away.norm();
+        distance_mm = nearest.away.norm();
         // On the facet itself, to rounding, up is where the facet leads, as when it is met.
-        n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(away / distance_mm) : Vec3(side * facet.n);
+        n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(nearest.away / distance_mm) : Vec3(side * facet.n);
     } else {
         n = side * facet.n;
         distance_mm = n.dot(g - facet.a);
@@ -99,7 +98,13 @@ void BallTick::touch(const Facet& facet, int side) noexcept
     contact.facet = facet;
     contact.side = side;
     contact.lookFrom(m_god);
-    m_skin_mm = std::max(m_skin_mm, facet.skin_mm);
+    keepThinnest(facet.skin_mm);
+}
+
+/// Of structures of different size: what is rounding to a large one may be far from a small one.
+void BallTick::keepThinnest(double skin_mm) noexcept
+{
+    m_skin_mm = m_skin_mm > 0.0 ? std::min(m_skin_mm, skin_mm) : skin_mm;
 }
 
 /// Looks at the contacts from where the ball is now, and drops those that it has parted from.
@@ -361,7 +366,9 @@ void BallTick::dropUntouched() noexcept
     for (BallContact& contact : m_active) {
         contact.lookFrom(m_god);
     }
-    const auto isParted = [this](const BallContact& c) { return !isTouched(c); };
+    // What keeps the ball from its last slight gain is reached as nearly as it will be, and friction asks what holds.
+    const double near_mm = m_friction != nullptr ? m_layer.fingertip_mm + slight((m_hip - m_god).norm()) : 0.0;
+    const auto isParted = [&](const BallContact& c) { return !isTouched(c) && !(c.distance_mm <= near_mm); };
     if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
         m_active.release(isParted);
     }
@@ -455,7 +462,7 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
 /// @param step  largest part of u by axis [mm]
 bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
 {
-    m_skin_mm = std::max(m_skin_mm, crossing.facet.skin_mm);
+    keepThinnest(crossing.facet.skin_mm);
     const bool hasMoved = crossing.stop * step > kRoundingOfMoves * m_skin_mm;
     if (hasMoved) {
         m_god += crossing.stop * u;

@@ -60,6 +60,7 @@ class BallTick
     [[nodiscard]] const ActiveSet<BallContact>& contacts() const noexcept { return m_active; }
 
   private:
+    void keepThinnest(double skin_mm) noexcept;
     [[nodiscard]] bool goesOn() noexcept;
     [[nodiscard]] bool moveTo(const Vec3& target, bool isLong) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept;
@@ -88,7 +89,7 @@ class BallTick
     TickWork& m_work;
     Vec3 m_god;
     ActiveSet<BallContact> m_active;
-    double m_skin_mm = 0.0;
+    double m_skin_mm = 0.0;                                       ///< the thinnest of those touched; 0: none was
     BallContact m_known;                                          ///< the contact met last, or held from before
     bool m_isHeld = false;                                        ///< by friction, where it is
     bool m_isKnown = false;                                       ///< there is one
