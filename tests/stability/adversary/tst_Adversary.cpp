@@ -82,6 +82,7 @@ class FoundSeeds : public QObject
         row("of facets that hold in turn one is told to friction", Family::Rough, 3100599, 846);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3102136, 98);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3102177, 1484);
+        row("of facets that hold in turn one is told to friction", Family::Rough, 5101501, 1814);
         row("a ball rests short of a contact with a small structure", Family::RoughBalls, 4100280, 2097);
         row("a ball rests short of a contact with a small structure", Family::RoughBalls, 4101469, 1618);
         row("a small ball's normal is rounded far from the origin", Family::RoughBalls, 4102172, 2344);

@@ -73,10 +73,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
                 }
                 return i + 1 + m_walked;
             }
-            if (m_friction != nullptr) {
-                m_inTurn[m_turn++ % m_inTurn.size()] = {{crossing.facet.structure, crossing.facet.triangle},
-                                                        crossing.side};
-            }
+            meetInTurn({crossing.facet, crossing.side});
             continue;
         }
         if (m_active.isEmpty()) {
@@ -101,6 +98,7 @@ bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
     Walk walk(m_hip, m_layer, m_near, m_friction, {m_god, contact.facet, beyond, contact.side});
     const Walk::Ended ended = walk.run(Walk::Start::OnFacet, most);
     m_walked += walk.moves();
+    meetInTurn(contact);
     if (Walk::isHeldByTwo(ended)) {
         touch({beyond, contact.side});
     }
@@ -120,6 +118,14 @@ bool PointTick::turnsRound() noexcept
         return false;
     }
     return ++m_rounds >= kRounds;
+}
+
+/// Remembers a facet that was in the way, or that a walk has come to.
+void PointTick::meetInTurn(const PointContact& contact) noexcept
+{
+    if (m_friction != nullptr) {
+        m_inTurn[m_turn++ % m_inTurn.size()] = {{contact.facet.structure, contact.facet.triangle}, contact.side};
+    }
 }
 
 /// Facets that block in turn hold the god-object together, each a part of the pull. Friction asks which.

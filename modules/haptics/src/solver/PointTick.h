@@ -47,6 +47,7 @@ class PointTick
     [[nodiscard]] std::uint32_t moveUntilDone(std::uint32_t limit) noexcept;
     [[nodiscard]] bool hasWalkedHome(std::uint32_t most) noexcept;
     [[nodiscard]] bool turnsRound() noexcept;
+    void meetInTurn(const PointContact& contact) noexcept;
     void holdByAllInTurn() noexcept;
     [[nodiscard]] Vec3 nextTarget() noexcept;
     [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
@@ -69,7 +70,7 @@ class PointTick
     double m_skin_mm = 0.0;                                      ///< the largest of those touched
     double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
     int m_rounds = 0;                                            ///< in which that fell by less than a skin
-    /// A facet that was in the way, and the side that it was met from.
+    /// A facet that was in the way or walked to, and the side that it was met from.
     struct Met
     {
         FacetNumber number;
