@@ -87,6 +87,35 @@ void drawControl(QPainter& p, Symbol symbol)
     }
 }
 
+/// The kinds of messages.
+void drawMessage(QPainter& p, Symbol symbol)
+{
+    switch (symbol) {
+    case Symbol::Warning:
+        p.setPen(QPen(warningColour(), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        p.drawPolygon(QPolygonF({{12, 3.5}, {21.5, 20}, {2.5, 20}}));
+        p.drawLine(QPointF(12, 9.5), QPointF(12, 14));
+        p.drawPoint(QPointF(12, 17));
+        break;
+    case Symbol::Told:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{7.8, 12.4}, {10.8, 15.4}, {16.4, 9}});
+        break;
+    case Symbol::Error:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{8.6, 8.6}, {15.4, 15.4}});
+        poly(p, {{15.4, 8.6}, {8.6, 15.4}});
+        break;
+    case Symbol::Offer:
+        p.drawEllipse(QPointF(12, 12), 9, 9);
+        poly(p, {{7.4, 12}, {16.4, 12}});
+        poly(p, {{12.8, 8.4}, {16.4, 12}, {12.8, 15.6}});
+        break;
+    default:
+        break;
+    }
+}
+
 void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
 {
     switch (symbol) {
@@ -136,10 +165,10 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         drawEye(p, symbol == Symbol::Eye, ink);
         break;
     case Symbol::Warning:
-        p.setPen(QPen(warningColour(), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        p.drawPolygon(QPolygonF({{12, 3.5}, {21.5, 20}, {2.5, 20}}));
-        p.drawLine(QPointF(12, 9.5), QPointF(12, 14));
-        p.drawPoint(QPointF(12, 17));
+    case Symbol::Told:
+    case Symbol::Error:
+    case Symbol::Offer:
+        drawMessage(p, symbol);
         break;
     case Symbol::Undo:
     case Symbol::Redo:
@@ -148,20 +177,6 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
             p.scale(-1, 1);
         }
         drawArrowBack(p);
-        break;
-    case Symbol::Told:
-        p.drawEllipse(QPointF(12, 12), 9, 9);
-        poly(p, {{7.8, 12.4}, {10.8, 15.4}, {16.4, 9}});
-        break;
-    case Symbol::Error:
-        p.drawEllipse(QPointF(12, 12), 9, 9);
-        poly(p, {{8.6, 8.6}, {15.4, 15.4}});
-        poly(p, {{15.4, 8.6}, {8.6, 15.4}});
-        break;
-    case Symbol::Offer:
-        p.drawEllipse(QPointF(12, 12), 9, 9);
-        poly(p, {{7.4, 12}, {16.4, 12}});
-        poly(p, {{12.8, 8.4}, {16.4, 12}, {12.8, 15.6}});
         break;
     case Symbol::Keys:
         p.drawRoundedRect(QRectF(2.5, 6.5, 19, 11.5), 2, 2);
