@@ -59,6 +59,10 @@ void speakChosenLanguage()
 {
     const QString chosen = QSettings().value(kSetting).toString();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
+    // The language decides how numbers are written, not a system that speaks another one; a country's own way of
+    // writing the same language (Swiss German's point) stays. Files are written without a locale.
+    const QLocale system = QLocale::system();
+    QLocale::setDefault(system.language() == QLocale(code).language() ? system : QLocale(code));
     if (code == QLatin1String("en")) {
         return;
     }

@@ -294,6 +294,15 @@ class LawEditor : public QObject
         QCOMPARE(head(draw(kNarrow_px, 5.0, 0.0)), head(draw(kNarrow_px, core::unbounded().stiffness_N_per_mm, 0.0)));
         QCOMPARE(foot(draw(kNarrow_px, 5.0, 3.97)), foot(draw(kWide_px, 5.0, 3.97)));
     }
+    void aDepthIsWrittenAsInThePanel()
+    {
+        ui::LawPlot plot;
+        plot.show(core::Tissue(), 5.0);
+        plot.setTouch(3.97, 1.0);
+        QVERIFY2(plot.touchText().contains(ui::depthText(3.97) + QStringLiteral(" mm")), qPrintable(plot.touchText()));
+        plot.setTouch(3.97, 1.5);
+        QVERIFY2(plot.touchText().contains(ui::depthText(3.97) + QStringLiteral(" mm")), qPrintable(plot.touchText()));
+    }
     void aCurveIsLoadedOrItsFaultIsSaid()
     {
         Panel p;

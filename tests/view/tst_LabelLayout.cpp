@@ -95,6 +95,20 @@ class LabelLayout : public QObject
         QCOMPARE(whatIsCovered(labels), QString());
     }
 
+    void aLabelStaysOffWhatIsTaken()
+    {
+        auto labels = labelsAt({Point(0, 0)});
+        view::placeLabels(labels, kDisc_px);
+        const Point usual = labels[0].offset_px;
+        const Eigen::AlignedBox2d hand(usual - Point(6, 6), usual + Point(6, 6));
+        view::placeLabels(labels, kDisc_px, {hand});
+        const Point centre = labels[0].offset_px, half = 0.5 * labels[0].size_px;
+        QVERIFY(!Eigen::AlignedBox2d(centre - half, centre + half).intersects(hand));
+        QVERIFY(labels[0].isMoved);
+        view::placeLabels(labels, kDisc_px);
+        QVERIFY(labels[0].offset_px == usual);
+    }
+
     void aMovedLabelStaysWhereItIsWhileTheViewTurns()
     {
         auto labels = labelsAt({Point(0, 0), Point(8, 0)});

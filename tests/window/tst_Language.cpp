@@ -5,13 +5,20 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSettings>
+#include <QStyleOptionComboBox>
 #include <QTranslator>
+
+#include <QScopeGuard>
 
 #include <algorithm>
 
@@ -91,7 +98,43 @@ class Language : public QObject
                              .arg(text);
             }
         }
+        for (QComboBox* box : window.findChildren<QComboBox*>()) {
+            const int now = box->currentIndex();
+            for (int i = 0; i < box->count() && box->isVisible(); ++i) {
+                box->setCurrentIndex(i);
+                const int wide = box->fontMetrics().horizontalAdvance(box->currentText());
+                if (box->isVisible() && !QTest::qWaitFor([&] { return roomFor(*box) >= wide; }, 200)) {
+                    found << QStringLiteral("%1 of %2: %3 (%4)")
+                                 .arg(roomFor(*box))
+                                 .arg(wide)
+                                 .arg(box->currentText(), box->accessibleName());
+                }
+            }
+            box->setCurrentIndex(now);
+        }
         return found;
+    }
+    /// Width in which a box writes its entry [px].
+    static int roomFor(const QComboBox& box)
+    {
+        QStyleOptionComboBox option;
+        option.initFrom(&box);
+        option.subControls = QStyle::SC_All;
+        option.frame = box.hasFrame();
+        return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+    }
+    /// Speaks a language as the program does when it starts; the window is to be shown after it.
+    static void speak(const QString& code)
+    {
+        QSettings().setValue(QStringLiteral("language"), code);
+        app::speakChosenLanguage();
+    }
+    /// As before `speak`.
+    static void beSilent()
+    {
+        qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));
+        QSettings().remove(QStringLiteral("language"));
+        QLocale::setDefault(QLocale::system());
     }
 
   private Q_SLOTS:
@@ -147,22 +190,28 @@ class Language : public QObject
     void noTextIsCutIn_data()
     {
         QTest::addColumn<QString>("code");
+        QTest::addColumn<int>("text_percent");
         for (const app::Language& language : app::languages()) {
-            if (language.code != QLatin1String("en")) {
-                QTest::newRow(qPrintable(language.code)) << language.code;
+            for (const int percent : {100, 150}) {
+                QTest::addRow("%s at %d %%", qPrintable(language.code), percent) << language.code << percent;
             }
         }
     }
     void noTextIsCutIn()
     {
         QFETCH(QString, code);
+        QFETCH(int, text_percent);
         QCoreApplication::removeTranslator(&m_pseudo);
-        QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
-        QCoreApplication::installTranslator(&translator);
+        speak(code);
+        const auto restore = qScopeGuard([] {
+            ui::applyTextSize(100);
+            beSilent();
+        });
         QVERIFY(m_desk->show({1280, 800}));
+        ui::applyTextSize(text_percent);
         for (const QLabel* label : m_desk->window().findChildren<QLabel*>()) {
-            QVERIFY2(!label->text().contains(QStringLiteral(" or ")), qPrintable(label->text()));
+            QVERIFY2(code == QLatin1String("en") || !label->text().contains(QStringLiteral(" or ")),
+                     qPrintable(label->text()));
         }
         QVERIFY(m_desk->openPhantom());
         QTest::qWait(500);
@@ -170,6 +219,48 @@ class Language : public QObject
         QCOMPARE(m_desk->window().size(), QSize(1280, 800));
         m_desk->close();
         QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    }
+
+    void numbersAreWrittenAsTheWindowSpeaks_data()
+    {
+        QTest::addColumn<QString>("code");
+        for (const app::Language& language : app::languages()) {
+            QTest::newRow(qPrintable(language.code)) << language.code;
+        }
+    }
+    void numbersAreWrittenAsTheWindowSpeaks()
+    {
+        QFETCH(QString, code);
+        QCoreApplication::removeTranslator(&m_pseudo);
+        speak(code);
+        const auto restore = qScopeGuard(&beSilent);
+        QVERIFY(m_desk->show({1280, 800}));
+        QVERIFY(m_desk->openPhantom());
+        ui::Playback& playback = m_desk->window().playback();
+        QTRY_VERIFY(playback.peakTime_s() > 0.0); // it is looked for in the background
+        playback.seek(playback.peakTime_s());
+        QTest::qWait(300);
+        const QString right = QLocale(code).decimalPoint();
+        const QString wrong = right == QLatin1String(",") ? QStringLiteral("\\.") : QStringLiteral(",");
+        const QRegularExpression decimals(QStringLiteral("\\d%1\\d{1,2}(?!\\d)").arg(wrong));
+        QStringList shown, found;
+        for (const QLabel* label : m_desk->window().findChildren<QLabel*>()) {
+            shown << label->text();
+        }
+        for (const QDoubleSpinBox* field : m_desk->window().findChildren<QDoubleSpinBox*>()) {
+            shown << field->text();
+        }
+        QCOMPARE(QString::fromStdString(m_desk->window().viewport().view().textStyle().decimalPoint), right);
+        for (const QString& text : shown) {
+            if (text.contains(decimals)) {
+                found << text;
+            }
+        }
+        m_desk->close();
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+        QVERIFY(std::any_of(shown.begin(), shown.end(), [&](const QString& text) {
+            return text.contains(QRegularExpression(QStringLiteral("\\d\\%1\\d").arg(right)));
+        }));
     }
 };
 

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/FeltWords.h"
 
+#include "ShownComboBox.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
@@ -123,7 +125,7 @@ void FeltPanel::makeTable()
 {
     QStringList titles{tr("Lump"), tr("Times as stiff"), tr("Least cover")};
     for (const double press_mm : FeltOverlay::kPress_mm) {
-        titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(press_mm) : tr("Touched lightly"));
+        titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(QLocale().toString(press_mm)) : tr("Touched lightly"));
     }
     m_table->setObjectName(QStringLiteral("feltTable"));
     m_table->setAccessibleName(tr("Lumps and whether a hand finds them"));
@@ -208,7 +210,7 @@ QWidget* FeltPanel::makeChoices()
     m_press = new QComboBox(choices);
     m_press->setAccessibleName(tr("How deep the finger is pressed in"));
     for (const double press_mm : FeltOverlay::kPress_mm) {
-        m_press->addItem(press_mm > 0.0 ? tr("Coloured as pressed %1 mm").arg(press_mm)
+        m_press->addItem(press_mm > 0.0 ? tr("Coloured as pressed %1 mm").arg(QLocale().toString(press_mm))
                                         : tr("Coloured as touched lightly"));
     }
     m_best = new QPushButton(tr("Show me the best place"), choices);
@@ -216,14 +218,12 @@ QWidget* FeltPanel::makeChoices()
     m_ratioLabel->setTextFormat(Qt::PlainText);
     m_ratio =
         makeSpin(kLeastRatio, buried::kMostRatio, tr("How many times as stiff as its organ the lump is"), choices);
-    m_source = new QComboBox(choices);
+    m_source = new ShownComboBox(choices);
     m_source->setAccessibleName(tr("Where the lump's stiffness comes from"));
     m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("From the tissues' stiffness")});
     for (const RatioPreset& preset : ratioPresets()) {
         m_source->addItem(tr(preset.name));
     }
-    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_source->setMinimumContentsLength(22);
     m_moduli = new QWidget(choices);
     auto* moduli = new QHBoxLayout(m_moduli);
     moduli->setContentsMargins(0, 0, 0, 0);

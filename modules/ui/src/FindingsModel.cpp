@@ -2,6 +2,7 @@
 #include "palpate/ui/FindingsModel.h"
 
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/TouchPanel.h"
 
 #include <QColor>
 #include <QCoreApplication>
@@ -20,11 +21,6 @@ namespace {
 
 constexpr double kMostSize_mm = 1e4;
 
-QString numberText(const std::optional<double>& value, int decimals)
-{
-    return value ? QLocale().toString(*value, 'f', decimals) : QString();
-}
-
 /// A size is shown as it was typed.
 QString sizeText(const std::optional<double>& value)
 {
@@ -38,8 +34,7 @@ QString tipOf(const core::Finding& finding)
     QStringList lines;
     for (const core::FeltLayer& layer : finding.layers) {
         lines << FindingsModel::tr("%1: %2 N, %3 mm deep")
-                     .arg(readableName(layer.structure), QLocale().toString(layer.force_N, 'f', 2),
-                          QLocale().toString(layer.depth_mm, 'f', 1));
+                     .arg(readableName(layer.structure), forceText(layer.force_N), depthText(layer.depth_mm));
     }
     if (const auto felt = core::felt_N_per_mm(finding)) {
         lines << FindingsModel::tr("felt %1 N/mm").arg(QLocale().toString(*felt, 'f', 2));
@@ -242,9 +237,9 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const
     case Size:
         return sizeText(finding.size_mm);
     case Force:
-        return numberText(finding.force_N, 2);
+        return finding.force_N ? forceText(*finding.force_N) : QString();
     case Depth:
-        return numberText(finding.depth_mm, 1);
+        return finding.depth_mm ? depthText(*finding.depth_mm) : QString();
     case Note: {
         const QString note = QString::fromStdString(finding.note);
         return role == Qt::EditRole ? note : note.simplified();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandPanel.h"
 
+#include "ShownComboBox.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -181,9 +183,8 @@ QWidget* HandPanel::makePress()
     auto* form = new QFormLayout(press);
     form->setContentsMargins(0, 4, 0, 4);
     form->setVerticalSpacing(6);
-    m_pressBy = new QComboBox(press);
+    m_pressBy = new ShownComboBox(press);
     m_pressBy->addItems({tr("Depth (wheel)"), tr("Effort (hold)")});
-    m_pressBy->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // wide texts, narrow panels
     m_pressBy->setAccessibleName(tr("What a press sets"));
     m_pressBy->setToolTip(tr("Depth: the same depth everywhere, and a stiff place pushes back harder.\n"
                              "Effort: the same force everywhere, and a stiff place gives way less. The force rises by "

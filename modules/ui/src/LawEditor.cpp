@@ -4,6 +4,7 @@
 #include "palpate/ui/EngineTexts.h"
 
 #include "LawPlot.h"
+#include "ShownComboBox.h"
 #include "palpate/ui/TermTexts.h"
 
 #include <palpate/meshio/CurveFile.h>
@@ -49,7 +50,7 @@ core::ForceLaw startingLaw(core::LawKind kind, const core::Tissue& tissue, doubl
 LawEditor::LawEditor(QWidget* parent)
     : QWidget(parent)
     , m_form(new QFormLayout(this))
-    , m_kind(new QComboBox(this))
+    , m_kind(new ShownComboBox(this))
     , m_switch(new QCheckBox(this))
     , m_load(new QPushButton(tr("Load points…"), this))
     , m_plot(new LawPlot(this))
@@ -60,8 +61,6 @@ LawEditor::LawEditor(QWidget* parent)
     for (const QString& name : names) {
         m_kind->addItem(name);
     }
-    m_kind->setSizeAdjustPolicy(
-        QComboBox::AdjustToMinimumContentsLengthWithIcon); // long names must not widen the panel
     m_kind->setAccessibleName(tr("Law"));
     m_kind->setToolTip(tr("By what law the force rises with the depth"));
     m_load->setToolTip(tr("Take the points of a measured curve from a CSV file with depth_mm and force_N"));

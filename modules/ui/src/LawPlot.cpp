@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchHistory.h"
+#include "palpate/ui/TouchPanel.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -133,8 +134,8 @@ QString LawPlot::touchText() const
     if (m_depth_mm <= 0.0) {
         return {};
     }
-    return std::abs(m_scale - 1.0) < kSeen ? tr("now %1 mm").arg(plotText(m_depth_mm))
-                                           : tr("now %1 mm, here × %2").arg(plotText(m_depth_mm), plotText(m_scale));
+    return std::abs(m_scale - 1.0) < kSeen ? tr("now %1 mm").arg(depthText(m_depth_mm))
+                                           : tr("now %1 mm, here × %2").arg(depthText(m_depth_mm), plotText(m_scale));
 }
 
 QPolygonF LawPlot::curve(const haptics::ForceTable* table) const

@@ -28,6 +28,8 @@ class LawPlot : public QWidget
     [[nodiscard]] QPointF placeOf(double depth_mm, double force_N) const;
     /// Where the dot of the live touch is: the law times the scale where it touches.
     [[nodiscard]] QPointF touchedPlace() const;
+    /// What is written of the live touch; empty when there is none.
+    [[nodiscard]] QString touchText() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
@@ -48,7 +50,6 @@ class LawPlot : public QWidget
     [[nodiscard]] double forceAt(double depth_mm) const;
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] QString limitText() const;
-    [[nodiscard]] QString touchText() const;
     [[nodiscard]] bool isLimitAbove() const;
     [[nodiscard]] QPolygonF curve(const haptics::ForceTable* table) const;
     void paintFrame(QPainter& painter) const;

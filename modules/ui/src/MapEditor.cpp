@@ -4,6 +4,8 @@
 #include "palpate/ui/MapDisplay.h"
 #include "palpate/ui/Theme.h"
 
+#include "ShownComboBox.h"
+
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/view/SurfaceColours.h>
 
@@ -75,8 +77,7 @@ MapEditor::MapEditor(QWidget* parent)
 void MapEditor::makeFields()
 {
     const auto makeBox = [this](const QString& name, const QString& tip) {
-        auto* box = new QComboBox(this);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        auto* box = new ShownComboBox(this);
         box->setAccessibleName(name);
         box->setToolTip(tip);
         m_form->addRow(name, box);

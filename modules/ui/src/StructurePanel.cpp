@@ -3,6 +3,7 @@
 
 #include "palpate/ui/EngineTexts.h"
 
+#include "ShownComboBox.h"
 #include "StructureList.h"
 
 #include "palpate/ui/TermTexts.h"
@@ -200,13 +201,12 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
 
 void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
 {
-    m_preset = new QComboBox(box);
+    m_preset = new ShownComboBox(box);
     m_preset->addItem(tr("Custom"));
     for (const TissuePreset& preset : tissuePresets()) {
         m_preset->addItem(tr(preset.name));
         m_preset->setItemData(m_preset->count() - 1, tr(preset.source), Qt::ToolTipRole);
     }
-    m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_preset->setAccessibleName(tr("Tissue"));
     m_preset->setToolTip(tr("How the structure feels, by name"));
     form.addRow(tr("Tissue"), m_preset);
@@ -256,8 +256,7 @@ void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
 
 void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
 {
-    m_friction = new QComboBox(box);
-    m_friction->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_friction = new ShownComboBox(box);
     for (const FrictionPreset& preset : frictionPresets()) {
         m_friction->addItem(tr(preset.name));
     }
@@ -309,8 +308,7 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
 
 void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
 {
-    m_layer = new QComboBox(box);
-    m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_layer = new ShownComboBox(box);
     m_layer->setAccessibleName(tr("Felt, in order from outside"));
     m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
                            "(Ctrl+Down, Ctrl+Up in the list)"));

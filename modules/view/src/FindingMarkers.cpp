@@ -156,6 +156,12 @@ void addShape(Flat& flat, const Pixel& middle, core::FindingType type, bool isHi
     addBand(flat, middle, outline, isRing ? 0.5 : 0.0, 1.0, ratio, rgba(colour, 1.0));
 }
 
+bool areSame(const std::vector<Eigen::AlignedBox2d>& a, const std::vector<Eigen::AlignedBox2d>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& one, const auto& other) { return one.isApprox(other, 0.0); });
+}
+
 void addLine(Flat& flat, const Pixel& from, const Pixel& to, double width_px,
              const std::array<unsigned char, 4>& colour)
 {
@@ -311,7 +317,18 @@ void FindingMarkers::writeTexts(const ViewFrame& frame)
     m_textStyle = frame.text;
 }
 
-void FindingMarkers::place(const ViewFrame& frame)
+/// Whether a number lies over one of the boxes where it is drawn now.
+bool FindingMarkers::isCovering(const std::vector<Eigen::AlignedBox2d>& taken) const
+{
+    return std::any_of(m_labels.begin(), m_labels.end(), [&](const DiscLabel& one) {
+        const Pixel centre = one.disc_px + one.offset_px;
+        const Eigen::AlignedBox2d box(centre - 0.5 * one.size_px, centre + 0.5 * one.size_px);
+        return std::any_of(taken.begin(), taken.end(),
+                           [&](const Eigen::AlignedBox2d& other) { return box.intersects(other); });
+    });
+}
+
+void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::AlignedBox2d>& taken)
 {
     const int* view_px = m_overlay != nullptr ? m_overlay->GetSize() : nullptr;
     for (Flat* flat : {&m_picture->shapes, &m_picture->texts}) {
@@ -320,8 +337,8 @@ void FindingMarkers::place(const ViewFrame& frame)
     }
     if (frame.pixelRatio != m_pixelRatio || frame.text != m_textStyle) {
         writeTexts(frame);
-    } else if (m_placed == frame) {
-        return;
+    } else if (m_placed == frame && (m_avoided.empty() ? !isCovering(taken) : areSame(m_avoided, taken))) {
+        return; // a hand that is far from all numbers moves without any of this made anew
     }
     Flat& shapes = m_picture->shapes;
     Flat& texts = m_picture->texts;
@@ -334,6 +351,11 @@ void FindingMarkers::place(const ViewFrame& frame)
     }
     if (m_marks.size() <= kMostNumbered) {
         placeLabels(m_labels, internal::kMarkerRadius_px);
+        m_avoided.clear();
+        if (isCovering(taken)) {
+            m_avoided = taken;
+            placeLabels(m_labels, internal::kMarkerRadius_px, taken);
+        }
     }
     const double ratio = frame.pixelRatio;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {

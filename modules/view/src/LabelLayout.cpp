@@ -123,7 +123,7 @@ class ScreenCells
 
 } // namespace
 
-void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
+void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px, const std::vector<Eigen::AlignedBox2d>& taken)
 {
     const Point disc = Point::Constant(2.0 * discRadius_px);
     ScreenCells discs, texts, lines;
@@ -144,7 +144,10 @@ void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px)
             const auto crosses = [&](std::size_t k) {
                 return cross(own.disc_px, centre, labels[k].disc_px, labels[k].disc_px + labels[k].offset_px);
             };
-            return !discs.any(boxAbout(centre, own.size_px, 0.5 * kGap_px), coversDisc) &&
+            const Eigen::AlignedBox2d box = boxAbout(centre, own.size_px, 0.0);
+            const auto isCovered = [&](const Eigen::AlignedBox2d& other) { return box.intersects(other); };
+            return std::none_of(taken.begin(), taken.end(), isCovered) &&
+                   !discs.any(boxAbout(centre, own.size_px, 0.5 * kGap_px), coversDisc) &&
                    !texts.any(boxAbout(centre, own.size_px, kGap_px), coversText) &&
                    (mayCross || !lines.any(lineBox(own.disc_px, centre), crosses));
         };

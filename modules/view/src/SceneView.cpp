@@ -281,7 +281,7 @@ void SceneView::prepareFrame(double pixelRatio)
     bendTissue(frame);
     m_cursor.place(frame, m_legend.box());
     findHiddenFindings(frame);
-    m_findings.place(frame);
+    m_findings.place(frame, m_cursor.marks_px(frame));
     core::Box box = bounds();
     box.extend(m_cursor.bounds());
     box.extend(m_findings.bounds());

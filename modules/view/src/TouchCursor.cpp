@@ -17,6 +17,7 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
+constexpr double kRimBall_px = 0.5 * TouchCursor::kBall_px + 2.6, kRimRing_px = 5.4; // radii with their dark rims
 constexpr double kInnerLift_px = 14.0;                  // inner marks lie over the spring that leads past them
 constexpr double kPointer_px = 14.0;                    // half of what the pointer covers
 constexpr double kCrossGap_px = 10.0, kCross_px = 24.0; // of the crosshair's arms, from its middle
@@ -80,9 +81,9 @@ std::array<BillboardLine, 4> fourLines(double width_px, const Colour& colour)
 TouchCursor::TouchCursor()
     : m_ball(makeBall())
     , m_rim(makeBall())
-    , m_outlineDark(makeRing(0.5 * kBall_px - 0.4, 0.5 * kBall_px + 2.6, kDarkRim, 0.0))
+    , m_outlineDark(makeRing(0.5 * kBall_px - 0.4, kRimBall_px, kDarkRim, 0.0))
     , m_outline(makeRing(0.5 * kBall_px + 0.4, 0.5 * kBall_px + 1.8, kLight, 0.5))
-    , m_hipDark(makeRing(1.6, 5.4, kDarkRim, 0.0))
+    , m_hipDark(makeRing(1.6, kRimRing_px, kDarkRim, 0.0))
     , m_hip(makeRing(2.5, 4.5, kLight, 0.5))
     , m_disc(makeRing(0.0, 1.0, kLight, 0.0))
     , m_discRim(makeRing(0.96, 1.0, kLight, 0.0))
@@ -245,6 +246,14 @@ void TouchCursor::placeCrosshair(const ViewFrame& frame, bool isThere)
                              p_W + kCross_px * pixel_mm * ways[i] + lift, frame);
         }
     }
+}
+
+std::vector<Eigen::AlignedBox2d> TouchCursor::marks_px(const ViewFrame& frame) const
+{
+    if (!m_state.isPresent) {
+        return {};
+    }
+    return {boxAbout(frame.pixelOf(m_state.p_WG), kRimBall_px), boxAbout(frame.pixelOf(m_state.p_WH), kRimRing_px)};
 }
 
 void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend)

@@ -59,7 +59,8 @@ class FindingMarkers
     [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
 
     /// Fits everything to the view. Before each frame.
-    void place(const ViewFrame& frame);
+    /// @param taken  what its numbers stay clear of, logical pixels from the view's middle: the hand
+    void place(const ViewFrame& frame, const std::vector<Eigen::AlignedBox2d>& taken = {});
 
     /// Box of what is drawn, for the clipping range [mm]; empty when nothing is.
     [[nodiscard]] core::Box bounds() const;
@@ -75,6 +76,7 @@ class FindingMarkers
   private:
     class Picture;
     void writeTexts(const ViewFrame& frame);
+    [[nodiscard]] bool isCovering(const std::vector<Eigen::AlignedBox2d>& taken) const;
 
     std::vector<FindingMark> m_marks;
     std::vector<bool> m_isHidden;    ///< one a mark
@@ -82,9 +84,10 @@ class FindingMarkers
     std::unique_ptr<Picture> m_picture;
     std::size_t m_selected = 0;
     std::size_t m_revision = 0;
-    double m_pixelRatio = 0.0;         ///< 0: texts are to be written anew
-    TextStyle m_textStyle;             ///< that they were written in
-    std::optional<ViewFrame> m_placed; ///< what is drawn now; nothing: it is to be made anew
+    double m_pixelRatio = 0.0;                  ///< 0: texts are to be written anew
+    TextStyle m_textStyle;                      ///< that they were written in
+    std::optional<ViewFrame> m_placed;          ///< what is drawn now; nothing: it is to be made anew
+    std::vector<Eigen::AlignedBox2d> m_avoided; ///< what numbers went aside for, in the picture as it is
     vtkRenderer* m_overlay = nullptr;
     bool m_isVisible = true;
 };

@@ -19,12 +19,14 @@ struct DiscLabel
     bool isMoved = false;
 };
 
-/// Places labels so that none covers another, nor a disc: each, in order, at its usual place, else where it was, so
-/// that it doesn't jump while the view turns, else at the nearest free place about the disc, whose line crosses no
-/// other's if there is such a one. Without a free place it takes the usual one.
+/// Places labels so that none covers another, nor a disc, nor what is taken: each, in order, at its usual place, else
+/// where it was, so that it doesn't jump while the view turns, else at the nearest free place about the disc, whose
+/// line crosses no other's if there is such a one. Without a free place it takes the usual one.
 ///
 /// Each tries at most 146 places against its neighbours on screen.
-void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px);
+/// @param taken  boxes that labels stay clear of besides, logical pixels from the view's middle; a few
+void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px,
+                 const std::vector<Eigen::AlignedBox2d>& taken = {});
 
 /// A text beside a point on screen, at one of a number of places about it.
 struct PointLabel

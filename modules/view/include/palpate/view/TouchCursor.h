@@ -75,6 +75,8 @@ class TouchCursor
 
     /// Box of what is drawn, for the clipping range [mm]; empty when hidden.
     [[nodiscard]] core::Box bounds() const;
+    /// Boxes about ball and ring, after `place`; none when no hand is drawn. [logical px from the view's middle]
+    [[nodiscard]] std::vector<Eigen::AlignedBox2d> marks_px(const ViewFrame& frame) const;
     [[nodiscard]] Colour ballColour() const;
     [[nodiscard]] vtkActor* ball() const noexcept { return m_ball; }
     [[nodiscard]] vtkActor* hipRing() const noexcept { return m_hip; }

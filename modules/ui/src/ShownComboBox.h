@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QComboBox>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+
+namespace palpate::ui {
+
+/// A box that has room for the entry that it shows, so that a form puts it below its label where the panel is narrow.
+/// Long entries that are not chosen do not widen the panel. On the GUI thread.
+class ShownComboBox final : public QComboBox
+{
+  public:
+    explicit ShownComboBox(QWidget* parent)
+        : QComboBox(parent)
+    {
+        setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        connect(this, &QComboBox::currentTextChanged, this, [this] { updateGeometry(); });
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override { return withText(QComboBox::minimumSizeHint()); }
+    [[nodiscard]] QSize sizeHint() const override { return withText(QComboBox::sizeHint()); }
+
+  private:
+    [[nodiscard]] QSize withText(const QSize& least) const
+    {
+        constexpr int kMargin_px = 8; // styles keep a little of the box's edit rectangle free
+        const QString shown = currentIndex() < 0 ? placeholderText() : currentText();
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        const QSize text(fontMetrics().horizontalAdvance(shown) + kMargin_px, fontMetrics().height());
+        return least.expandedTo(style()->sizeFromContents(QStyle::CT_ComboBox, &option, text, this));
+    }
+};
+
+} // namespace palpate::ui
