@@ -319,6 +319,13 @@ void MainWindow::connectTouch()
         m_maps->setGreatest(m_live.greatestTissue());
     });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
+    auto* mapWarnings = new MapWarnings(m_live, this);
+    connect(mapWarnings, &MapWarnings::changed, this,
+            [this, mapWarnings] { m_structures->setMapWarnings(mapWarnings->lines()); });
+    connect(mapWarnings, &MapWarnings::warned, this, [this](const QString& line) {
+        m_messages.add(Messages::Kind::Warning, line);
+        m_hint->say(line);
+    });
     const auto takePress = [this](const HandSettings& settings) {
         m_effortAction->setEnabled(m_live.usesPointer());
         if (m_live.usesPointer()) {

@@ -20,6 +20,7 @@
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/Looks.h>
 #include <palpate/ui/MapDisplay.h>
+#include <palpate/ui/MapWarnings.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/PanelRound.h>

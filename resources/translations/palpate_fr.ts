@@ -4029,6 +4029,33 @@ Appuyer ici ou F4 pour tous les messages</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::MapWarnings</name>
+    <message>
+        <source>(%1; %2; %3) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: what the lumps below make of it changes too sharply for the %2 at %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its map of stiffness bends too sharply for the %2 at %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the tissue friction, or open a mesh with shorter edges there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread the step over more millimetres, round its ends, or give the tissue friction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::MessageBar</name>
     <message>
         <source> … and %1 more lines (F4)</source>
@@ -4658,6 +4685,10 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>through %1 (felt from above)</source>
         <translation>à travers %1 (senti d’en haut)</translation>
+    </message>
+    <message>
+        <source>What its map can do to the device</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,51 @@ Shape stepOver(double width_mm, bool isRound)
     return shape;
 }
 
+/// The same rise by lumps that are felt below instead of by a map, from 1 to 2 where the hand presses deep.
+/// @param light  share of it at the lightest press
+Shape lumpsOver(double width_mm, bool isRound, double light)
+{
+    Shape shape = stepOver(width_mm, isRound);
+    palpate::haptics::TissueMaps& maps = shape.structures[0].maps;
+    for (std::size_t j = 0; j < maps.felt.size(); ++j) {
+        const double share = std::min(1.0, light + (1.0 - light) * palpate::haptics::kFeltPress_mm[j] / 4.0);
+        auto corners = *maps.stiffness.corners; // 0.5 to 1
+        for (auto& at : corners) {
+            for (float& value : at) {
+                value = static_cast<float>(1.0 + share * (2.0 * double{value} - 1.0));
+            }
+        }
+        maps.felt[j].corners = std::make_shared<const std::vector<std::array<float, 3>>>(std::move(corners));
+    }
+    maps.stiffness = {};
+    return shape;
+}
+
+/// The same rise by a number per triangle: a step, at x = 0.
+Shape stepsAtTriangles(double low, double high)
+{
+    Shape shape = stepOver(5.0, false);
+    palpate::haptics::HapticStructure& wall = shape.structures[0];
+    std::vector<std::array<float, 3>> corners;
+    for (std::uint32_t i = 0; i < wall.surface->triangleCount(); ++i) {
+        const palpate::geometry::Triangle t = wall.surface->triangle(i);
+        const double x =
+            wall.surface->vertex(t[0]).x() + wall.surface->vertex(t[1]).x() + wall.surface->vertex(t[2]).x();
+        const auto s = static_cast<float>(x < 0.0 ? low : high);
+        corners.push_back({s, s, s});
+    }
+    wall.maps.stiffness.corners = std::make_shared<const std::vector<std::array<float, 3>>>(std::move(corners));
+    using palpate::core::Vec3;
+    shape.holds.clear();
+    for (const double x : {-0.3, -0.05, 0.05, 0.3}) {
+        shape.holds.push_back({Vec3(x, 0.2, 0), -Vec3::UnitZ(), Vec3::Zero()});
+    }
+    for (const double x : {-5.0, 5.0}) {
+        shape.holds.push_back({Vec3(0.02, 0.2, 0), -Vec3::UnitZ(), Vec3(x, 0, 0)});
+    }
+    return shape;
+}
+
 palpate::haptics::HapticScene sceneAt(const Shape& shape, double stiffness_N_per_mm)
 {
     auto structures = shape.structures;
@@ -205,6 +250,81 @@ class Stability : public QObject
             }
             if (moved > 0.1) { // motion that is large beside a count of the sensors
                 QVERIFY2(edge->swing_mm > 0.4 * moved, qPrintable(both));
+            }
+        }
+    }
+
+    /// Lumps felt below push aside as a map does, by what they make of the law at the depth where the hand rests.
+    void lumpsFeltBelowSwingAsFar_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<double>("width_mm");
+        QTest::addColumn<bool>("isRound");
+        QTest::addColumn<double>("light");
+        for (const char* id : {"omega", "woodenhaptics"}) {
+            for (const double width_mm : {2.0, 5.0, 10.0}) {
+                for (const bool isRound : {false, true}) {
+                    for (const double light : {0.2, 1.0}) {
+                        QTest::newRow(qPrintable(QString("%1, %2 mm%3, light %4")
+                                                     .arg(id)
+                                                     .arg(width_mm)
+                                                     .arg(isRound ? ", round" : "")
+                                                     .arg(light)))
+                            << QByteArray(id) << width_mm << isRound << light;
+                    }
+                }
+            }
+        }
+    }
+    void lumpsFeltBelowSwingAsFar()
+    {
+        QFETCH(QByteArray, id);
+        QFETCH(double, width_mm);
+        QFETCH(bool, isRound);
+        QFETCH(double, light);
+        constexpr double kTissue_N_per_mm = 0.2;
+        const Shape shape = lumpsOver(width_mm, isRound, light);
+        for (const bool isControlled : {false, true}) {
+            const Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
+            const auto edge = worstMapEdge(sceneAt(shape, kTissue_N_per_mm), setup);
+            QVERIFY(edge && edge->isOfLumps && edge->jump_N > 0.0);
+            if (light == 1.0) { // as a map of the same numbers
+                Shape mapped = stepOver(width_mm, isRound);
+                mapped.structures[0].maps.stiffness = shape.structures[0].maps.felt[0];
+                const auto same = worstMapEdge(sceneAt(mapped, kTissue_N_per_mm), setup);
+                QVERIFY(same && !same->isOfLumps && std::abs(edge->jump_N / same->jump_N - 1.0) < 1e-9);
+            }
+            const double moved = restlessness_mm(shape, kTissue_N_per_mm, setup);
+            const QString both = QString("said %1 mm, moved %2 mm").arg(edge->swing_mm).arg(moved);
+            if (edge->swing_mm < kLimitCycle_mm) {
+                QVERIFY2(moved < kLimitCycle_mm, qPrintable(both));
+            }
+            if (moved > 0.1) {
+                QVERIFY2(edge->swing_mm > 0.4 * moved, qPrintable(both));
+            }
+        }
+    }
+
+    /// A number per triangle steps without a push aside: where a hand rests on the step it comes to rest, and nothing
+    /// is said of it.
+    void aNumberPerTriangleKeepsNothingSwinging_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        for (const char* id : {"touch", "omega", "woodenhaptics", "phantom-premium-1.5"}) {
+            QTest::newRow(id) << QByteArray(id);
+        }
+    }
+    void aNumberPerTriangleKeepsNothingSwinging()
+    {
+        QFETCH(QByteArray, id);
+        for (const bool isControlled : {false, true}) {
+            Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
+            setup.settle_s = 7.0; // a light grip rings for seconds, and the step with it
+            for (const double stiffness : {0.1, 0.4}) {
+                const Shape shape = stepsAtTriangles(0.5, 1.0);
+                QVERIFY(!worstMapEdge(sceneAt(shape, stiffness), setup));
+                const double moved = restlessness_mm(shape, stiffness, setup);
+                QVERIFY2(moved < kLimitCycle_mm, qPrintable(QString::number(moved)));
             }
         }
     }

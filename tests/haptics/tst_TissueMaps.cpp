@@ -7,8 +7,10 @@
 #include <palpate/haptics/Palpator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 using namespace palpate;
@@ -167,7 +169,7 @@ class TissueMaps : public QObject
             const Vec3 hip(x, 0.7, -3.0);
             const TickResult t = on.at(hip);
             const double depth = (t.p_WG - hip).norm(), s = 1.0 + x / 32.0;
-            QVERIFY(std::abs(t.f_W.z() / depth / (0.5 * s) - 1.0) < 1e-13);
+            QVERIFY(std::abs(t.f_W.z() / depth / (0.5 * s) - 1.0) < 1e-14);
             QVERIFY(std::abs(t.contacts[0].stiffnessScale - s) < 1e-13);
             QVERIFY(std::abs(t.f_W.x() + 0.25 * depth * depth / 32.0) < 1e-13); // -W ds/dx
             QVERIFY(std::abs(t.f_W.y()) < 1e-13);
@@ -235,6 +237,37 @@ class TissueMaps : public QObject
         const auto [worst, part] = workOfClosedPaths(on, 10000);
         QVERIFY2(worst < 1e-12 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
         QVERIFY(part > 1.0);
+    }
+
+    /// Over a convex edge the foot jumps, and with it what is stored: by W |grad s| 2 d tan(theta / 2) and no more.
+    void overAConvexEdgeTheEnergyJumpsAsDerived()
+    {
+        constexpr double kSlope = 0.03, kDepth = 5.0, kFold = std::numbers::pi / 180.0; // half of the dihedral
+        geometry::TriangleMesh ridge = slab(6);
+        double top = -1e9;
+        for (const Vec3& v : ridge.vertices) {
+            top = std::max(top, v.z());
+        }
+        for (Vec3& v : ridge.vertices) {
+            if (v.z() > top - 1e-9) {
+                v.z() -= std::tan(kFold) * std::abs(v.x());
+            }
+        }
+        Mapped on(ridge, spring(0.5), [](const Vec3& p) { return 1.0 + kSlope * p.x(); });
+        std::array<double, 2> stored{};
+        for (const int side : {0, 1}) {
+            on.palpator.reset();
+            const double x = side == 0 ? -1e-6 : 1e-6;
+            (void)on.at(Vec3(x, 0.7, top + 1.0));
+            const Vec3 hip(x, 0.7, top - kDepth);
+            const TickResult t = on.at(hip);
+            const double d = (t.p_WG - hip).norm();
+            QCOMPARE(int(t.constraints), 1);
+            stored[static_cast<std::size_t>(side)] = t.contacts[0].stiffnessScale * 0.25 * d * d;
+        }
+        const double jump = (stored[1] - stored[0]) / (0.25 * kDepth * kDepth);
+        const double derived = kSlope * 2.0 * kDepth * std::tan(kFold); // 0.5 % of what is stored
+        QVERIFY2(std::abs(jump / derived - 1.0) < 1e-3, qPrintable(QString("%1, %2").arg(jump).arg(derived)));
     }
 
     void withoutTheGradientsTermPathsWouldMakeEnergy()

@@ -157,6 +157,39 @@ class SurfaceMaps : public QObject
         QCOMPARE(masked.value().structures[0].surface->mesh.arrays.size(), std::size_t{1});
     }
 
+    /// VTK fails on these and says that the array is too short.
+    void whatNoStreamReadsIsNamed_data()
+    {
+        QTest::addColumn<QString>("type");
+        QTest::addColumn<QString>("values");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char* type, const char* values, const char* said) {
+            QTest::newRow(values) << QString(type) << QString(values) << QString(said);
+        };
+        row("Float64", "1 2 1 inf", "value 3 is \"inf\"; expected a blank or a new line behind it");
+        row("Float64", "1 2 1 -INF", "value 3 is \"-INF\"; expected a blank");
+        row("Float32", "1 2 1 nan", "value 3 is \"nan\"; expected a blank or a new line behind it");
+        row("Float64", "1 1e999 1 2", "value 1 is \"1e999\"; expected a number that a Float64 can hold");
+        row("Float32", "1 2 -1e39 2", "value 2 is \"-1e39\"; expected a number that a Float32 can hold");
+        row("Int32", "1 9999999999 1 2", "value 1 is \"9999999999\"; expected a number that an Int32 can hold");
+        row("Float64", "1 inf 1 nan ", "");
+        row("Float64", "1 2 1e-999 1e5", "");
+    }
+    void whatNoStreamReadsIsNamed()
+    {
+        QFETCH(QString, type);
+        QFETCH(QString, values);
+        QFETCH(QString, said);
+        const test::Folder folder;
+        const auto scene = meshio::loadScene(
+            folder.write("m.vtp", vtp(array("StiffnessScale", values.toStdString(), 1, type.toStdString()))));
+        const QString message = QString::fromStdString(scene.status().message());
+        QVERIFY2(scene.isOk() == said.isEmpty(), qPrintable(message));
+        QVERIFY2(said.isEmpty() || (message.startsWith(QStringLiteral("m.vtp: line ")) &&
+                                    message.contains(QStringLiteral("array \"StiffnessScale\": ") + said)),
+                 qPrintable(message));
+    }
+
     /// What is not above 0 of a stiffness, or below 0 of the others, is not known; a factor of 0 takes friction away.
     void whatCantBeFeltIsNotKnown_data()
     {
@@ -414,7 +447,8 @@ class SurfaceMaps : public QObject
         QTest::addColumn<QString>("said");
         QTest::newRow("missing") << "gone.mha" << QByteArray() << "no such file";
         QTest::newRow("another kind") << "v.dcm" << QByteArray("x") << "expected a volume";
-        QTest::newRow("no image") << "v.nii" << QByteArray("not an image") << "VTK could not read it";
+        QTest::newRow("no image") << "v.nii" << QByteArray("not an image")
+                                  << "v.nii: header: no header of NIfTI; expected 348";
         QTest::newRow("cut short") << "v.mha"
                                    << QByteArray(
                                           metaImage([](const core::Vec3&) { return 1.0; }).substr(0, 900).c_str())

@@ -4,6 +4,7 @@
 #include "VolumeFile.h"
 #include "Volumes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -126,6 +127,31 @@ class Volumes : public QObject
         row("NIfTI, less than none", "v.nii", nifti(44, std::int16_t{-3}), "v.nii: ");
         row("NIfTI, a matrix in a plane", "v.nii", nifti(320, 0.0F), "v.nii: ");
         row("NIfTI, a matrix of no numbers", "v.nii", nifti(280, std::nanf("")), "v.nii: ");
+        // What fuzzing has found: VTK's readers loop for ever or crash.
+        const auto nrrd = [&floats](const std::string& from, const std::string& to) {
+            std::string text = test::nrrdHeader("raw");
+            return text.replace(text.find(from), from.size(), to) + floats;
+        };
+        row("dimensions beyond counting", "v.mha", meta("NDims = 3", "NDims = 1e308"),
+            "v.mha: header: NDims: what is not one number; expected 1 to 4");
+        row("NRRD, a 0 in its header", "v.nrrd", nrrd("kinds", std::string("ki\0ds", 5)),
+            "v.nrrd: header: a byte of 0 in its text");
+        row("NRRD, an end of another kind", "v.nrrd", "NRRD0004\ndimension: 3\nElementDataFile =\n" + floats,
+            "v.nrrd: ");
+        row("NRRD, a size that is no number", "v.nrrd", nrrd("sizes: 12", "sizes: 1e308"),
+            "v.nrrd: header: sizes: \"1e308 3 2\"; expected three counts of voxels");
+        row("NRRD, a dimension that is no number", "v.nrrd", nrrd("dimension: 3", "dimension: three"),
+            "v.nrrd: header: dimension: \"three\"; expected 3");
+        row("NRRD, a field twice", "v.nrrd", nrrd("endian: little", "endian: little\nsizes: 9 9 9"),
+            "v.nrrd: header: \"sizes\" twice; expected each field once");
+        row("NRRD, a pattern", "v.nrrd", nrrd("endian: little", "endian: little\ndata file: %s%n 1 9 0"),
+            "v.nrrd: header: data file: \"%s%n 1 9 0\"; expected the name of one file");
+        row("NRRD, a word with a control character", "v.nrrd", nrrd("encoding: raw", "encoding: gzip\x02z"),
+            "v.nrrd: ");
+        row("NIfTI, a kind beyond the table", "v.nii", nifti(70, std::int16_t{16400}),
+            "v.nii: header: voxels of kind 16400; expected one of NIfTI's kinds");
+        row("NIfTI, packed, a kind beyond the table", "v.nii.gz", test::gzipped(nifti(70, std::int16_t{16400})),
+            "v.nii.gz: header: voxels of kind 16400");
         row("VTI, fewer numbers than voxels", "v.vti", test::vtiText("1 2 3"), "v.vti: ");
         row("VTI, a vast extent", "v.vti", test::vtiText("1 2 3", "0 2000000000 0 2000000000 0 2000000000"),
             "v.vti: 1,000,000,000,000,000,000 voxels declared");
@@ -151,6 +177,8 @@ class Volumes : public QObject
         const std::string& message = grid.status().message();
         QVERIFY2(QString::fromStdString(message).startsWith(said), message.c_str());
         QVERIFY2(message.find("; expected ") != std::string::npos, message.c_str());
+        QVERIFY(
+            std::none_of(message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
     }
 
     void whatIsNoNumberIsKept()

@@ -5,8 +5,10 @@
 #include "../support/Shapes.h"
 
 #include <palpate/meshio/MeshFile.h>
+#include <palpate/ui/MessageList.h>
 
 #include <QComboBox>
+#include <QLabel>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -156,6 +158,70 @@ class MappedLiver : public QObject
         Q_EMIT box(QStringLiteral("Show"))->activated(0);
         QVERIFY(save());
         QCOMPARE(title(), QString());
+    }
+
+    /// A map whose step can keep a device swinging is warned of where it is shown and in the messages: when it is
+    /// opened, chosen or its tissue changes, and when the device changes; not with a pointer, which nothing pushes.
+    void aSharpStepIsWarnedOf()
+    {
+        writeMapped(test::sphere(24, 20.0), "ball.vtp");
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        const auto inMessages = [this] {
+            int lines = 0;
+            const QAbstractItemModel& all = *m_window->findChild<ui::MessageList*>()->model();
+            for (int row = 0; row < all.rowCount(); ++row) {
+                lines += all.index(row, 0).data().toString().contains(
+                             QStringLiteral("ball: its map of stiffness bends too sharply for the simulated hand at ("))
+                             ? 1
+                             : 0;
+            }
+            return lines;
+        };
+        const auto inPanel = [this] {
+            for (const QLabel* one : m_window->findChildren<QLabel*>()) {
+                if (one->accessibleDescription() == QStringLiteral("What its map can do to the device") &&
+                    one->isVisibleTo(m_window.get())) {
+                    return one->text();
+                }
+            }
+            return QString();
+        };
+        const auto isWarned = [&] {
+            const QString line = inPanel();
+            return line.contains(QStringLiteral("simulated hand at (")) &&
+                   line.contains(QStringLiteral("The push aside jumps by")) &&
+                   line.contains(QStringLiteral("Spread the step over more millimetres"));
+        };
+        QSignalSpy ready(m_window.get(), &MainWindow::ready);
+        m_window->open({m_folder.filePath("ball.vtp").toStdString()});
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        QTest::qWait(600);
+        QVERIFY(!isWarned()); // a pointer has no motors
+        QCOMPARE(inMessages(), 0);
+
+        m_window->chooseDevice("simulated");
+        QTRY_VERIFY(isWarned());
+        QCOMPARE(inMessages(), 1);
+        keep("warned");
+
+        choose(QStringLiteral("Map"), QStringLiteral("None"));
+        QTRY_VERIFY(!isWarned());
+        choose(QStringLiteral("Map"), QStringLiteral("By name"));
+        QTRY_VERIFY(isWarned());
+        QCOMPARE(inMessages(), 2);
+
+        choose(QStringLiteral("Friction"), QStringLiteral("Moist (0.15, chosen)"));
+        QTRY_VERIFY(!isWarned()); // it takes the push
+        choose(QStringLiteral("Friction"), QStringLiteral("None"));
+        QTRY_VERIFY(isWarned());
+
+        m_window->chooseDevice("mouse");
+        QTRY_VERIFY(!isWarned());
+        m_window->chooseDevice("simulated");
+        QTRY_VERIFY(isWarned());
     }
 
     void softAndStiffHalvesAreSeenAndFelt()

@@ -14,12 +14,11 @@ namespace palpate::evaluation::stability {
 namespace {
 
 constexpr double kEaseIn_s = 0.55; // the gate's, and a bit: pressing begins with all of the force
-constexpr double kSettle_s = 1.0;
 constexpr double kWatch_s = 0.5;
 constexpr double kSlideSpeed_mm_per_s = 50.0;
 
 /// A script that comes down at a speed, slides if asked to, and rests.
-std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, double speed_mm_per_s)
+std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, double speed_mm_per_s, double settle_s)
 {
     const Vec3 high = hold.p_W + hold.slideFrom_mm - kClearance_mm * hold.d_W;
     const Vec3 deep = hold.p_W + hold.slideFrom_mm + depth_mm * hold.d_W;
@@ -33,7 +32,7 @@ std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, doub
         time_s += hold.slideFrom_mm.norm() / kSlideSpeed_mm_per_s;
         script.push_back({time_s, deep - hold.slideFrom_mm});
     }
-    script.push_back({time_s + kSettle_s + kWatch_s, script.back().p_W});
+    script.push_back({time_s + settle_s + kWatch_s, script.back().p_W});
     return script;
 }
 
@@ -41,13 +40,7 @@ std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, doub
 
 double push_N(const device::DevicePreset& preset)
 {
-    return std::min(3.0, 0.4 * preset.maxForce_N);
-}
-
-const std::vector<Grip>& grips()
-{
-    static const std::vector<Grip> kGrips{{"light", 0.02, 0.15, 0.001}, {"fingertip", 0.006, 0.75, 0.0057}};
-    return kGrips;
+    return study::restingPush_N(preset.maxForce_N);
 }
 
 std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double stiffness_N_per_mm,
@@ -109,7 +102,8 @@ double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setu
     for (const Grip& grip : grips()) {
         for (const Hold& hold : shape.holds) {
             for (const double speed : {30.0, 200.0}) {
-                const auto script = pressing(hold, push_N(setup.preset) / grip.stiffness_N_per_mm, speed);
+                const auto script =
+                    pressing(hold, push_N(setup.preset) / grip.stiffness_N_per_mm, speed, setup.settle_s);
                 const double from_s = script.back().time_s - kWatch_s;
                 core::Box box;
                 bool isTouching = false;
@@ -146,8 +140,8 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
     for (const Grip& grip : grips()) {
         for (const Hold& hold : shape.holds) {
             const double depth_mm = push_N(setup.preset) / grip.stiffness_N_per_mm;
-            auto script = pressing(hold, depth_mm, 100.0);
-            script.back().time_s += kEaseIn_s - kSettle_s; // a slide instead of the rest
+            auto script = pressing(hold, depth_mm, 100.0, setup.settle_s);
+            script.back().time_s += kEaseIn_s - setup.settle_s; // a slide instead of the rest
             const Vec3 along = hold.d_W.unitOrthogonal();
             for (const double side : {10.0, -10.0, 0.0}) {
                 const Vec3 to = hold.p_W + depth_mm * hold.d_W + side * along;

@@ -25,6 +25,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
+#include <vtk_zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,7 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <map>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -48,7 +50,8 @@ using core::Status;
 using core::StatusCode;
 using core::Vec3;
 
-constexpr double kMostPacked = 1100.0; ///< bytes that zlib can make of one
+constexpr std::size_t kMostHeader = 65536; ///< of text [bytes]
+constexpr double kMostPacked = 1100.0;     ///< bytes that zlib can make of one
 
 /// The directions of a volume's axes that VTK's readers leave out, as its text header says them: MetaImage's
 /// `TransformMatrix`, NRRD's `space directions` and `space`.
@@ -59,6 +62,8 @@ struct TextHeader
     bool hasSpace = false;                                    ///< the file says it
     bool isPacked = false;                                    ///< its voxels are compressed
     bool isText = false;                                      ///< its voxels are written as text (NRRD)
+    bool isPlain = true;    ///< no byte of it is 0, which VTK's readers take for its end, or look for an end behind
+    int dimensions = 3;     ///< of MetaImage; 0: not said as one number
     bool isEnded = false;   ///< by what must stand there: an empty line, ElementDataFile
     std::uint64_t size = 0; ///< up to where its numbers can begin [bytes]
     std::string dataFile;   ///< of its voxels, as it says it; empty: this file
@@ -83,7 +88,8 @@ std::optional<Eigen::Matrix3d> threeByThree(std::string text)
 /// @return nothing where a direction is said that can't be read
 std::optional<TextHeader> textHeader(const std::filesystem::path& path)
 {
-    constexpr std::size_t kMostHeader = 65536, kMostLines = 400;
+    constexpr std::size_t kMostLines = 400;
+    const bool isMeta = path.extension() == ".mha" || path.extension() == ".mhd";
     TextHeader axes;
     std::ifstream in(path, std::ios::binary);
     std::string line;
@@ -95,6 +101,7 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
             axes.size = read + line.size() + 1;
             break;
         }
+        axes.isPlain = axes.isPlain && line.find('\0') == std::string::npos;
         const auto valueAfter = [&line](std::string_view key) {
             return line.rfind(key, 0) == 0 ? std::optional(line.substr(key.size())) : std::nullopt;
         };
@@ -112,13 +119,17 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
             axes.isRas =
                 space->find("right-anterior-superior") != std::string::npos || space->find("RAS") != std::string::npos;
         }
+        if (const auto dimensions = valueAfter("NDims =")) {
+            const std::string_view digits = trimmed(*dimensions);
+            axes.dimensions = digits.size() == 1 && digits[0] >= '0' && digits[0] <= '9' ? digits[0] - '0' : 0;
+        }
         const auto packed = valueAfter("CompressedData =");
         const auto encoding = valueAfter("encoding:");
         axes.isPacked = axes.isPacked || (packed && packed->find("True") != std::string::npos) ||
                         (encoding && encoding->find("raw") == std::string::npos);
         axes.isText = axes.isText || (encoding && encoding->find("raw") == std::string::npos &&
                                       encoding->find("gz") == std::string::npos);
-        const auto element = valueAfter("ElementDataFile =");
+        const auto element = isMeta ? valueAfter("ElementDataFile =") : std::nullopt;
         const auto data = element ? element : valueAfter("data file:");
         axes.dataFile = data ? std::string(trimmed(*data)) : axes.dataFile;
         if (element) {
@@ -193,6 +204,89 @@ std::filesystem::path dataFileOf(const std::filesystem::path& path, const TextHe
     std::error_code error;
     const std::filesystem::path file = path.parent_path() / header.dataFile;
     return !header.dataFile.empty() && std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+}
+
+/// What NRRD's reader trusts: it takes what is no number for 0, a field that comes twice for both, and the name of a
+/// data file with numbers behind it for a pattern to print them with.
+Status checkNrrd(const std::filesystem::path& path)
+{
+    const std::string file = path.filename().string();
+    std::ifstream in(path, std::ios::binary);
+    std::string line;
+    std::map<std::string, std::string> fields;
+    std::getline(in, line);
+    for (std::size_t read = line.size(); read < kMostHeader && std::getline(in, line) && !line.empty() && line != "\r";
+         read += line.size() + 1) {
+        const std::size_t colon = line.find(": ");
+        if (line[0] == '#' || colon == std::string::npos) {
+            continue;
+        }
+        const std::string field = line.substr(0, colon);
+        if (!fields.emplace(field, trimmed(std::string_view(line).substr(colon + 2))).second) {
+            return fault(StatusCode::BadFormat, file, "header", inQuotes(field) + " twice", "each field once");
+        }
+        if (field == "sizes" && fields.count("dimension") == 0) {
+            return fault(StatusCode::BadFormat, file, "header: sizes", "no dimension before them", "a dimension");
+        }
+    }
+    const auto wordsOf = [&fields](const char* field) {
+        std::istringstream words(fields[field]);
+        return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+    };
+    if (fields["dimension"] != "3") {
+        return fault(StatusCode::Unsupported, file, "header: dimension", inQuotes(fields["dimension"]), "3");
+    }
+    const std::vector<std::string> sizes = wordsOf("sizes");
+    constexpr std::size_t kMostDigits = 9;
+    if (sizes.size() != 3 || !std::all_of(sizes.begin(), sizes.end(), [](const std::string& size) {
+            return size.size() <= kMostDigits && size.find_first_not_of("0123456789") == std::string::npos;
+        })) {
+        return fault(StatusCode::BadFormat, file, "header: sizes", inQuotes(fields["sizes"]), "three counts of voxels");
+    }
+    for (const char* field : {"data file", "datafile"}) {
+        if (const auto words = wordsOf(field); words.size() > 1 && words.front() != "LIST") {
+            return fault(StatusCode::Unsupported, file, std::string("header: ") + field, inQuotes(fields[field]),
+                         "the name of one file");
+        }
+    }
+    return {};
+}
+
+/// What NIfTI's reader trusts: it takes the number of a kind for a place in a table.
+Status checkNifti(const std::filesystem::path& path)
+{
+    constexpr std::array<std::int16_t, 16> kKinds{2,   4,   8,    16,   32,   64,   128,  256,
+                                                  512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
+    constexpr std::int32_t kFirst = 348, kSecond = 540; // bytes of the header: NIfTI-1, NIfTI-2
+    const std::string file = path.filename().string();
+    std::array<unsigned char, kSecond> head{};
+    gzFile in = gzopen(path.c_str(), "rb"); // reads what is not packed as it is
+    const int read = in == nullptr ? 0 : gzread(in, head.data(), static_cast<unsigned>(head.size()));
+    if (in != nullptr) {
+        (void)gzclose(in);
+    }
+    const auto numberAt = [&head](std::size_t at, std::size_t bytes, bool isSwapped) {
+        std::int64_t number = 0;
+        for (std::size_t i = 0; i < bytes; ++i) {
+            number |= static_cast<std::int64_t>(head[at + (isSwapped ? bytes - 1 - i : i)]) << (8 * i);
+        }
+        return number;
+    };
+    const bool isSwapped = head[0] == 0;
+    const std::int64_t size = numberAt(0, 4, isSwapped);
+    if (read < kFirst || (size != kFirst && size != kSecond) || read < size) {
+        return fault(StatusCode::BadFormat, file, "header", "no header of NIfTI", "348 or 540 bytes of it");
+    }
+    const auto kind = static_cast<std::int16_t>(numberAt(size == kFirst ? 70 : 12, 2, isSwapped));
+    if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
+        return fault(StatusCode::BadFormat, file, "header", "voxels of kind " + std::to_string(kind),
+                     "one of NIfTI's kinds, as 16 for float");
+    }
+    const std::int64_t axes = numberAt(size == kFirst ? 40 : 16, size == kFirst ? 2 : 8, isSwapped);
+    if (axes < 1 || axes > 7) {
+        return fault(StatusCode::BadFormat, file, "header", std::to_string(axes) + " axes", "1 to 7");
+    }
+    return {};
 }
 
 /// What a header declares must be there before VTK asks for the memory.
@@ -389,6 +483,25 @@ Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFr
     if (hasText && !header->isEnded) { // VTK's reader of NRRD looks for that end without one
         return fault(StatusCode::BadFormat, file, "header", "it does not end",
                      "a header that says where the voxels are");
+    }
+    if (hasText && !header->isPlain) {
+        return fault(StatusCode::BadFormat, file, "header", "a byte of 0 in its text", "a header of text alone");
+    }
+    if (hasText && (header->dimensions < 1 || header->dimensions > 4)) { // MetaImage's reader counts them all
+        return fault(StatusCode::BadFormat, file, "header: NDims",
+                     header->dimensions == 0 ? "what is not one number"
+                                             : counted(static_cast<std::uint64_t>(header->dimensions), "dimension"),
+                     "1 to 4");
+    }
+    if (file.ends_with(".nii") || file.ends_with(".nii.gz")) {
+        if (Status status = checkNifti(path); !status.isOk()) {
+            return status;
+        }
+    }
+    if (file.ends_with(".nrrd") || file.ends_with(".nhdr")) {
+        if (Status status = checkNrrd(path); !status.isOk()) {
+            return status;
+        }
     }
     if (hasText && header->isText) { // VTK 9.1 gives back the memory as it was
         return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding", "`raw` or `gzip`");

@@ -114,7 +114,7 @@ void VtkMessages::addError(const char* text)
     }
     rest = trimmed(rest);
     for (const char c : rest.substr(0, 200)) {
-        m_firstError += c == '\n' || c == '\r' ? ' ' : c;
+        m_firstError += static_cast<unsigned char>(c) < 0x20 ? ' ' : c; // it may quote the file
     }
     if (m_firstError.empty()) {
         m_firstError = "an error without a text";

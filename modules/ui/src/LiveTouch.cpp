@@ -211,6 +211,7 @@ void LiveTouch::handOverScene()
     m_scene = m_model.hapticScene(greatestTissue(), m_fingertip_mm);
     m_session.setScene(m_scene, m_model.sources());
     tellRefused();
+    Q_EMIT handedOver();
 }
 
 void LiveTouch::tellRefused()

@@ -239,6 +239,8 @@ void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
 {
     m_map = new MapEditor(box);
     form.insertRow(place, m_map);
+    m_mapWarning = makeWarning(tr("What its map can do to the device"), box);
+    form.insertRow(place + 1, m_mapWarning);
     connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
         if (!m_isShowing && selectedRows().size() == 1) {
             meshio::SceneStructure changed = m_model.structure(currentRow());
@@ -345,6 +347,19 @@ void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString&
     m_why = why;
     m_refusal->hide(); // it spoke of another limit
     showSelection();
+}
+
+void StructurePanel::setMapWarnings(const QStringList& lines)
+{
+    m_mapWarnings = lines;
+    showMapWarning();
+}
+
+void StructurePanel::showMapWarning()
+{
+    const QString line = selectedRows().size() == 1 ? m_mapWarnings.value(currentRow()) : QString();
+    m_mapWarning->setText(line);
+    m_mapWarning->setVisible(!line.isEmpty());
 }
 
 int StructurePanel::currentRow() const
@@ -544,10 +559,12 @@ void StructurePanel::showSelection()
         showTissue(one.tissue);
         m_map->setEnabled(rows.size() == 1); // arrays are of one surface
         m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
+        showMapWarning();
         showLayer(row);
         showBound(row);
     } else {
         m_bound->hide();
+        m_mapWarning->hide();
         m_title->setToolTip({});
         m_title->setText(tr("No structure selected"));
         m_findings->hide();

@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace palpate::meshio::internal {
 
@@ -65,6 +68,28 @@ class VtpScan
     PreScan& m_scan;
 };
 
+/// VTK's reader takes numbers off a stream, which fails where a type cannot hold one, and looks behind "nan" and "inf"
+/// for more letters of them, which fails where the array's text ends.
+/// @param word  a number; @param isAtEnd  nothing is behind it, not even a blank
+/// @return what it would have to be to be read; empty where it is read
+std::string unreadable(std::string_view word, const std::string& type, bool isAtEnd)
+{
+    if (isVtpIntegerType(type)) {
+        const std::int64_t value = wordToInteger(word).value_or(0);
+        const bool isWide = type == "Int32" && (value < std::numeric_limits<std::int32_t>::min() ||
+                                                value > std::numeric_limits<std::int32_t>::max());
+        return isWide ? "a number that an Int32 can hold" : "";
+    }
+    const double value = wordToNumber(word).value_or(0.0);
+    const bool isWord = word.find_first_of("nN") != std::string_view::npos; // of both nan and inf
+    if (isWord) {
+        return isAtEnd ? "a blank or a new line behind it" : "";
+    }
+    const double most =
+        type == "Float32" ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
+    return std::abs(value) > most ? "a number that a " + type + " can hold" : "";
+}
+
 Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
 {
     const std::size_t size = vtpTypeSize(array.type);
@@ -89,6 +114,11 @@ Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
         if (isInteger ? !wordToInteger(word) : !wordToNumber(word)) {
             return wrong(array, StatusCode::BadFormat, "value " + std::to_string(count) + " is " + inQuotes(word),
                          "a number of type " + array.type);
+        }
+        const std::string faulty = unreadable(word, array.type, rest.empty());
+        if (!faulty.empty()) {
+            return wrong(array, StatusCode::BadFormat, "value " + std::to_string(count) + " is " + inQuotes(word),
+                         faulty);
         }
         ++count;
     }

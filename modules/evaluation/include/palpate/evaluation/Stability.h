@@ -4,6 +4,7 @@
 #include <palpate/core/Status.h>
 #include <palpate/device/DevicePresets.h>
 #include <palpate/haptics/HapticScene.h>
+#include <palpate/study/MapEdges.h>
 
 #include <filesystem>
 #include <functional>
@@ -19,19 +20,10 @@ namespace palpate::evaluation::stability {
 
 using core::Vec3;
 
-/// How a hand holds the device: a mass on the tip, a spring and a damper to where it wants to be.
-struct Grip
-{
-    std::string name;
-    double mass_kg = 0.0;
-    double stiffness_N_per_mm = 0.0;
-    double damping_Ns_per_mm = 0.0;
-};
-
-/// The two grips that every shape is held with. The light one is the hard case: little mass, little damping (0.16 of
-/// critical on a Touch). It is a choice below what is published; "a fingertip" is of the middle of what Hajian & Howe
-/// measured at low force, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
-[[nodiscard]] const std::vector<Grip>& grips();
+/// Defined beside the judgement of maps, which the window needs, too.
+using study::Grip;
+using study::grips;
+using study::MapEdge;
 
 /// Where a hand presses.
 struct Hold
@@ -65,38 +57,25 @@ struct Setup
     int delayTicks = 1; ///< after the tick that computed it, a force acts so many ticks late
     double tissueDamping_Ns_per_mm = 0.0;
     bool isControlled = true; ///< with the passivity controller
+    double settle_s = 1.0;    ///< that the hand has to come to rest
 };
 
-/// Largest peak-to-peak motion of the tip along any axis from 1 s to 1.5 s after the hand rests, over grips, holds,
-/// and speeds of approach (30 and 200 mm/s). [mm] A hold that slips off something small and rests in the air
-/// counts for nothing; infinite when all do.
+/// Largest peak-to-peak motion of the tip along any axis in the half second that begins `settle_s` after the hand
+/// rests, over grips, holds, and speeds of approach (30 and 200 mm/s). [mm] A hold that slips off something small and
+/// rests in the air counts for nothing; infinite when all do.
 [[nodiscard]] double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
 
 /// Motion at rest from which on it counts as a limit cycle. [mm]
-inline constexpr double kLimitCycle_mm = 0.05;
+inline constexpr double kLimitCycle_mm = study::kLeastSwing_mm;
 /// The search ends here. [N/mm]
 inline constexpr double kStiffest_N_per_mm = 25.0;
 
 /// The largest stiffness below which no limit cycle was found, to 4 %; kStiffest_N_per_mm when none at all was.
 [[nodiscard]] double largestStiffness(const Shape& shape, const Setup& setup);
 
-/// Where a map of stiffness bends most for a device: at an edge of its triangles, from flat to rising or from rising
-/// to steeper.
-struct MapEdge
-{
-    std::size_t structure = 0;
-    Vec3 p_W = Vec3::Zero(); ///< middle of the edge [mm]
-    double jump_N = 0.0;     ///< by which the push aside `W grad s` jumps there, with a hand that rests there
-    double swing_mm = 0.0;   ///< of the tip about it that the device can't be sure to damp, peak to peak
-};
-
-/// A tip that a map pushes aside comes to rest where that push begins, and the push switched on and off late is a relay
-/// in the loop: it keeps the tip swinging, however soft the tissue. Where the swing is below kLimitCycle_mm the tip
-/// rests. Friction of the tissue takes the push, and so all of this, away.
 /// @param setup  its device, rate and delay; the tissue is the scene's own
-/// @return the edge with the largest swing over both grips; nothing without a map of stiffness that bends that way
-/// @par Source resources/docs/stability.md, "A map's edges": the relay's describing function against the damping, the
-///             friction and the mass of device and hand.
+/// @return the edge of the scene's maps with the largest swing over both grips, see study::mapEdges; nothing without a
+/// map that bends that way
 [[nodiscard]] std::optional<MapEdge> worstMapEdge(const haptics::HapticScene& scene, const Setup& setup);
 
 /// What the controller changes in the force while a hand presses and slides over the shape at 100 mm/s.
@@ -155,8 +134,8 @@ struct Options
 };
 [[nodiscard]] Result measure(const std::string& subject, const std::vector<Shape>& shapes, const Options& options);
 
-/// @return one line for each device of `options` that a map of the scene can keep swinging: structure, device, place,
-/// jump and swing. See worstMapEdge.
+/// @return one line for each device of `options` and each structure whose maps can keep it swinging: structure, device,
+/// place, jump and swing. See study::mapEdges.
 [[nodiscard]] std::vector<std::string> mapWarnings(const haptics::HapticScene& scene, const Options& options);
 
 /// `stability.html` (self-contained) and `stability.csv` in a folder, each only when whole.

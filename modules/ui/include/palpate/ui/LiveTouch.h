@@ -82,6 +82,8 @@ class LiveTouch : public QObject
     [[nodiscard]] session::RecorderStatus recording() const { return m_session.recording(); }
 
   Q_SIGNALS:
+    /// `scene` is another one, or is felt with another device, rate, delay or scale.
+    void handedOver();
     /// Twice a second: rate, timing and recording are worth showing anew.
     void statusChanged();
     /// The servo took the force away. @param line  what happened and what to do

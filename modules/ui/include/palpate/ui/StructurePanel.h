@@ -37,6 +37,8 @@ class StructurePanel : public QWidget
     /// Says what the device holds. An edit beyond it is refused: the value stays, and a line by the field says why.
     /// @param why  the device, its limit and what sets it, for a person
     void setGreatest(const haptics::Tissue& greatest, const QString& why);
+    /// Says by rows what there is to warn of with their maps; see MapWarnings.
+    void setMapWarnings(const QStringList& lines);
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] std::vector<int> selectedRows() const;
     void select(int row);
@@ -83,6 +85,7 @@ class StructurePanel : public QWidget
     void changeWays(const std::vector<FeltWay>& ways);
     void showLayer(int row);
     void showBound(int row);
+    void showMapWarning();
     [[nodiscard]] QString whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const;
     void editOpacity(int percent);
     void chooseColour();
@@ -111,6 +114,8 @@ class StructurePanel : public QWidget
     QLabel* m_source = nullptr; ///< of the preset's numbers
     LawEditor* m_law = nullptr;
     MapEditor* m_map = nullptr;
+    QLabel* m_mapWarning = nullptr; ///< of the map
+    QStringList m_mapWarnings;      ///< by rows
     int m_colouredRow = -1;
     QString m_coloured; ///< by which numbers
     QComboBox* m_friction = nullptr;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeFile.h"
+#include "Volumes.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace palpate::fuzz {
+
+namespace {
+
+std::string handedOver(core::Result<meshio::internal::VoxelGrid> outcome)
+{
+    const int descriptor = ::memfd_create("palpate-fuzz", MFD_CLOEXEC);
+    require(descriptor >= 0 && meshio::internal::writeVolume(descriptor, std::move(outcome)),
+            "an outcome can be handed over");
+    std::string bytes(static_cast<std::size_t>(::lseek(descriptor, 0, SEEK_END)), '\0');
+    require(::pread(descriptor, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
+            "a memory file can be read");
+    ::close(descriptor);
+    return bytes;
+}
+
+} // namespace
+
+std::vector<std::string> seeds()
+{
+    meshio::internal::VoxelGrid grid;
+    grid.size = {3, 2, 2};
+    grid.values.assign(12, 1.5F);
+    return {handedOver(grid), handedOver(core::Status(core::StatusCode::BadFormat, "a.mha: found, expected"))};
+}
+
+void tryInput(std::string_view bytes)
+{
+    tryHandedBack(bytes);
+}
+
+} // namespace palpate::fuzz

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volumes.h"
+
+namespace palpate::fuzz {
+
+std::vector<std::string> seeds()
+{
+    return volumeSeeds(".vti");
+}
+
+void tryInput(std::string_view bytes)
+{
+    tryVolume(bytes, "a.vti");
+}
+
+} // namespace palpate::fuzz
