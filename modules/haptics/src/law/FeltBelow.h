@@ -19,6 +19,13 @@ struct FeltBelow
     double energy_mJ = 0.0;       ///< sum of s_j W_j(d)
     Vec3 gradient = Vec3::Zero(); ///< sum of W_j(d) grad s_j [N]
 
+    /// `scale` alone, with the same bits. @param depth_mm  d > 0
+    /// @par Real-time Wait-free.
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static double scaleAt(const MapPlace& place, const HapticStructure& on,
+                                                              double depth_mm) noexcept
+    {
+        return FeltPress::scaleAt(depth_mm, [&](std::size_t j) { return place.risesOf(on.maps.felt[j]).value; });
+    }
     /// @param place  of the foot; @param depth_mm  d > 0; @param law  the structure's there
     /// @par Real-time Wait-free.
     [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const MapPlace& place, const HapticStructure& on,

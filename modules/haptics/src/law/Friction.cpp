@@ -5,6 +5,8 @@
 #include "law/MapValue.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace palpate::haptics::internal {
 
@@ -25,6 +27,27 @@ bool isGentle(const TissueMap& map, const Facet& facet, double most_per_mm) noex
     return area2 > kSliver * e11 * e22 && rise2 <= most * most * area2;
 }
 
+/// The same of lumps felt below, whose pull is `sum W_j grad s_j` against a push of `F sum s_j B_j(d)`: with W_j adding
+/// up to W <= d F, the first is at most the largest of |grad s_j| times W, the second at least the least of s_j times
+/// F.
+bool areGentle(const std::array<TissueMap, kFeltPress_mm.size()>& felt, const Facet& facet, double most_per_mm) noexcept
+{
+    constexpr double kSure = 0.999; // beyond what rounding can do
+    const Vec3 e1 = facet.b - facet.a, e2 = facet.c - facet.a;
+    const double e11 = e1.squaredNorm(), e12 = e1.dot(e2), e22 = e2.squaredNorm();
+    const double area2 = e11 * e22 - e12 * e12;
+    double rise2 = 0.0, least = std::numeric_limits<double>::max();
+    for (const TissueMap& map : felt) {
+        const std::array<float, 3>& at = (*map.corners)[facet.triangle];
+        const double d1 = map.factor * (double{at[1]} - double{at[0]}),
+                     d2 = map.factor * (double{at[2]} - double{at[0]});
+        rise2 = std::max(rise2, d1 * d1 * e22 - 2.0 * d1 * d2 * e12 + d2 * d2 * e11);
+        least = std::min(least, map.factor * double{std::min({at[0], at[1], at[2]})});
+    }
+    const double most = kSure * most_per_mm * least;
+    return area2 > kSliver * e11 * e22 && rise2 <= most * most * area2;
+}
+
 /// @return the force at a depth by the depth, with all that maps say there [N/mm]; where nothing is pressed yet, about
 /// its limit
 double stiffnessAt(const HapticStructure& on, const Facet& facet, const Vec3& foot, double depth_mm) noexcept
@@ -39,7 +62,7 @@ double stiffnessAt(const HapticStructure& on, const Facet& facet, const Vec3& fo
     const law::MapPlace place(facet, foot);
     double s = map.isEmpty() ? 1.0 : place.risesOf(map).value;
     if (hasFelt) {
-        s *= isPressed ? law::FeltBelow::at(place, on, depth_mm, law).scale : place.risesOf(on.maps.felt[0]).value;
+        s *= isPressed ? law::FeltBelow::scaleAt(place, on, depth_mm) : place.risesOf(on.maps.felt[0]).value;
     }
     return s * k;
 }
@@ -79,6 +102,10 @@ void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const
     }
     // W <= lambda F where the force never falls: in most places that tells that there is friction enough.
     if (!on.maps.hasFelt() && on.neverFalls() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
+        return;
+    }
+    if (on.maps.hasFelt() && map.isEmpty() && on.neverFalls() &&
+        areGentle(on.maps.felt, facet, std::min(atRest, sliding) / lambda_mm)) {
         return;
     }
     const ForceTable::Value law = on.lawAt(lambda_mm);

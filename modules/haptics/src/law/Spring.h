@@ -68,14 +68,16 @@ struct FeltSpring
             return Vec3::Zero();
         }
         const HapticStructure& on = touch.structure;
+        if (on.tissue.hasFriction()) [[unlikely]] { // what is stored pulls at nothing
+            const double s = on.maps.stiffness.isEmpty() ? 1.0 : touch.foot.numberOf(on.maps.stiffness);
+            touch.scale = s * FeltBelow::scaleAt(touch.foot.place(), on, touch.depth_mm);
+            return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;
+        }
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
         const FeltBelow felt = FeltBelow::at(touch.foot.place(), on, touch.depth_mm, law);
         const MapValue s = on.maps.stiffness.isEmpty() ? MapValue{} : touch.foot.valueOf(on.maps.stiffness);
         touch.scale = s.value * felt.scale;
         const Vec3 f_W = touch.scale * law.force_N * touch.up_W;
-        if (on.tissue.hasFriction()) {
-            return f_W;
-        }
         return f_W - touch.foot.freePart(s.value * felt.gradient + felt.energy_mJ * s.gradient);
     }
 };

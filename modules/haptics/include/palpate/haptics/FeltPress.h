@@ -17,22 +17,38 @@ namespace palpate::haptics {
 struct FeltPress
 {
     static constexpr std::size_t kCount = kFeltPress_mm.size();
+    static constexpr auto kPerWidth = [] {
+        std::array<double, kCount - 1> inverse{};
+        for (std::size_t j = 0; j < inverse.size(); ++j) {
+            inverse[j] = 1.0 / (kFeltPress_mm[j + 1] - kFeltPress_mm[j]);
+        }
+        return inverse;
+    }(); ///< [1/mm]
 
     std::array<double, kCount> weights{};  ///< B_j(d) [1]
     std::array<double, kCount> energies{}; ///< W_j(d) [mJ]
 
+    /// The weights alone, where what is stored is not asked for: `sum_j s_j B_j(d)` has two terms at most.
+    /// @param at  gives s_j; @param depth_mm  d > 0
+    /// @par Real-time Wait-free.
+    template<class At>
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static double scaleAt(double depth_mm, const At& at) noexcept
+    {
+        if (depth_mm > kFeltPress_mm.back()) {
+            return at(kCount - 1);
+        }
+        std::size_t j = 0;
+        while (depth_mm > kFeltPress_mm[j + 1]) {
+            ++j;
+        }
+        const double second = (depth_mm - kFeltPress_mm[j]) * kPerWidth[j];
+        return (1.0 - second) * at(j) + second * at(j + 1);
+    }
     /// @param depth_mm  d > 0; @param law  the structure's there
     /// @par Real-time Wait-free.
     [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltPress at(const HapticStructure& on, double depth_mm,
                                                             const ForceTable::Value& law) noexcept
     {
-        constexpr auto kPerWidth = [] {
-            std::array<double, kCount - 1> inverse{};
-            for (std::size_t j = 0; j < inverse.size(); ++j) {
-                inverse[j] = 1.0 / (kFeltPress_mm[j + 1] - kFeltPress_mm[j]);
-            }
-            return inverse;
-        }();
         FeltPress press;
         double energy = 0.0, moment = 0.0; // of the law at `from`
         for (std::size_t j = 0; j + 1 < kCount && depth_mm > kFeltPress_mm[j]; ++j) {
