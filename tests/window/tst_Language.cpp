@@ -4,6 +4,7 @@
 #include "TestRunner.h"
 
 #include <QAbstractButton>
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
@@ -103,7 +104,8 @@ class Language : public QObject
             for (int i = 0; i < box->count() && box->isVisible(); ++i) {
                 box->setCurrentIndex(i);
                 const int wide = box->fontMetrics().horizontalAdvance(box->currentText());
-                if (box->isVisible() && !QTest::qWaitFor([&] { return roomFor(*box) >= wide; }, 200)) {
+                const auto isWhole = [&] { return roomFor(*box) >= wide && isOnTop(*box); };
+                if (box->isVisible() && !QTest::qWaitFor(isWhole, 3000)) {
                     found << QStringLiteral("%1 of %2: %3 (%4)")
                                  .arg(roomFor(*box))
                                  .arg(wide)
@@ -113,6 +115,17 @@ class Language : public QObject
             box->setCurrentIndex(now);
         }
         return found;
+    }
+    /// Whether nothing of the same panel lies over a widget, and it has its height.
+    static bool isOnTop(const QWidget& widget)
+    {
+        const QWidget* ground = &widget; // down to what a panel scrolls, or the window
+        while (ground->parentWidget() != nullptr &&
+               qobject_cast<const QAbstractScrollArea*>(ground->parentWidget()->parentWidget()) == nullptr) {
+            ground = ground->parentWidget();
+        }
+        return widget.height() >= widget.minimumSizeHint().height() &&
+               ground->childAt(widget.mapTo(ground, widget.rect().center())) == &widget;
     }
     /// Width in which a box writes its entry [px].
     static int roomFor(const QComboBox& box)

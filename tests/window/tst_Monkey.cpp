@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QDrag>
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWheelEvent>
@@ -47,9 +48,11 @@ class Monkey : public QObject
 
     int upTo(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
 
-    /// A dialog or menu that opened holds everything up: it is left again.
+    /// A dialog, a menu or dragging a marked text, which waits for the real pointer, holds everything up: it is left
+    /// again.
     static void closeWhatHolds()
     {
+        QDrag::cancel();
         if (QWidget* popup = QApplication::activePopupWidget()) {
             popup->close();
         } else if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {

@@ -69,7 +69,7 @@ LawEditor::LawEditor(QWidget* parent)
     m_form->setVerticalSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_form->addRow(tr("Law"), m_kind);
+    m_form->addRow(new BoxRow(tr("Law"), m_kind, this));
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         m_numbers[i] = new QDoubleSpinBox(this);
         m_numbers[i]->setKeyboardTracking(false);

@@ -80,7 +80,7 @@ void MapEditor::makeFields()
         auto* box = new ShownComboBox(this);
         box->setAccessibleName(name);
         box->setToolTip(tip);
-        m_form->addRow(name, box);
+        m_form->addRow(new BoxRow(name, box, this));
         return box;
     };
     m_how = makeBox(tr("Map"), tr("How the tissue varies over the surface"));
@@ -301,8 +301,8 @@ void MapEditor::refresh()
     const bool isByHand = m_isByHand || (said && !said->empty());
     m_how->setCurrentIndex(isByHand ? ByHand : said ? None : ByName);
     const core::TissueMapping* now = current();
-    m_form->setRowVisible(m_quantity, isByHand);
-    m_form->setRowVisible(m_source, isByHand);
+    m_form->setRowVisible(m_quantity->parentWidget(), isByHand);
+    m_form->setRowVisible(m_source->parentWidget(), isByHand);
     refreshSources(now);
     refreshNumbers(isByHand ? now : nullptr);
     const QString line = note();
@@ -336,7 +336,7 @@ void MapEditor::refreshSources(const core::TissueMapping* now)
 void MapEditor::refreshNumbers(const core::TissueMapping* now)
 {
     const bool isStiffness = now != nullptr && now->quantity == core::MappedQuantity::Stiffness;
-    m_form->setRowVisible(m_unit, isStiffness);
+    m_form->setRowVisible(m_unit->parentWidget(), isStiffness);
     const int unit = isStiffness && !m_unitless ? m_unit->findData(static_cast<int>(now->unit)) : -1;
     m_unit->setCurrentIndex(unit);
     const bool hasRadius = now != nullptr && !m_unitless && (isModulus(now->unit) || now->array.empty());
@@ -369,7 +369,7 @@ void MapEditor::refreshColours(const QString& coloured)
         m_colours->addItem(numbers.title, numbers.what);
     }
     m_colours->setCurrentIndex(std::max(0, m_colours->findData(coloured)));
-    m_form->setRowVisible(m_colours, m_colours->count() > 1);
+    m_form->setRowVisible(m_colours->parentWidget(), m_colours->count() > 1);
 }
 
 /// What there is to say of the maps: what is asked, what can't be had, what is missing, what names say.

@@ -209,7 +209,7 @@ void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
     }
     m_preset->setAccessibleName(tr("Tissue"));
     m_preset->setToolTip(tr("How the structure feels, by name"));
-    form.addRow(tr("Tissue"), m_preset);
+    form.addRow(new BoxRow(tr("Tissue"), m_preset, box));
     m_source = new QLabel(box);
     m_source->setWordWrap(true);
     m_source->setForegroundRole(QPalette::PlaceholderText);
@@ -265,7 +265,7 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     m_friction->addItem(tr("Custom"));
     m_friction->setAccessibleName(tr("Friction"));
     m_friction->setToolTip(tr("How much the surface holds the fingertip, by name"));
-    form.addRow(tr("Friction"), m_friction);
+    form.addRow(new BoxRow(tr("Friction"), m_friction, box));
     connect(m_friction, &QComboBox::activated, this, [this](int chosen) {
         if (static_cast<std::size_t>(chosen) < frictionPresets().size()) {
             const double coefficient = frictionPresets()[static_cast<std::size_t>(chosen)].coefficient;
@@ -314,7 +314,7 @@ void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
     m_layer->setAccessibleName(tr("Felt, in order from outside"));
     m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
                            "(Ctrl+Down, Ctrl+Up in the list)"));
-    form.insertRow(place, tr("Felt"), m_layer);
+    form.insertRow(place, new BoxRow(tr("Felt"), m_layer, box));
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
