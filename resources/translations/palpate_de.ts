@@ -2742,6 +2742,94 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>the process that read it crashed (%1)</source>
         <translation>der Prozess, der es las, ist abgestürzt (%1)</translation>
     </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 zweimal</translation>
+    </message>
+    <message>
+        <source>each field once</source>
+        <translation>jedes Feld einmal</translation>
+    </message>
+    <message>
+        <source>no dimension before them</source>
+        <translation>keine Dimension davor</translation>
+    </message>
+    <message>
+        <source>a dimension</source>
+        <translation>eine Dimension</translation>
+    </message>
+    <message>
+        <source>three counts of voxels</source>
+        <translation>drei Anzahlen von Voxeln</translation>
+    </message>
+    <message>
+        <source>the name of one file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>no header of NIfTI</source>
+        <translation>kein NIfTI-Kopf</translation>
+    </message>
+    <message>
+        <source>348 or 540 bytes of it</source>
+        <translation>348 oder 540 Byte davon</translation>
+    </message>
+    <message>
+        <source>voxels of kind %1</source>
+        <translation>Voxel der Art %1</translation>
+    </message>
+    <message>
+        <source>one of NIfTI&apos;s kinds, as 16 for float</source>
+        <translation>eine der Arten von NIfTI, etwa 16 für float</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
+    </message>
+    <message>
+        <source>1 to 7</source>
+        <translation>1 bis 7</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in its text</source>
+        <translation>ein Byte 0 im Text</translation>
+    </message>
+    <message>
+        <source>a header of text alone</source>
+        <translation>ein Kopf nur aus Text</translation>
+    </message>
+    <message>
+        <source>what is not one number</source>
+        <translation>keine einzelne Zahl</translation>
+    </message>
+    <message>
+        <source>%1 dimension</source>
+        <translation>%1 Dimension</translation>
+    </message>
+    <message>
+        <source>%1 dimensions</source>
+        <translation>%1 Dimensionen</translation>
+    </message>
+    <message>
+        <source>1 to 4</source>
+        <translation>1 bis 4</translation>
+    </message>
+    <message>
+        <source>value %1 is %2</source>
+        <translation>Wert %1 ist %2</translation>
+    </message>
+    <message>
+        <source>a number that an Int32 can hold</source>
+        <translation>eine Zahl, die in ein Int32 passt</translation>
+    </message>
+    <message>
+        <source>a number that a %1 can hold</source>
+        <translation>eine Zahl, die in ein %1 passt</translation>
+    </message>
+    <message>
+        <source>a blank or a new line behind it</source>
+        <translation>ein Leerzeichen oder eine neue Zeile dahinter</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>
@@ -4032,27 +4120,27 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <name>palpate::ui::MapWarnings</name>
     <message>
         <source>(%1; %2; %3) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>(%1; %2; %3) mm</translation>
     </message>
     <message>
         <source>%1: what the lumps below make of it changes too sharply for the %2 at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Was die Knoten darunter bewirken, ändert sich bei %3 zu scharf für das Gerät „%2“.</translation>
     </message>
     <message>
         <source>%1: its map of stiffness bends too sharply for the %2 at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Die Karte der Steifigkeit knickt bei %3 zu scharf für das Gerät „%2“.</translation>
     </message>
     <message>
         <source>The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft zur Seite springt dort um %1 N und kann die Hand um %2 mm schwingen lassen.</translation>
     </message>
     <message>
         <source>Give the tissue friction, or open a mesh with shorter edges there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Gewebe Reibung geben oder ein Netz öffnen, das dort kürzere Kanten hat.</translation>
     </message>
     <message>
         <source>Spread the step over more millimetres, round its ends, or give the tissue friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stufe über mehr Millimeter verteilen, ihre Enden abrunden oder dem Gewebe Reibung geben.</translation>
     </message>
 </context>
 <context>
@@ -4688,7 +4776,7 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     </message>
     <message>
         <source>What its map can do to the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karte mit dem Gerät machen kann</translation>
     </message>
 </context>
 <context>

@@ -2742,6 +2742,94 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <source>the process that read it crashed (%1)</source>
         <translation>le processus qui le lisait s’est arrêté brutalement (%1)</translation>
     </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 deux fois</translation>
+    </message>
+    <message>
+        <source>each field once</source>
+        <translation>chaque champ une fois</translation>
+    </message>
+    <message>
+        <source>no dimension before them</source>
+        <translation>aucune dimension avant elles</translation>
+    </message>
+    <message>
+        <source>a dimension</source>
+        <translation>une dimension</translation>
+    </message>
+    <message>
+        <source>three counts of voxels</source>
+        <translation>trois nombres de voxels</translation>
+    </message>
+    <message>
+        <source>the name of one file</source>
+        <translation>le nom d’un seul fichier</translation>
+    </message>
+    <message>
+        <source>no header of NIfTI</source>
+        <translation>pas d’en-tête NIfTI</translation>
+    </message>
+    <message>
+        <source>348 or 540 bytes of it</source>
+        <translation>348 ou 540 octets d’en-tête</translation>
+    </message>
+    <message>
+        <source>voxels of kind %1</source>
+        <translation>des voxels de type %1</translation>
+    </message>
+    <message>
+        <source>one of NIfTI&apos;s kinds, as 16 for float</source>
+        <translation>un des types de NIfTI, comme 16 pour float</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 axes</translation>
+    </message>
+    <message>
+        <source>1 to 7</source>
+        <translation>1 à 7</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in its text</source>
+        <translation>un octet 0 dans son texte</translation>
+    </message>
+    <message>
+        <source>a header of text alone</source>
+        <translation>un en-tête fait de texte seul</translation>
+    </message>
+    <message>
+        <source>what is not one number</source>
+        <translation>ce qui n’est pas un seul nombre</translation>
+    </message>
+    <message>
+        <source>%1 dimension</source>
+        <translation>%1 dimension</translation>
+    </message>
+    <message>
+        <source>%1 dimensions</source>
+        <translation>%1 dimensions</translation>
+    </message>
+    <message>
+        <source>1 to 4</source>
+        <translation>1 à 4</translation>
+    </message>
+    <message>
+        <source>value %1 is %2</source>
+        <translation>la valeur %1 est %2</translation>
+    </message>
+    <message>
+        <source>a number that an Int32 can hold</source>
+        <translation>un nombre qu’un Int32 peut contenir</translation>
+    </message>
+    <message>
+        <source>a number that a %1 can hold</source>
+        <translation>un nombre qu’un %1 peut contenir</translation>
+    </message>
+    <message>
+        <source>a blank or a new line behind it</source>
+        <translation>une espace ou une nouvelle ligne après</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>
@@ -4032,27 +4120,27 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <name>palpate::ui::MapWarnings</name>
     <message>
         <source>(%1; %2; %3) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>(%1&#x202f;; %2&#x202f;; %3) mm</translation>
     </message>
     <message>
         <source>%1: what the lumps below make of it changes too sharply for the %2 at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#x202f;: ce que les nodules dessous en font change trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
     </message>
     <message>
         <source>%1: its map of stiffness bends too sharply for the %2 at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#x202f;: sa carte de rigidité se plie trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
     </message>
     <message>
         <source>The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La force latérale y saute de %1 N et peut faire osciller la main de %2 mm.</translation>
     </message>
     <message>
         <source>Give the tissue friction, or open a mesh with shorter edges there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donner du frottement au tissu, ou ouvrir un maillage aux arêtes plus courtes à cet endroit.</translation>
     </message>
     <message>
         <source>Spread the step over more millimetres, round its ends, or give the tissue friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Étaler la marche sur plus de millimètres, arrondir ses bouts, ou donner du frottement au tissu.</translation>
     </message>
 </context>
 <context>
@@ -4688,7 +4776,7 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>What its map can do to the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que sa carte peut faire à l’appareil</translation>
     </message>
 </context>
 <context>
