@@ -22,8 +22,8 @@ struct Language
 [[nodiscard]] const QList<Language>& languages();
 
 /// Lets all windows made from now on speak what was chosen (settings: `language`), else the system's language where it
-/// is among `languages()`, else English; numbers are shown with that language's decimal sign. Call once, before the first
-/// window.
+/// is among `languages()`, else English; numbers are shown with that language's decimal sign. Call once, before the
+/// first window.
 void speakChosenLanguage();
 
 /// A menu that chooses the language. Windows that are open keep theirs: `said` is told the line to show.
