@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScopeGuard>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -120,10 +121,12 @@ class FeltHere : public QObject
     void theTableHasAllColumnsInView()
     {
         showFelt({1024, 700});
+        const auto restore = qScopeGuard([this] { m_desk->command("text-size-100").trigger(); });
+        m_desk->command("text-size-125").trigger();
         QTRY_VERIFY(table().rowCount() == 2);
-        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
         const QTableWidgetItem& light = *table().item(0, FeltPanel::FirstPress);
-        QVERIFY2(!light.text().contains(QStringLiteral("hand")), qPrintable(light.text()));
+        QTRY_VERIFY2(!light.text().contains(QStringLiteral("hand")), qPrintable(light.text()));
+        QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
         QVERIFY(light.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("not by hand")));
         const auto key = [this] {
             const QList<QLabel*> labels = m_desk->window().findChild<FeltPanel*>()->findChildren<QLabel*>();
@@ -132,6 +135,7 @@ class FeltHere : public QObject
             });
         };
         QVERIFY(key());
+        m_desk->command("text-size-100").trigger();
         m_desk->window().resize(1800, 900);
         QTRY_VERIFY(light.text().contains(QStringLiteral("not by hand")));
         QVERIFY(!key());
