@@ -56,8 +56,8 @@ class ActiveSet
     [[nodiscard]] Vec3 constrain(const Vec3& wanted, PlaneOf&& planeOf) noexcept
     {
         std::array<HalfSpace, kMost> planes;
-        double skin_mm =
-            std::numeric_limits<double>::infinity(); // the thinnest: no contact is lost to another's rounding
+        // The thinnest: no contact is lost to another's rounding.
+        double skin_mm = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < m_count; ++i) {
             planes[i] = planeOf(m_contacts[i]);
             skin_mm = std::min(skin_mm, m_contacts[i].facet.skin_mm);

@@ -13,8 +13,8 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kPatience = 32; // moves that together must gain a skin
-constexpr std::size_t kMostHeld = 3;
-constexpr int kRounds = 3; // rounds over a convex edge that together must gain a skin
+constexpr std::size_t kMostHeld = 3;    // contacts that a tick ends with
+constexpr int kRounds = 3;              // rounds over a convex edge that together must gain a skin
 
 } // namespace
 

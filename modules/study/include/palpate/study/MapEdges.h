@@ -57,8 +57,8 @@ struct MapEdge
     std::size_t structure = 0;
     core::Vec3 p_W = core::Vec3::Zero(); ///< middle of the edge [mm]
     double jump_N = 0.0;                 ///< by which the push aside jumps there, with a hand that rests there
-    double swing_mm =
-        0.0; ///< of the tip about it that the device can't be sure to damp, peak to peak [mm of the device]
+    /// Of the tip about it, that the device can't be sure to damp, peak to peak [mm of the device].
+    double swing_mm = 0.0;
     bool isOfLumps = false; ///< most of the jump is by lumps felt below, not by the map of stiffness
 };
 
