@@ -252,6 +252,42 @@ class Filters : public QObject
         QVERIFY(close > 20000); // it does rule out
     }
 
+    /// Above an edge, so near its end that floats may take the end for the nearest place: what the move gains towards
+    /// the edge, it gains across the direction to that place.
+    void noMoveBesideTheEndOfAnEdgeComesNearerThanItsLeastDistance()
+    {
+        std::mt19937_64 random(8);
+        std::uniform_real_distribution<double> share(0.0, 1.0), sign(-1.0, 1.0);
+        for (int round = 0; round < 20000; ++round) {
+            const double high = 1.0 + 19.0 * share(random), beside = 1e-3 * share(random) * high;
+            std::vector<Facet> facets;
+            for (int i = 0; i < kCount; ++i) {
+                const Vec3 a(0, 0, 0), b(5.0 + i, 0, 0), c(sign(random), 2.0 + i, -5.0 * share(random));
+                facets.push_back(i % 3 == 0 ? facetOf(a, b, c) : i % 3 == 1 ? facetOf(b, c, a) : facetOf(c, a, b));
+            }
+            TriangleGroup group;
+            const float reach = derive(cornersOf(facets, Vec3::Zero()), group);
+            const Vec3 p(beside, -share(random) * high, high);
+            // Down by as much as the end's direction turns away from the edge's.
+            const Vec3 up = Vec3(0, p[1], p[2]).normalized();
+            const Vec3 half = 0.25 * high * (Vec3::UnitX() - beside / p.norm() * up);
+            float at[3], along[3], distance[kCount];
+            for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = static_cast<float>(p[axis]);
+                along[axis] = static_cast<float>(half[axis]);
+            }
+            distances(&group, kCount, at, along, distance);
+            for (int i = 0; i < kCount; ++i) {
+                const Facet& f = facets[static_cast<std::size_t>(i)];
+                const double least = (p + half - nearestOn(f, p + half).q).norm();
+                const double middle = (p - nearestOn(f, p).q).norm();
+                const double rounding = leastDistanceRounding(std::max<double>(reach, high), half.norm(), middle);
+                QVERIFY2(distance[i] <= least + rounding,
+                         qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(least)));
+            }
+        }
+    }
+
     void aPitHoldsWhatASaddleLetsGo()
     {
         // Six facets around the origin, their rims lifted by the given heights.

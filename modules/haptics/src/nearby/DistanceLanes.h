@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace palpate::haptics::internal {
 
@@ -32,11 +33,17 @@ void distances(const TriangleGroup* groups, int count, const float* p, const flo
 /// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is ruled out.
 inline constexpr double kDistanceRounding = 1e-5;
 
+/// Two squared distances d² are equal to rounding where they differ by less than this times d and the largest
+/// coordinate: each is right to 2 d times 1e-6 of that, eight ulp.
+inline constexpr double kSquareRounding = 4e-6;
+
 /// @return rounding of the least distance of a move to what its middle is `away_mm` from, or more: that of the distance
-/// there, and that of the direction to it, which the half of the move multiplies. [mm]
+/// there, and that of the direction to it, which the half of the move multiplies. Where the places on two edges are as
+/// near to rounding, the farther may be taken: it is off the nearest by the root of what the squares differ by. [mm]
 inline double leastDistanceRounding(double coordinate_mm, double half_mm, double away_mm) noexcept
 {
-    return kDistanceRounding * coordinate_mm * (1.0 + half_mm / away_mm);
+    return kDistanceRounding * coordinate_mm * (1.0 + half_mm / away_mm) +
+           std::sqrt(kSquareRounding * coordinate_mm / away_mm) * half_mm;
 }
 
 /// Copies triangle i of one set of groups to place j of another.
