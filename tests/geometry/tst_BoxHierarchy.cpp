@@ -119,6 +119,50 @@ class BoxHierarchyTest : public QObject
         QVERIFY(count < 3000 || size == 0.0 || found > 100);
     }
 
+    /// What a ball touches at the start of a move and sees at a cosine to it that is asked for is not left out.
+    void aBallFindsWhatStandsAgainstIt()
+    {
+        for (const double offset : {0.0, -1e4}) {
+            const Scene scene = randomScene(3000, offset, 5.0, 2, 1);
+            std::mt19937 random(3);
+            std::uniform_real_distribution<double> unit(0.0, 1.0);
+            const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+            std::size_t standing = 0, visited = 0, all = 0;
+            for (int round = 0; round < 300; ++round) {
+                const Vec3 from = Vec3::Constant(offset) + 100.0 * point();
+                const Vec3 u = (point() - Vec3::Constant(0.5)).normalized();
+                const double reach = 20.0 * unit(random), cosine = unit(random);
+                const auto visit = [&](geometry::SweptInterest interest) {
+                    std::set<std::uint32_t> seen;
+                    std::uint32_t nodes = 100000;
+                    (void)scene.hierarchy.visitSwept(from, Vec3(from + u), reach, interest, nodes,
+                                                     [&](std::uint32_t first, std::uint32_t n) {
+                                                         for (std::uint32_t i = first; i < first + n; ++i) {
+                                                             seen.insert(scene.items[i]);
+                                                         }
+                                                         return interest;
+                                                     });
+                    return seen;
+                };
+                const std::set<std::uint32_t> seen = visit({0.0, cosine});
+                visited += seen.size();
+                all += visit({0.0, 0.0}).size();
+                for (std::uint32_t i = 0; i < scene.boxes.size(); ++i) {
+                    for (int k = 0; k < 8; ++k) { // places in the box
+                        const Vec3 at = scene.boxes[i].min() + point().cwiseProduct(scene.boxes[i].sizes());
+                        const double distance = (at - from).norm();
+                        if (distance <= reach && u.dot(at - from) >= cosine * distance) {
+                            ++standing;
+                            QVERIFY(seen.count(i) == 1);
+                        }
+                    }
+                }
+            }
+            QVERIFY(standing > 1000);
+            QVERIFY2(4 * visited < 3 * all, qPrintable(QString("%1 of %2").arg(visited).arg(all))); // it does leave out
+        }
+    }
+
     void pairsOfLeavesMeetOnce_data()
     {
         QTest::addColumn<int>("items");

@@ -288,6 +288,58 @@ class Filters : public QObject
         }
     }
 
+    void noFacetThatStandsAgainstABallIsToldOff()
+    {
+        std::mt19937_64 random(9);
+        std::normal_distribution<double> normal;
+        const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+        int blocking = 0, kept = 0, offered = 0;
+        for (int round = 0; round < 20000; ++round) {
+            const Vec3 origin = 300.0 * point();
+            const std::vector<Facet> facets = someFacets(random, origin);
+            TriangleGroup group;
+            const float reach = derive(cornersOf(facets, origin), group);
+            // Half of the moves go almost straight beside a facet, as where it holds the ball; a third begin next to
+            // the plane through the end of an edge, where floats may take another feature for the nearest.
+            const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
+            Vec3 x = origin + 2.0 * point();
+            if (round % 3 == 0) {
+                const Vec3 e = (aimed.b - aimed.a).normalized();
+                x = aimed.a + std::abs(normal(random)) * e.cross(point()).normalized() + 1e-4 * normal(random) * e;
+            }
+            Vec3 move = 0.1 * point();
+            if (round % 2 == 0) {
+                const Vec3 away = nearestOn(aimed, x).away.normalized();
+                move -= (move.dot(away) + 1e-7 * normal(random)) * away;
+            }
+            Heading heading{};
+            const Vec3 u = move.normalized();
+            heading.coordinate_mm = reach;
+            for (int axis = 0; axis < 3; ++axis) {
+                heading.x[axis] = static_cast<float>(x[axis] - origin[axis]);
+                heading.u[axis] = static_cast<float>(u[axis]);
+                heading.coordinate_mm = std::max(heading.coordinate_mm, std::abs(heading.x[axis]));
+            }
+            const double cosine = round % 5 == 0 ? std::min(std::abs(normal(random)), 0.999) : 0.0;
+            const std::uint32_t lanes = opposingLanes(group, heading, static_cast<float>(cosine * (1.0 - 1e-6)));
+            for (int i = 0; i < kCount; ++i) {
+                BallCrossing crossing;
+                const bool isKept = (lanes >> i & 1u) != 0;
+                ++offered;
+                kept += isKept ? 1 : 0;
+                // Of a radius that reaches them all: each touches already.
+                if (blocksBall(facets[static_cast<std::size_t>(i)], x, Vec3(x + move), 50.0, 1.0, crossing,
+                               cosine * move.norm())) {
+                    ++blocking;
+                    QVERIFY2(isKept, qPrintable(QString("round %1, lane %2").arg(round).arg(i)));
+                }
+            }
+        }
+        qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
+        QVERIFY(blocking > 20000);
+        QVERIFY(kept < offered * 7 / 10); // it does rule out
+    }
+
     void aPitHoldsWhatASaddleLetsGo()
     {
         // Six facets around the origin, their rims lifted by the given heights.

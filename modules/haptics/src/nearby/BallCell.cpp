@@ -17,8 +17,9 @@ constexpr int kLevels = 3;          // each half as large as the one before
 constexpr std::uint32_t kMostAsked = 8 * BallCell::kMost; // facets by their boxes, before a cell counts as too full
 
 // In units of TickWork.
-constexpr std::uint32_t kNode = 3;
-constexpr std::uint32_t kFacet = 2;
+constexpr std::uint32_t kGather = 90;
+constexpr std::uint32_t kNode = 2;
+constexpr std::uint32_t kFacet = 1;
 
 } // namespace
 
@@ -54,7 +55,7 @@ class BallCell::Gathering
             Corners corners;
             TriangleGroup group;
             setCorners(m_at[0] + first, m_at[1] + first, m_at[2] + first, origin4, corners);
-            std::fill_n(corners.isTwoSided, kLanes, 0);
+            std::copy_n(m_isTwoSided.data() + first, kLanes, corners.isTwoSided);
             const float reach = derive(corners, group);
             const int n = static_cast<int>(std::min<std::uint32_t>(m_count - first, kLanes));
             alignas(32) float distance_mm[kLanes];
@@ -86,8 +87,10 @@ class BallCell::Gathering
                 m_at[c][i] = surface.vertex(t[c]).data();
                 core::prefetch(m_at[c][i]);
             }
+            m_isTwoSided[i] = surface.isTwoSided(m_triangle[i]) ? -1 : 0;
         }
         for (std::uint32_t i = m_count; i % kLanes != 0; ++i) {
+            m_isTwoSided[i] = 0;
             for (auto& corner : m_at) {
                 corner[i] = corner[m_count - 1]; // the last eight are filled up with the last facet
             }
@@ -97,6 +100,7 @@ class BallCell::Gathering
     std::uint32_t m_count = 0;
     std::array<std::uint32_t, kMostAsked> m_structure;
     std::array<std::uint32_t, kMostAsked> m_triangle;
+    std::array<std::int32_t, kMostAsked> m_isTwoSided; ///< all ones or zero
     const double* m_at[3][kMostAsked];
 };
 
@@ -123,7 +127,7 @@ bool BallCell::gather(const HapticLayer& layer, const Vec3& p, double size_mm) n
         return isAll;
     });
     isAll = isAll && gathering.keep(layer, reach, *this);
-    m_price = kNode * (above + nodes) + kFacet * gathering.found();
+    m_price = kGather + kNode * (above + nodes) + kFacet * gathering.found();
     m_isFull = !isAll;
     if (m_isFull) {
         m_count = 0;

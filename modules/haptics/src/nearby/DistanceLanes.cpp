@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace palpate::haptics::internal {
@@ -25,6 +26,85 @@ constexpr float kSmallest = 1e-30f;
 
 // Longest edge squared over twice the area, squared: flatter triangles than 1e3 are not told apart from their normal.
 constexpr float kFlattest2 = 1e6f;
+
+// Squared distances d² that differ by no more than kAsNear d² + kAsNearAt C², C the largest coordinate, are equal to
+// rounding: twice the geometric mean of the two is no less than kSquareRounding d C.
+constexpr float kAsNear = 1e-5f;
+constexpr float kAsNearAt = 5e-7f;
+static_assert(4.0 * kAsNear * kAsNearAt >= kSquareRounding * kSquareRounding);
+
+/// Of eight triangles, as seen from a point.
+struct Away
+{
+    Float8 height;    ///< above the plane, times the normal's length [mm³]
+    Float8 distance2; ///< 0 for a triangle too flat to tell [mm²]
+    Float8 along;     ///< how far v leads away from the nearest place, times the distance [mm²]
+};
+
+/// The place is where it is to rounding but for one thing: of two edges' nearest places that are as far away, to
+/// rounding, they may be apart by the root of that, and so the directions away from them.
+/// @tparam isWary  `along` is the least for any of such places
+/// @param coordinate_mm  largest of p and of the group
+template<bool isWary>
+PALPATE_ALWAYS_INLINE Away awayFrom(const TriangleGroup& group, const float* p, const float* v,
+                                    float coordinate_mm) noexcept
+{
+    const Float8 zero{};
+    const Float8 one = zero + 1.0f;
+    Float8 ap[3], ab[3], ac[3], n[3];
+    Float8 height{}, apab{}, apac{}, bpbc{};
+    for (int axis = 0; axis < 3; ++axis) {
+        ap[axis] = p[axis] - load8(group.corners.a[axis]);
+        ab[axis] = load8(group.corners.ab[axis]);
+        ac[axis] = load8(group.corners.ac[axis]);
+        n[axis] = load8(group.normal[axis]);
+        height += n[axis] * ap[axis];
+        apab += ap[axis] * ab[axis];
+        apac += ap[axis] * ac[axis];
+        bpbc += (ap[axis] - ab[axis]) * (ac[axis] - ab[axis]);
+    }
+    // Inside when the point lies to the left of all three edges.
+    Float8 leftAb{}, leftAc{}, leftBc{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+        leftAb += n[axis] * (ab[j] * ap[k] - ab[k] * ap[j]);
+        leftAc += n[axis] * (ap[j] * ac[k] - ap[k] * ac[j]);
+        leftBc += n[axis] * ((ac[j] - ab[j]) * (ap[k] - ab[k]) - (ac[k] - ab[k]) * (ap[j] - ab[j]));
+    }
+    const Mask8 isInside = (leftAb >= 0.0f) & (leftAc >= 0.0f) & (leftBc >= 0.0f);
+    const Float8 tab = least(greatest(apab * load8(group.perEdge2[0]), zero), one);
+    const Float8 tac = least(greatest(apac * load8(group.perEdge2[1]), zero), one);
+    const Float8 tbc = least(greatest(bpbc * load8(group.perEdge2[2]), zero), one);
+    Float8 ab2{}, ac2{}, bc2{}, onN{}, onAb{}, onAc{}, onBc{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Float8 toAb = ap[axis] - tab * ab[axis];
+        const Float8 toAc = ap[axis] - tac * ac[axis];
+        const Float8 toBc = ap[axis] - ab[axis] - tbc * (ac[axis] - ab[axis]);
+        ab2 += toAb * toAb;
+        ac2 += toAc * toAc;
+        bc2 += toBc * toBc;
+        onN += n[axis] * v[axis];
+        onAb += toAb * v[axis];
+        onAc += toAc * v[axis];
+        onBc += toBc * v[axis];
+    }
+    const Float8 perNormal2 = load8(group.perNormal2);
+    const Float8 outside2 = least(least(ab2, ac2), bc2);
+    Float8 onOutside;
+    if constexpr (isWary) {
+        const Float8 asNear2 = outside2 * (1.0f + kAsNear) + kAsNearAt * coordinate_mm * coordinate_mm;
+        const Float8 most = zero + std::numeric_limits<float>::infinity();
+        onOutside =
+            least(least(ab2 <= asNear2 ? onAb : most, ac2 <= asNear2 ? onAc : most), bc2 <= asNear2 ? onBc : most);
+    } else {
+        onOutside = ab2 == outside2 ? onAb : ac2 == outside2 ? onAc : onBc;
+    }
+    Away away;
+    away.height = height;
+    away.distance2 = perNormal2 > 0.0f ? (isInside ? height * height * perNormal2 : outside2) : zero;
+    away.along = isInside ? height * perNormal2 * onN : onOutside;
+    return away;
+}
 
 } // namespace
 
@@ -72,54 +152,10 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
 {
     alignas(32) float along[kMostTriangles]; // how much the half moves lead away, times the distance
     for (int first = 0; first < count; first += kLanes) {
-        const TriangleGroup& group = groups[first / kLanes];
-        const Float8 zero{};
-        const Float8 one = zero + 1.0f;
-        Float8 ap[3], ab[3], ac[3], n[3];
-        Float8 height{}, apab{}, apac{}, bpbc{};
-        for (int axis = 0; axis < 3; ++axis) {
-            ap[axis] = p[axis] - load8(group.corners.a[axis]);
-            ab[axis] = load8(group.corners.ab[axis]);
-            ac[axis] = load8(group.corners.ac[axis]);
-            n[axis] = load8(group.normal[axis]);
-            height += n[axis] * ap[axis];
-            apab += ap[axis] * ab[axis];
-            apac += ap[axis] * ac[axis];
-            bpbc += (ap[axis] - ab[axis]) * (ac[axis] - ab[axis]);
-        }
-        // Inside when the point lies to the left of all three edges.
-        Float8 leftAb{}, leftAc{}, leftBc{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-            leftAb += n[axis] * (ab[j] * ap[k] - ab[k] * ap[j]);
-            leftAc += n[axis] * (ap[j] * ac[k] - ap[k] * ac[j]);
-            leftBc += n[axis] * ((ac[j] - ab[j]) * (ap[k] - ab[k]) - (ac[k] - ab[k]) * (ap[j] - ab[j]));
-        }
-        const Mask8 isInside = (leftAb >= 0.0f) & (leftAc >= 0.0f) & (leftBc >= 0.0f);
-        const Float8 tab = least(greatest(apab * load8(group.perEdge2[0]), zero), one);
-        const Float8 tac = least(greatest(apac * load8(group.perEdge2[1]), zero), one);
-        const Float8 tbc = least(greatest(bpbc * load8(group.perEdge2[2]), zero), one);
-        Float8 ab2{}, ac2{}, bc2{}, onN{}, onAb{}, onAc{}, onBc{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float8 toAb = ap[axis] - tab * ab[axis];
-            const Float8 toAc = ap[axis] - tac * ac[axis];
-            const Float8 toBc = ap[axis] - ab[axis] - tbc * (ac[axis] - ab[axis]);
-            ab2 += toAb * toAb;
-            ac2 += toAc * toAc;
-            bc2 += toBc * toBc;
-            onN += n[axis] * half[axis];
-            onAb += toAb * half[axis];
-            onAc += toAc * half[axis];
-            onBc += toBc * half[axis];
-        }
-        const Float8 perNormal2 = load8(group.perNormal2);
-        const Float8 outside2 = least(least(ab2, ac2), bc2);
-        const Float8 onOutside = ab2 == outside2 ? onAb : ac2 == outside2 ? onAc : onBc;
-        const Float8 d2 = isInside ? height * height * perNormal2 : outside2;
-        const Float8 on = isInside ? height * perNormal2 * onN : onOutside;
+        const Away away = awayFrom<false>(groups[first / kLanes], p, half, 0.0f);
         // Squared until the end: the square roots are taken side by side.
-        store8(distance_mm + first, perNormal2 > 0.0f ? d2 : zero);
-        store8(along + first, absolute(on));
+        store8(distance_mm + first, away.distance2);
+        store8(along + first, absolute(away.along));
     }
     const int lanes = (count + kLanes - 1) / kLanes * kLanes;
     for (int i = 0; i < lanes; ++i) {
@@ -127,6 +163,22 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
         // A distance from a convex set along a line is convex: it lies above its tangent.
         distance_mm[i] = distance - along[i] / std::max(distance, kSmallest);
     }
+}
+
+PALPATE_WIDE_LANES std::uint32_t opposingLanes(const TriangleGroup& group, const Heading& heading,
+                                               float cosine) noexcept
+{
+    const Away away = awayFrom<true>(group, heading.x, heading.u, heading.coordinate_mm);
+    const Float8 zero{};
+    const Float8 rounding = zero + static_cast<float>(kDistanceRounding) * heading.coordinate_mm;
+    Mask8 isTwoSided;
+    std::memcpy(&isTwoSided, group.corners.isTwoSided, sizeof isTwoSided);
+    const Float8 perNormal2 = load8(group.perNormal2);
+    const Mask8 isBehind = (away.height < 0.0f) & (away.height * away.height * perNormal2 > rounding * rounding);
+    // Twice the rounding: that of the distance as well.
+    const Float8 falls = 2.0f * rounding - away.along;
+    const Mask8 isBeside = (falls < 0.0f) | (falls * falls < cosine * cosine * away.distance2);
+    return core::laneBits((perNormal2 <= 0.0f) | ~(isBeside | (isBehind & ~isTwoSided)));
 }
 
 void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept

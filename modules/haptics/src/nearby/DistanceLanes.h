@@ -30,6 +30,20 @@ inline constexpr int kMostTriangles = 256; ///< that distances are asked to at o
 void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
                float* distance_mm) noexcept PALPATE_NONBLOCKING;
 
+/// Where a ball's centre starts, and the unit vector of its direction, as seen from a group's origin.
+struct Heading
+{
+    float x[3]; ///< [mm]
+    float u[3];
+    float coordinate_mm; ///< largest of x and of the groups
+};
+
+/// @param cosine  of no interest is what stands less against the move: at least 0
+/// @return bit i set where triangle i may stand against the move: x is not surely behind its plane, if it has an
+/// inside, and the distance does not surely grow, or fall by less than `cosine` for each mm
+[[nodiscard]] std::uint32_t opposingLanes(const TriangleGroup& group, const Heading& heading,
+                                          float cosine) noexcept PALPATE_NONBLOCKING;
+
 /// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is ruled out.
 inline constexpr double kDistanceRounding = 1e-5;
 
@@ -66,6 +80,35 @@ void forEachBetween(const float* distance_mm, int count, double beyond, double u
             f(first + std::countr_zero(lanes));
         }
     }
+}
+
+inline constexpr int kWorthAsking = 4; ///< of eight triangles: fewer are sooner tested exactly
+
+/// The same, but asks about groups with many of them first.
+/// @param opposing  given a group's number, returns its lanes that are of interest
+/// @return how many groups were asked about
+template<class Opposing, class F>
+std::uint32_t forEachOpposing(const float* distance_mm, int count, double beyond, double upTo, Opposing&& opposing,
+                              F&& f) noexcept
+{
+    std::uint32_t asked = 0;
+    for (int first = 0; first < count; first += 64) {
+        std::uint64_t lanes = lanesBetween(distance_mm + first, std::min(count - first, 64), static_cast<float>(beyond),
+                                           static_cast<float>(upTo));
+        while (lanes != 0) {
+            const int shift = std::countr_zero(lanes) / kLanes * kLanes;
+            std::uint32_t eight = static_cast<std::uint32_t>(lanes >> shift) & 0xffu;
+            lanes &= ~(std::uint64_t{0xff} << shift);
+            if (std::popcount(eight) >= kWorthAsking) {
+                ++asked;
+                eight &= opposing((first + shift) / kLanes);
+            }
+            for (; eight != 0; eight &= eight - 1) {
+                f(first + shift + std::countr_zero(eight));
+            }
+        }
+    }
+    return asked;
 }
 
 } // namespace palpate::haptics::internal

@@ -14,17 +14,19 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr double kNever = 2.0;
-constexpr double kShort = 0.5; // radii: a move that is ruled out as a whole, from its middle
+constexpr double kLessThan = 1.0 - 1e-6; // so much of a cosine, in floats, is surely less
+constexpr double kShort = 0.5;           // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
 constexpr double kCellsOnWay = 3.0; // with more than so many cells still to go, a move is asked of the whole hierarchy
 
 // In units of TickWork.
-constexpr std::uint32_t kSweep = 30; // the move's own arithmetic
-constexpr std::uint32_t kGroup = 3;  // eight facets' distances
-constexpr std::uint32_t kExact = 6;  // the exact test of one
-constexpr std::uint32_t kMeets = 15; // and more where it blocks
-constexpr std::uint32_t kNode = 5;
-constexpr std::uint32_t kBatch = 36; // of eight facets of the hierarchy
+constexpr std::uint32_t kSweep = 18; // the move's own arithmetic
+constexpr std::uint32_t kGroup = 3;  // eight facets' distances, or which of them stand against the move
+constexpr std::uint32_t kExact = 2;  // the exact test of one
+constexpr std::uint32_t kTimed = 10; // and more where it asks for the share
+constexpr std::uint32_t kMeets = 10; // and more where it blocks
+constexpr std::uint32_t kNode = 12;
+constexpr std::uint32_t kBatch = 8; // of eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
@@ -55,13 +57,33 @@ struct NearBall::First
 
     std::uint32_t price = 0; ///< of all that was offered, in units of TickWork
 
+    /// @param origin,reach_mm  of the groups, and their largest coordinate
+    [[nodiscard]] Heading seenFrom(const Vec3& origin, float reach_mm) const noexcept
+    {
+        Heading heading{};
+        heading.coordinate_mm = std::max(reach_mm, asFloats(x, origin, heading.x));
+        const Vec3 move = y - x;
+        const double length = move.norm();
+        (void)asFloats(length > 0.0 ? Vec3(move / length) : move, Vec3::Zero(), heading.u);
+        return heading;
+    }
+
+    /// @return how much a facet must at least stand against the move to be of interest
+    [[nodiscard]] float cosine() const noexcept
+    {
+        return found && best.key == 0.0 ? static_cast<float>(kLessThan * best.closing_mm / (y - x).norm()) : 0.0f;
+    }
+
     void offer(const HapticLayer& layer, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
         price += kExact;
         const geometry::SurfaceIndex& surface = layer.surface(structure);
         BallCrossing crossing;
         const double least = found && best.key == 0.0 ? best.closing_mm : 0.0;
-        if (!blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing, least)) {
+        const bool isBlocked =
+            blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing, least);
+        price += crossing.isTimed ? kTimed : 0;
+        if (!isBlocked) {
             return;
         }
         price += kMeets;
@@ -90,16 +112,23 @@ void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begi
     alignas(32) float distance_mm[kMostTriangles];
     distances(cell.groups(), cell.count(), at, along, distance_mm);
     const double touching = first.radius_mm + leastDistanceRounding(coordinate, half.norm(), first.radius_mm);
-    const auto offer = [&](int i) { first.offer(layer, cell.structure(i), cell.triangle(i)); };
+    const auto opposing = [&](int group) {
+        return opposingLanes(cell.groups()[group], first.seenFrom(cell.origin(), cell.reach_mm()), first.cosine());
+    };
+    const auto offer = [&](double beyond, double upTo) {
+        first.price += kGroup * forEachOpposing(distance_mm, cell.count(), beyond, upTo, opposing, [&](int i) {
+                           first.offer(layer, cell.structure(i), cell.triangle(i));
+                       });
+    };
     if (isShort) {
-        forEachBetween(distance_mm, cell.count(), kAnyDistance, touching, offer);
+        offer(kAnyDistance, touching);
     } else {
         // The nearer facets first: an early crossing spares the rest.
         double done = kAnyDistance;
         for (const double share : {0.01, 0.05, 0.25, 1.0}) {
             const double limit = end > begin ? (first.limit - begin) / (end - begin) : 1.0;
             const double upTo = touching + length * std::min(share, limit);
-            forEachBetween(distance_mm, cell.count(), done, upTo, offer);
+            offer(done, upTo);
             done = upTo;
             if (limit <= share) {
                 break;
@@ -141,16 +170,22 @@ class NearBall::Traversal
     }
 
   private:
+    [[nodiscard]] geometry::SweptInterest interest() const noexcept
+    {
+        // Of the rest of a move, which begins elsewhere, no cosine is known.
+        return {(m_first.limit - m_begin) / (1.0 - m_begin), m_begin > 0.0 ? 0.0 : m_first.cosine()};
+    }
+
     template<class Leaf>
     void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
     {
         std::uint32_t nodes = m_work.left() / kNode, before = nodes;
         const double free =
-            hierarchy.visitSwept(m_from, m_first.y, reach, nodes, [&](std::uint32_t i, std::uint32_t n) {
+            hierarchy.visitSwept(m_from, m_first.y, reach, interest(), nodes, [&](std::uint32_t i, std::uint32_t n) {
                 m_work.spend(kNode * (before - nodes));
                 leaf(i, n);
                 nodes = before = m_work.left() / kNode;
-                return m_work.isSpent() ? -1.0 : (m_first.limit - m_begin) / (1.0 - m_begin);
+                return m_work.isSpent() ? geometry::SweptInterest{-1.0, 0.0} : interest();
             });
         m_work.spend(kNode * (before - nodes));
         if (free < m_free_mm) {
@@ -193,8 +228,11 @@ class NearBall::Traversal
         alignas(32) float distance_mm[kLanes];
         distances(&group, m_batch.count(), at, along, distance_mm);
         const double touching = m_first.radius_mm + leastDistanceRounding(coordinate, half.norm(), m_first.radius_mm);
-        forEachBetween(distance_mm, m_batch.count(), kAnyDistance, touching,
-                       [&](int i) { m_first.offer(m_layer, m_batch.structure(i), m_batch.triangle(i)); });
+        m_first.price +=
+            kGroup * forEachOpposing(
+                         distance_mm, m_batch.count(), kAnyDistance, touching,
+                         [&](int) { return opposingLanes(group, m_first.seenFrom(m_from, reach), m_first.cosine()); },
+                         [&](int i) { m_first.offer(m_layer, m_batch.structure(i), m_batch.triangle(i)); });
         m_work.spend(kBatch + std::exchange(m_first.price, 0u));
         m_batch.clear();
     }
@@ -218,6 +256,9 @@ Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Ti
     best.key = kNever;
     if (work.isSpent()) {
         return Sweep::Unknown;
+    }
+    if (x == y) {
+        return Sweep::Free;
     }
     work.spend(kSweep);
     First first{x, y, layer.fingertip_mm, best, 1.0};

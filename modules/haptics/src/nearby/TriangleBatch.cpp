@@ -12,10 +12,11 @@ float TriangleBatch::derive(const double* origin, TriangleGroup& group) noexcept
         for (auto& corner : m_at) {
             corner[i] = corner[m_count - 1];
         }
+        m_isTwoSided[i] = 0;
     }
     Corners corners;
     setCorners(m_at[0], m_at[1], m_at[2], origin, corners);
-    std::memset(corners.isTwoSided, 0, sizeof corners.isTwoSided);
+    std::memcpy(corners.isTwoSided, m_isTwoSided, sizeof corners.isTwoSided);
     return internal::derive(corners, group);
 }
 

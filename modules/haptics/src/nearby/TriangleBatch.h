@@ -30,6 +30,7 @@ class TriangleBatch
             m_at[c][i] = surface.vertex(t[c]).data();
             core::prefetch(m_at[c][i]); // one round of waiting for memory serves all eight
         }
+        m_isTwoSided[i] = surface.isTwoSided(triangle) ? -1 : 0;
         m_structure[i] = structure;
         m_triangle[i] = triangle;
     }
@@ -46,7 +47,8 @@ class TriangleBatch
 
   private:
     int m_count = 0;
-    const double* m_at[3][kLanes]; ///< where the corners lie
+    const double* m_at[3][kLanes];     ///< where the corners lie
+    std::int32_t m_isTwoSided[kLanes]; ///< all ones or zero
     std::array<std::uint32_t, kLanes> m_structure;
     std::array<std::uint32_t, kLanes> m_triangle;
 };

@@ -154,6 +154,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     if (isTouching && closing / distance < leastClosing_mm) {
         return false;
     }
+    crossing.isTimed = true;
     const Vec3 u = d / length;
     const double s = entry(facet, side, x, u, std::min(radius_mm, distance - onPlane), isTouching ? length : most);
     if (s == kNever || (!isTouching && s / length > limit)) {

@@ -44,6 +44,13 @@ struct alignas(16) BoxedItem
     }
 };
 
+/// What is still of interest to BoxHierarchy::visitSwept.
+struct SweptInterest
+{
+    double share = 1.0;  ///< of the segment: what is met wholly beyond is left out; less than 0 ends the traversal
+    double cosine = 0.0; ///< to the segment, as seen from its start: what lies wholly at smaller ones is left out
+};
+
 /// A bounding-volume hierarchy of four children a node over any boxes: the triangles of a surface, or the structures of
 /// a layer. Built once in O(n log n), read-only after that: any number of threads may query it.
 class BoxHierarchy
@@ -89,14 +96,15 @@ class BoxHierarchy
 
     /// Calls `leaf(first, count)` for the leaves that a ball of `reach_mm` may touch whose centre goes along a segment,
     /// nearer ones first as a rule: by the distance of their boxes, less what rounding could make of it. Left out is
-    /// what lies wholly behind the start, too: from there on its distance only grows. `leaf` returns the share of the
-    /// segment, 0 … 1, that is still of interest; what is met wholly beyond is left out. Less than 0 ends it.
+    /// what lies wholly behind the start, too: from there on its distance only grows. `leaf` returns what is still of
+    /// interest.
+    /// @param interest  at first; with a cosine above 0 the share is 0
     /// @param nodes  counted down for each node; the traversal ends where it comes to 0
     /// @return how far along the segment nothing is met of what was left unvisited; infinite when all was visited [mm]
     /// @par Real-time Wait-free; bounded by `nodes`.
     template<class Leaf>
-    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
-                                    Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
+    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptInterest interest,
+                                    std::uint32_t& nodes, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `leaf(first, count)` for each leaf whose box comes within `reach_mm` of a point, in a fixed order, until
     /// it returns false. @return how many nodes were visited.

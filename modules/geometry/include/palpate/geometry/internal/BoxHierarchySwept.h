@@ -109,6 +109,26 @@ class SweptBall
         return most >= size * core::splat4(-kBoxRounding * m_largest);
     }
 
+    /// @param u  unit vector along the segment
+    /// @return all ones where a place in a box, as seen from the start, can lie at that cosine to u or a greater one
+    [[nodiscard]] core::Mask4 standsAgainst(const core::Float4* c, const core::Float4* e, const Vec3& u,
+                                            double cosine) const noexcept
+    {
+        core::Float4 most{}, size{}, distance2{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const core::Float4 v = c[axis] - core::splat4(static_cast<float>(m_at[axis]));
+            const core::Float4 gap = core::greatest(core::absolute(v) - e[axis], core::Float4{});
+            most += v * core::splat4(static_cast<float>(u[axis])) +
+                    e[axis] * core::splat4(static_cast<float>(std::abs(u[axis])));
+            size += core::absolute(v) + e[axis];
+            distance2 += gap * gap;
+        }
+        // Whatever rounding makes of it and of the distance.
+        most += core::splat4(kBoxRounding) * (size + core::splat4(2.0f * m_largest));
+        const auto least2 = static_cast<float>(0.99999 * cosine * cosine);
+        return ~((most < core::Float4{}) | (most * most < core::splat4(least2) * distance2));
+    }
+
     /// @return how far the start is from the nearest of those boxes of four that are used, or less [mm]
     [[nodiscard]] double distanceFromStart(const core::Float4* c, const core::Float4* e,
                                            core::Mask4 isUsed) const noexcept
@@ -229,21 +249,21 @@ std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& l
 }
 
 template<class Leaf>
-double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, std::uint32_t& nodes,
-                                Leaf&& leaf) const noexcept
+double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptInterest interest,
+                                std::uint32_t& nodes, Leaf&& leaf) const noexcept
 {
     constexpr double kAll = std::numeric_limits<double>::infinity();
     if (m_nodes.empty()) {
         return kAll;
     }
     // What lies outside of the root's box, a reach around it, meets nothing: floats are of the size of the rest.
-    double first = 0.0, last = 1.0;
+    double first = 0.0, last = interest.share;
     if (!internal::clipToBoxes(m_nodes[0], from - m_origin, to - from, reach_mm, first, last)) {
         return kAll;
     }
     const Vec3 along = (last - first) * (to - from);
+    const Vec3 u = (to - from).normalized();
     internal::SweptBall ball(from + first * (to - from) - m_origin, along, reach_mm);
-    double share = last;
     std::uint32_t stack[kStack];
     int top = 0;
     std::uint32_t current = 0;
@@ -268,18 +288,21 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
         core::Float4 c[3], e[3];
         const core::Mask4 isUsed = internal::boxesOf(node, c, e);
         std::uint32_t lanes = core::laneBits(isUsed & ball.isAhead(c, e) & ball.touches(c, e));
+        if (interest.cosine > 0.0) {
+            lanes &= core::laneBits(ball.standsAgainst(c, e, u, interest.cosine));
+        }
         for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
             const std::uint32_t child = node.child[std::countr_zero(leaves)];
-            const double left = leaf(child >> 3, child & 7u);
-            if (left < share) {
-                if (left < 0.0) {
+            const double share = interest.share;
+            interest = leaf(child >> 3, child & 7u);
+            if (interest.share < share) {
+                if (interest.share < 0.0) {
                     return freeOfTheRest();
                 }
-                share = left;
-                if (share < first) {
+                if (interest.share < first) {
                     return kAll;
                 }
-                ball.clip(last > first ? (share - first) / (last - first) : 1.0);
+                ball.clip(last > first ? (interest.share - first) / (last - first) : 1.0);
             }
         }
         lanes &= ~node.leafMask;
