@@ -28,9 +28,10 @@ struct BallFeel
     HapticScene scene;
     Palpator palpator;
 
-    BallFeel(geometry::TriangleMesh m, double radius_mm)
+    BallFeel(geometry::TriangleMesh m, double radius_mm, const haptics::GodObjectLimits& limits = {})
         : mesh(std::move(m))
         , scene({HapticStructure{"it", indexed(mesh), {0.5, 0.0}, 0}}, radius_mm)
+        , palpator(haptics::Fingertips::Any, limits)
     {
         palpator.setScene(&scene);
     }
@@ -150,6 +151,59 @@ class Fingertip : public QObject
         QVERIFY(r.f_W.norm() == 0.0);
         QVERIFY_AT(feel.move(Vec3(0, 0, 5), Vec3(0, 0, -1), 50), Vec3(0, 0, 2));
         QCOMPARE(feel.at(Vec3(0, 0, std::nan(""))).status, TickStatus::InvalidInput);
+    }
+
+    /// It rolls around an edge that it stands over far too near, and each step lets it out for good: the less it gains,
+    /// the sooner it has arrived, and where the hand rests, it does.
+    void aBallThatStartsTooDeepComesToRest()
+    {
+        BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3), 4.0);
+        (void)feel.at(Vec3(10.3, 10.1, 10.5));
+        const Vec3 hip(10.002, 9.999, 9.997);
+        int moves = 0;
+        TickResult r;
+        for (int i = 0; i < 20; ++i) {
+            r = feel.at(hip);
+            QCOMPARE(r.status, TickStatus::Converged);
+            moves += static_cast<int>(r.iterations);
+        }
+        QVERIFY2(moves < 1200, qPrintable(QString::number(moves)));
+        const Vec3 before = r.p_WG;
+        r = feel.at(hip);
+        QVERIFY(r.p_WG == before);
+    }
+
+    /// Four organs through each other, each in a layer of its own, and a ball that has too much to do in all of them.
+    void layersShareTheWorkAndTheInnermostHasItAll()
+    {
+        std::vector<HapticStructure> organs;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            organs.push_back({"organ", indexed(bumpySphere(40, 30.0 - 0.5 * i, 0.03)), {0.2, 0.0}, i + 1});
+        }
+        const HapticScene four(organs, 20.0), innermost({organs[3]}, 20.0);
+        const haptics::GodObjectLimits limits{512, 3000};
+        Palpator all(haptics::Fingertips::Any, limits), alone(haptics::Fingertips::Any, limits),
+            other(haptics::Fingertips::Any, limits);
+        all.setScene(&four);
+        alone.setScene(&innermost);
+        other.setScene(&four);
+        std::mt19937 random(5);
+        std::normal_distribution<double> normal;
+        int bounded = 0, boundedAlone = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 hip = 20.0 * Vec3(normal(random), normal(random), normal(random));
+            other.restore(all.state());
+            const TickResult a = all.step(hip, kTick_s), b = alone.step(hip, kTick_s), c = other.step(hip, kTick_s);
+            QVERIFY2(all.state().layers[3].p_WG == alone.state().layers[0].p_WG, qPrintable(QString("tick %1").arg(i)));
+            QVERIFY(a.p_WG == c.p_WG && a.f_W == c.f_W && a.status == c.status);
+            for (std::size_t k = 1; k < a.contactCount; ++k) {
+                QVERIFY(a.contacts[k - 1].layer < a.contacts[k].layer);
+            }
+            bounded += a.status == TickStatus::IterationLimit ? 1 : 0;
+            boundedAlone += b.status == TickStatus::IterationLimit ? 1 : 0;
+        }
+        QVERIFY(boundedAlone > 0);
+        QVERIFY(bounded > boundedAlone);
     }
 
     void aTouchedFloorHidesNoWall_data()
@@ -396,7 +450,7 @@ class Fingertip : public QObject
         QFETCH(geometry::TriangleMesh, mesh);
         QFETCH(double, radius);
         QFETCH(double, size);
-        BallFeel feel(mesh, radius);
+        BallFeel feel(mesh, radius, {512, 40000}); // each tick comes to its end: the bound has tests of its own
         std::mt19937_64 random(7);
         std::normal_distribution<double> normal;
         const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };

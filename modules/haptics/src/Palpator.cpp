@@ -14,6 +14,7 @@ namespace palpate::haptics {
 using internal::GodObject;
 using internal::GodObjectStep;
 using internal::NearBall;
+using internal::SharedWork;
 
 namespace {
 
@@ -95,6 +96,17 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
         contact.friction = step.slides ? Friction::Slides : Friction::Holds;
         const double length = step.constraints > 1 ? step.push_W.norm() : 0.0;
         contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[stiffest(scene, step)].n_W;
+    }
+}
+
+/// Of several contacts, found from the innermost layer on: puts the outermost first, and adds their forces up so.
+void putOutermostFirst(TickResult& result) noexcept
+{
+    const std::span<Contact> contacts(result.contacts.data(), result.contactCount);
+    std::reverse(contacts.begin(), contacts.end());
+    result.f_W.setZero();
+    for (const Contact& contact : contacts) {
+        result.f_W += contact.f_W;
     }
 }
 
@@ -187,13 +199,16 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     me.started = true;
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
-    for (std::size_t i = 0; i < layers; ++i) {
+    // The innermost layer first: of the work that a ball's layers share it has what it would have alone.
+    SharedWork work(me.limits.work);
+    for (std::size_t i = layers; i-- > 0;) {
         const HapticLayer& layer = me.scene->layer(i);
-        const GodObjectStep step =
-            me.gods[i].step(p_WH, dt_s, layer, me.limits, me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+        const GodObjectStep step = me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()},
+                                                   me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+        work.spend(step.work);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
-        if (i == 0) {
+        if (i == 0 && result.contactCount == 0) {
             result.p_WG = step.p_WG;
         }
         if (step.constraints == 0) {
@@ -209,14 +224,15 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
         }
         contact.layer = static_cast<std::uint32_t>(i);
         result.f_W += contact.f_W;
-        if (result.contactCount == 1) {
-            result.p_WG = contact.p_WG;
-            result.n_W = contact.n_W;
-            result.structure = static_cast<std::int32_t>(contact.structure);
-            result.triangle = contact.triangle;
-            result.active = step.active;
-            result.constraints = step.constraints;
-        }
+        result.p_WG = contact.p_WG;
+        result.n_W = contact.n_W;
+        result.structure = static_cast<std::int32_t>(contact.structure);
+        result.triangle = contact.triangle;
+        result.active = step.active;
+        result.constraints = step.constraints;
+    }
+    if (result.contactCount > 1) {
+        putOutermostFirst(result);
     }
     return result;
 }

@@ -4,10 +4,12 @@
 #include "LayerJudge.h"
 #include "RandomHand.h"
 
+#include <bit>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace palpate::adversary {
 
@@ -185,7 +187,9 @@ class Game
                 m_alone[i].judge->look(one, hip, v_WH, isRestJudged, faults);
             }
         }
-        if (!(((whole.f_W - sum).norm() <= 1e-12 * size))) {
+        if (whole.status == TickStatus::IterationLimit && m_scene.fingertip_mm > 0.0) {
+            followAtBound(faults);
+        } else if (!(((whole.f_W - sum).norm() <= 1e-12 * size))) {
             faults.push_back(
                 {"force is not the sum of the layers' forces", (whole.f_W - sum).norm(), "N", sum, whole.f_W});
         }
@@ -210,6 +214,32 @@ class Game
         }
         for (const Fault& fault : faults) {
             say(fault);
+        }
+    }
+
+    /// Layers share a ball's work: at its bound only the innermost must be where it would be alone. The others go on
+    /// from where they are together.
+    void followAtBound(Faults& faults)
+    {
+        haptics::PalpatorState whole = m_whole.state();
+        auto place = static_cast<std::size_t>(std::popcount(m_shown));
+        for (std::uint32_t i = m_scene.layers; i-- > 0;) {
+            if ((m_shown >> i & 1u) == 0) {
+                continue;
+            }
+            Alone& alone = m_alone[i];
+            const haptics::GodObjectState& together = whole.layers[--place];
+            haptics::PalpatorState state = alone.palpator.state();
+            const Vec3 apart = std::exchange(state.layers[0], together).p_WG;
+            alone.palpator.restore(state);
+            if (sameBits(apart, together.p_WG)) {
+                continue;
+            }
+            alone.judge->forget();
+            if (place + 1 == static_cast<std::size_t>(std::popcount(m_shown))) {
+                faults.push_back({"outer layers have moved the innermost", (apart - together.p_WG).norm(), "mm", apart,
+                                  together.p_WG});
+            }
         }
     }
 

@@ -28,6 +28,26 @@ class TickWork
     std::uint32_t m_left;
 };
 
+/// The work of a tick, shared by its layers: what one leaves goes to the next, and each is sure of a little.
+class SharedWork
+{
+  public:
+    /// @param units  of the whole tick; the parts that layers are sure of may come on top
+    explicit SharedWork(std::uint32_t units) noexcept
+        : m_sure(units / kParts)
+        , m_left(units)
+    {
+    }
+
+    [[nodiscard]] std::uint32_t next() const noexcept { return std::max(m_left, m_sure); }
+    void spend(std::uint32_t units) noexcept { m_left -= std::min(units, m_left); }
+
+  private:
+    static constexpr std::uint32_t kParts = 32;
+
+    std::uint32_t m_sure, m_left;
+};
+
 /// How a sweep of one straight move ended.
 enum class Sweep : std::uint8_t
 {

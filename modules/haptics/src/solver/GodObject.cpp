@@ -153,6 +153,7 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     if (result.iterations >= limits.iterations || work.isSpent()) {
         result.status = TickStatus::IterationLimit;
     }
+    result.work = limits.work - work.left();
     m_state.p_WG = tick.god();
     keep(tick.contacts());
     report(result);

@@ -11,12 +11,13 @@
 
 namespace palpate::haptics {
 
-/// Bounds on the work of one tick of one layer, in counts and never in time, so that a replay is exact. Each layer has
-/// its own: what one is given must not depend on which others there are.
+/// Bounds on the work of one tick, in counts and never in time, so that a replay is exact.
 struct GodObjectLimits
 {
-    std::uint32_t iterations = 512; ///< moves tried in a tick; reaching it is reported
-    std::uint32_t work = 20000;     ///< units of about 10 ns (internal::TickWork); reaching it is reported, too
+    std::uint32_t iterations = 512; ///< moves tried in a tick, for each layer; reaching it is reported
+    /// Units of about 10 ns (internal::TickWork); reaching it is reported, too. A ball's layers share it, the innermost
+    /// first, so that outer ones leave that as it is; each is sure of a 32nd. A point's layers have so much each.
+    std::uint32_t work = 17000;
 };
 
 /// What a Palpator has room for.
