@@ -27,8 +27,8 @@ struct BallCrossing
     double stop = 0.0;       ///< share that may be made: there the gap is the skin
     double closing_mm = 0.0; ///< how much nearer the whole move would lead, to first order, when it touches already
     Facet facet;
-    int side = 1;           ///< of the facet's plane that the centre is on
-    bool isTimed = false;   ///< the share was asked for, which costs as much again, whether or not it blocks
+    int side = 1;         ///< of the facet's plane that the centre is on
+    bool isTimed = false; ///< the share was asked for, which costs as much again, whether or not it blocks
 };
 
 /// Tests whether `facet` blocks a ball whose centre makes the straight move x → y: the centre starts in front of the
