@@ -34,7 +34,8 @@ bool Desk::show(QSize size)
     m_window->resize(size);
     m_window->show();
     m_window->activateWindow();
-    return QTest::qWaitForWindowExposed(m_window.get());
+    // Keys reach a window that is active alone, which it is some time after it is seen.
+    return QTest::qWaitForWindowExposed(m_window.get()) && QTest::qWaitForWindowActive(m_window.get());
 }
 
 bool Desk::open(const std::vector<std::filesystem::path>& files)
