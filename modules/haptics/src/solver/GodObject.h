@@ -21,8 +21,8 @@ struct GodObjectStep
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
     std::uint32_t work = 0; ///< that a ball has spent, in units of TickWork; a point's depends on what is held: none
-    bool slides = false; ///< friction lets it slide
-    Vec3 push_W;         ///< sum of the multipliers times the normals [mm]; only with friction and two contacts or more
+    bool slides = false;    ///< friction lets it slide
+    Vec3 push_W; ///< sum of the multipliers times the normals [mm]; only with friction and two contacts or more
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
