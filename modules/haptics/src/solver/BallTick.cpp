@@ -15,11 +15,6 @@ namespace {
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
-// A ball that was put down deeper than kSunk radii has no one rest: where it comes to depends on the way. It creeps
-// there, since each step around an edge lets it out for good, and has arrived when that gains less than kSlightSunk of
-// the distance in kPatience moves, or in a tick.
-constexpr double kSunk = 1e-3;
-constexpr double kSlightSunk = 1e-4;
 // Steps no longer than so many skins come nearer by less than kArrived skins in kPatience moves: they are not made. Far
 // from the origin they are rounding, and each may ask for all facets around.
 constexpr double kShortest = kArrived / kPatience;
@@ -353,10 +348,8 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         standAgain(m_stood);
     }
     const double end = (m_hip - m_god).norm();
-    const bool wentNowhere =
-        isSunk() ? !m_work.isSpent() && end > (1.0 - kSlightSunk) * began.spring_mm
-                 : end > began.spring_mm - m_skin_mm && (m_god - began.god).norm() > kNowhere * m_layer.fingertip_mm;
-    if (!began.active.isEmpty() && wentNowhere) {
+    if (!began.active.isEmpty() && end > began.spring_mm - m_skin_mm &&
+        (m_god - began.god).norm() > kNowhere * m_layer.fingertip_mm) {
         standAgain(began); // all that way gained nothing: where the HIP rests, so does the ball
     }
     dropUntouched();
@@ -417,7 +410,7 @@ bool BallTick::goesOn() noexcept
     if (touchesHip(now)) {
         return false;
     }
-    if (now < m_spring_mm - (isSunk() ? kSlightSunk * now : slight(now))) {
+    if (now < m_spring_mm - slight(now)) {
         m_spring_mm = now;
         m_since = 0;
     } else if (++m_since > kPatience && !m_active.isEmpty() && isKept(true)) {
@@ -510,13 +503,6 @@ bool BallTick::isDeep() const noexcept
     return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
         return m_layer.fingertip_mm + c.facet.skin_mm - c.distance_mm > kPressed * c.facet.skin_mm;
     });
-}
-
-/// True when it is deeper than rounding ever makes it.
-bool BallTick::isSunk() const noexcept
-{
-    return std::any_of(m_active.begin(), m_active.end(),
-                       [&](const BallContact& c) { return c.distance_mm < (1.0 - kSunk) * m_layer.fingertip_mm; });
 }
 
 bool BallTick::isFlat() const noexcept

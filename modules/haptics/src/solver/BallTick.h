@@ -79,7 +79,6 @@ class BallTick
     [[nodiscard]] double slight(double spring_mm) const noexcept;
     [[nodiscard]] bool isTouched(const BallContact& contact) const noexcept;
     [[nodiscard]] bool isDeep() const noexcept;
-    [[nodiscard]] bool isSunk() const noexcept;
     [[nodiscard]] bool isFlat() const noexcept;
     [[nodiscard]] bool staysFlat(const Vec3& u) const noexcept;
 
