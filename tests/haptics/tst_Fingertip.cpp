@@ -181,7 +181,7 @@ class Fingertip : public QObject
             organs.push_back({"organ", indexed(bumpySphere(40, 30.0 - 0.5 * i, 0.03)), {0.2, 0.0}, i + 1});
         }
         const HapticScene four(organs, 20.0), innermost({organs[3]}, 20.0);
-        const haptics::GodObjectLimits limits{512, 3000};
+        const haptics::GodObjectLimits limits{.ballWork = 3000};
         Palpator all(haptics::Fingertips::Any, limits), alone(haptics::Fingertips::Any, limits),
             other(haptics::Fingertips::Any, limits);
         all.setScene(&four);
@@ -450,7 +450,7 @@ class Fingertip : public QObject
         QFETCH(geometry::TriangleMesh, mesh);
         QFETCH(double, radius);
         QFETCH(double, size);
-        BallFeel feel(mesh, radius, {512, 40000}); // each tick comes to its end: the bound has tests of its own
+        BallFeel feel(mesh, radius, {.ballWork = 40000}); // each tick comes to its end: the bound has tests of its own
         std::mt19937_64 random(7);
         std::normal_distribution<double> normal;
         const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
