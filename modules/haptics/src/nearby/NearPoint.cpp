@@ -17,7 +17,7 @@ constexpr double kFarMove = 8.0; // facets: gathering along a longer move does n
 // them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that the
 // price does not tell whether it was needed.
 constexpr std::uint32_t kSweepPrice = 64;
-constexpr std::uint32_t kExact = 4;                  // of an exact test, beside 1 for each facet that is asked
+constexpr std::uint32_t kExact = 5;                  // of an exact test, beside 1 for each facet that is asked
 constexpr std::uint32_t kSpared = 128 + 64 * kExact; // of a traversal, that costs no more
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept

@@ -15,9 +15,10 @@ namespace palpate::haptics {
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick, for each layer; reaching it is reported
-    std::uint32_t work = 20000; ///< of each layer of a point, in units of about 10 ns (internal::TickWork); reported, too
-    /// That of a ball. Its layers share it, the innermost first, so that outer ones leave that as it is; each is sure of
-    /// a 32nd.
+    /// Units of about 10 ns (internal::TickWork) for each layer of a point; reaching it is reported, too.
+    std::uint32_t work = 20000;
+    /// The same for a ball. Its layers share it, the innermost first, so that outer ones leave that as it is; each is
+    /// sure of a 32nd.
     std::uint32_t ballWork = 17000;
 };
 
