@@ -194,8 +194,9 @@ class Shell : public QObject
         auto& dock = the<QDockWidget>("engineering");
         QVERIFY(!dock.isVisible());
         QTRY_VERIFY(!the<ui::Chip>("running").said().isEmpty());
-        const QRegularExpression numbers(QStringLiteral("constraint|solver|jitter|kHz|µs|mJ|damping|latency"),
-                                         QRegularExpression::CaseInsensitiveOption);
+        const QRegularExpression numbers(
+            QStringLiteral("constraint|solver|jitter|\\bkHz\\b|µs|\\bmJ\\b|damping|latency"),
+            QRegularExpression::CaseInsensitiveOption);
         for (const QLabel* label : window().findChildren<QLabel*>()) {
             QVERIFY2(dock.isAncestorOf(label) || !label->text().contains(numbers), qPrintable(label->text()));
         }
