@@ -18,6 +18,14 @@ if(PALPATE_BUILD_FUZZERS)
   target_compile_options(palpate_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+get_target_property(palpate_qt_moc Qt6::moc LOCATION)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.sh.in ${CMAKE_BINARY_DIR}/moc.sh @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+
+# palpate_moc(TARGET) lets moc run over the target's sources.
+function(palpate_moc target)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc.sh)
+endfunction()
+
 # palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT])
 # makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed, each as a component NAME
 # of find_package(Palpate); a module comes after those that it uses.
@@ -32,7 +40,7 @@ function(palpate_module name)
   target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:palpate_flags> ${M_PRIVATE_LIBRARIES})
   if(M_QT)
-    set_target_properties(palpate_${name} PROPERTIES AUTOMOC ON)
+    palpate_moc(palpate_${name})
   endif()
   if(M_ENGINE)
     set_target_properties(palpate_${name} PROPERTIES EXPORT_NAME ${name})
