@@ -47,7 +47,7 @@ function(palpate_module name)
     install(TARGETS palpate_${name} EXPORT Palpate_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT Palpate_${name} FILE Palpate_${name}.cmake NAMESPACE palpate::
       DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Palpate)
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN internal EXCLUDE)
     set_property(GLOBAL APPEND PROPERTY PALPATE_COMPONENTS ${name})
     set_property(GLOBAL APPEND PROPERTY PALPATE_PUBLIC_HEADERS ${CMAKE_CURRENT_SOURCE_DIR}/include)
     string(REGEX MATCHALL "VTK::[A-Za-z0-9]+" vtk "${M_PRIVATE_LIBRARIES}")

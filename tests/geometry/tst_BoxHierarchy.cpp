@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
-#include <palpate/geometry/internal/BoxHierarchyPairs.h>
+#include <BoxHierarchyPairs.h>
+
+#include <palpate/geometry/internal/BoxHierarchySwept.h>
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
 
 #include <random>
 #include <set>

@@ -4,6 +4,7 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
 #include <palpate/haptics/Palpator.h>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "palpate/buried/Ground.h"
 
 #include <palpate/geometry/Inside.h>
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
 
 #include <vtkIdList.h>
 #include <vtkNew.h>

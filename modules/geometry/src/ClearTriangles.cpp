@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClearTriangles.h"
 
-#include "palpate/geometry/internal/BoxHierarchyPairs.h"
+#include "BoxHierarchyPairs.h"
+#include "palpate/geometry/internal/BoxHierarchyVisit.h"
 
 #include <palpate/core/Float4.h>
 #include <palpate/core/Parallel.h>

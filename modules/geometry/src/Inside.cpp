@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/Inside.h"
 
+#include "palpate/geometry/internal/BoxHierarchyVisit.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "palpate/view/SurfacePicker.h"
 
 #include <palpate/geometry/Inside.h>
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
 
 #include <algorithm>
 #include <cmath>

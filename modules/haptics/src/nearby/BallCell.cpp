@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearby/BallCell.h"
 
+#include <palpate/geometry/internal/BoxHierarchySwept.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

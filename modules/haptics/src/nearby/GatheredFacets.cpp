@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearby/GatheredFacets.h"
 
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
+
 #include <algorithm>
 #include <cstring>
 

@@ -5,6 +5,8 @@
 #include "nearby/InsideShare.h"
 #include "nearby/TriangleBatch.h"
 
+#include <palpate/geometry/internal/BoxHierarchySwept.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>

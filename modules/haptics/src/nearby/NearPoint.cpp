@@ -4,6 +4,8 @@
 #include "nearby/AsFloats.h"
 #include "nearby/InsideShare.h"
 
+#include <palpate/geometry/internal/BoxHierarchyVisit.h>
+
 #include <algorithm>
 #include <bit>
 

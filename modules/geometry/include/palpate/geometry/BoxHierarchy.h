@@ -27,6 +27,22 @@ struct FloatBox
     [[nodiscard]] static FloatBox around(const Box& box, const Vec3& origin) noexcept PALPATE_NONBLOCKING;
 };
 
+inline FloatBox FloatBox::around(const Box& box, const Vec3& origin) noexcept
+{
+    // Two ulp outwards: one for the conversion to float, one for the arithmetic itself. The constant keeps zero out.
+    constexpr float kOutwards = 2.4e-7f;
+    constexpr float kTiny = 1e-30f;
+    FloatBox result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const auto low = static_cast<float>(box.min()[axis] - origin[axis]);
+        const auto high = static_cast<float>(box.max()[axis] - origin[axis]);
+        result.low[i] = low - (std::fabs(low) * kOutwards + kTiny);
+        result.high[i] = high + (std::fabs(high) * kOutwards + kTiny);
+    }
+    return result;
+}
+
 /// A box and what it is around, as BoxHierarchy::build sorts them: two registers long.
 struct alignas(16) BoxedItem
 {
@@ -52,7 +68,9 @@ struct SweptInterest
 };
 
 /// A bounding-volume hierarchy of four children a node over any boxes: the triangles of a surface, or the structures of
-/// a layer. Built once in O(n log n), read-only after that: any number of threads may query it.
+/// a layer. Built once in O(n log n), read-only after that: any number of threads may query it. Its traversals are
+/// Palpate's own and not installed (Inside.h and SurfaceExamination.h ask it for others): a source that makes one
+/// includes the internal header that defines it.
 class BoxHierarchy
 {
   public:
@@ -115,7 +133,6 @@ class BoxHierarchy
     /// Calls `pair(thread, first, count, otherFirst, otherCount)` once for each two leaves whose boxes come within
     /// `around_mm` of each other, a leaf and itself among them: in no fixed order, from several threads at once. A
     /// thread ends when `pair` returns false to it.
-    /// Defined in internal/BoxHierarchyPairs.h.
     /// @param threads  at most; `pair` is told which one calls, from 0
     template<class Pair>
     void visitPairs(double around_mm, unsigned threads, Pair&& pair) const;
@@ -138,6 +155,3 @@ class BoxHierarchy
 };
 
 } // namespace palpate::geometry
-
-#include "palpate/geometry/internal/BoxHierarchySwept.h"
-#include "palpate/geometry/internal/BoxHierarchyVisit.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Traversals of BoxHierarchy for a ball: private, included by BoxHierarchy.h so that the visitor is inlined.
+// BoxHierarchy::visitSwept and visitAround, for a ball; see BoxHierarchyVisit.h.
 
 #include "palpate/geometry/BoxHierarchy.h"
 #include "palpate/geometry/internal/BoxHierarchyVisit.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Traversals of BoxHierarchy: private, included by BoxHierarchy.h so that the visitor is inlined.
+// Traversals of BoxHierarchy, for the sources of Palpate that make one: templates, so that the visitor is inlined.
 
 #include "palpate/geometry/BoxHierarchy.h"
 
@@ -100,22 +100,6 @@ class Segment4
 };
 
 } // namespace internal
-
-inline FloatBox FloatBox::around(const Box& box, const Vec3& origin) noexcept
-{
-    // Two ulp outwards: one for the conversion to float, one for the arithmetic itself. The constant keeps zero out.
-    constexpr float kOutwards = 2.4e-7f;
-    constexpr float kTiny = 1e-30f;
-    FloatBox result;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        const auto low = static_cast<float>(box.min()[axis] - origin[axis]);
-        const auto high = static_cast<float>(box.max()[axis] - origin[axis]);
-        result.low[i] = low - (std::fabs(low) * kOutwards + kTiny);
-        result.high[i] = high + (std::fabs(high) * kOutwards + kTiny);
-    }
-    return result;
-}
 
 template<class Leaf>
 void BoxHierarchy::visitBox(const Box& box, Leaf&& leaf) const noexcept

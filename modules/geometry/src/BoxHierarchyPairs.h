@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// BoxHierarchy::visitPairs: to be included where it is called.
+// BoxHierarchy::visitPairs, for the sources that call it.
 
 #include "palpate/geometry/BoxHierarchy.h"
 
