@@ -151,6 +151,42 @@ class LegalMoves : public QObject
         QVERIFY(skin < 1e-8);
     }
 
+    /// By rounding it stands a little behind both walls, and could pass each beside the other.
+    void aPointPutOnAHollowEdgeIsHeldByItsWalls()
+    {
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> share(-1.0, 1.0);
+        int moves = 0;
+        for (int way = 0; way < 60; ++way) {
+            const double half = (10.0 + 70.0 * std::abs(share(random))) * std::numbers::pi / 180.0; // of the opening
+            const Eigen::Quaterniond turn =
+                Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+            const Vec3 shift = 50.0 * Vec3(normal(random), normal(random), normal(random));
+            const auto placed = [&](const Vec3& p) { return Vec3(turn * p + shift); };
+            const HapticScene scene(
+                {HapticStructure{"block", indexed(transformed(groove(2.0 * half, 10.0, 12.0), placed)), {}, 0}});
+            for (int i = 0; i < 200; ++i) {
+                const Vec3 on(0.0, 11.0 * share(random), 0.0);
+                // Into the block: below the walls, whose slope is the cotangent of half the opening, and not out at an
+                // end.
+                const Vec3 by(4.0 * share(random), 4.0 * share(random), 4.0 * share(random));
+                if (by.z() > std::abs(by.x()) / std::tan(half) - 0.01 || std::abs(on.y() + by.y()) > 11.0) {
+                    continue;
+                }
+                Palpator palpator;
+                palpator.setScene(&scene);
+                (void)palpator.step(placed(on), 1e-3);
+                const TickResult t = palpator.step(placed(on + by), 1e-3);
+                const Vec3 g = turn.conjugate() * (t.p_WG - shift);
+                QVERIFY2(t.constraints > 0 && g.z() > std::abs(g.x()) / std::tan(half) - 1e-6,
+                         qPrintable(QString("block %1, move %2: %3 constraints").arg(way).arg(i).arg(t.constraints)));
+                ++moves;
+            }
+        }
+        QVERIFY(moves > 5000);
+    }
+
     void aSoupIsFeltLikeTheWeldedSurface()
     {
         const geometry::TriangleMesh mesh = bumpySphere(12, 20.0, 0.05);

@@ -13,10 +13,20 @@ namespace {
 constexpr double kVolumeRounding2 = (16 * 2.220446049250313e-16) * (16 * 2.220446049250313e-16);
 
 /// @param d  the move, against the normal; p, q corners seen from its start, in the triangle's order
-bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q) noexcept
+/// @param around_mm  how far beside the edge it may still pass
+bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q, double around_mm) noexcept
 {
     const double volume = d.dot(p.cross(q));
-    return volume <= 0.0 || volume * volume <= kVolumeRounding2 * d2 * p.squaredNorm() * q.squaredNorm();
+    return volume <= 0.0 || volume * volume <= kVolumeRounding2 * d2 * p.squaredNorm() * q.squaredNorm() ||
+           (around_mm > 0.0 && volume * volume <= around_mm * around_mm * d2 * (q - p).squaredNorm());
+}
+
+/// 16 ulp of the largest coordinate: as far as rounding may put a point beside an edge that it was meant to be on. [mm]
+double roundingOf(const Facet& facet, const Vec3& x) noexcept
+{
+    const Vec3 most =
+        x.cwiseAbs().cwiseMax(facet.a.cwiseAbs()).cwiseMax(facet.b.cwiseAbs()).cwiseMax(facet.c.cwiseAbs());
+    return 16 * 2.220446049250313e-16 * most.maxCoeff();
 }
 
 /// @param start  distance in front of the facet at the move's start [mm]
@@ -177,7 +187,11 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
         return false;
     }
     const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
-    if (!isInsideEdge(d, d2, xa, xb) || !isInsideEdge(d, d2, xb, xc) || !isInsideEdge(d, d2, xc, xa)) {
+    // Where the facets of a hollow edge meet, a point that was put on it is behind both by rounding, and would pass
+    // each beside the other.
+    const double around = start <= onPlane ? std::min(onPlane, roundingOf(facet, x)) : 0.0;
+    if (!isInsideEdge(d, d2, xa, xb, around) || !isInsideEdge(d, d2, xb, xc, around) ||
+        !isInsideEdge(d, d2, xc, xa, around)) {
         return false;
     }
     const Part part = partInBox(facet, x, y, facet.skin_mm);
