@@ -133,7 +133,8 @@ void NearPoint::endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept
     const float rounding = 2e-7f * (asFloats(g, held.origin(), at) + held.reach_mm());
     const core::Box& region = held.region();
     const double half = std::min({static_cast<double>(boxDistance(held.groups(), held.count(), at) - rounding),
-                                  (region.max() - g).minCoeff(), (g - region.min()).minCoeff()});
+                                  (region.max() - g).minCoeff(), (g - region.min()).minCoeff()}) -
+                        kPlate * layer.skin_mm; // so far beside a facet it may still block
     m_empty.setEmpty();
     if (half > 0.0) {
         m_empty = core::Box(g.array() - half, g.array() + half);
