@@ -288,6 +288,73 @@ class Filters : public QObject
         }
     }
 
+    void theExtentAlongALineHoldsAllTriangles()
+    {
+        std::mt19937_64 random(11);
+        std::normal_distribution<double> normal;
+        const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+        for (int round = 0; round < 2000; ++round) {
+            const Vec3 origin = 300.0 * point(), u = point().normalized();
+            const std::vector<Facet> facets = someFacets(random, origin);
+            TriangleGroup group;
+            const double rounding = 2e-6 * derive(cornersOf(facets, origin), group);
+            double low = facets[0].a.dot(u), high = low;
+            for (const Facet& f : facets) {
+                for (const Vec3* corner : {&f.a, &f.b, &f.c}) {
+                    low = std::min(low, u.dot(*corner));
+                    high = std::max(high, u.dot(*corner));
+                }
+            }
+            const Eigen::Vector3f line = u.cast<float>();
+            const Extent extent = extentAlong(group, line.data());
+            QVERIFY(std::abs(extent.low_mm - (low - u.dot(origin))) <= rounding);
+            QVERIFY(std::abs(extent.high_mm - (high - u.dot(origin))) <= rounding);
+        }
+    }
+
+    void aBallIsBlockedWhereItComesNearerThanItsRadius()
+    {
+        std::mt19937_64 random(12);
+        std::normal_distribution<double> normal;
+        const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+        int blocked = 0, passed = 0;
+        for (int round = 0; round < 20000; ++round) {
+            const Facet facet = someFacets(random, Vec3::Zero())[static_cast<std::size_t>(round % kCount)];
+            // In front, a radius off it or more, towards it or almost beside it.
+            const double radius = std::abs(normal(random)) + 0.01,
+                         gap = std::pow(10.0, -2.0 * std::abs(normal(random)));
+            Vec3 away = point().normalized();
+            away *= facet.n.dot(away) < 0.0 ? -1.0 : 1.0;
+            const Vec3 x = facet.a + 0.3 * (facet.b - facet.a) + 0.3 * (facet.c - facet.a) + (radius + gap) * away;
+            const Nearest from = nearestOn(facet, x);
+            if (facet.n.dot(x - facet.a) < 1e-6 || from.away.norm() <= radius) {
+                continue;
+            }
+            Vec3 move = 0.5 * point();
+            const double falls = gap / from.away.norm() * (0.5 + 4.0 * std::abs(normal(random)));
+            move -= (move.dot(from.away) / from.away.squaredNorm() + falls) * from.away;
+            double nearest = from.away.norm();
+            double first = 2.0;
+            for (int i = 1; i <= 400; ++i) {
+                const double d = nearestOn(facet, x + i / 400.0 * move).away.norm();
+                nearest = std::min(nearest, d);
+                first = first > 1.0 && d < radius ? i / 400.0 : first;
+            }
+            BallCrossing crossing;
+            const bool isBlocked = blocksBall(facet, x, Vec3(x + move), radius, 1.0, crossing);
+            if (nearest < radius - 1e-9) {
+                ++blocked;
+                QVERIFY2(isBlocked, qPrintable(QString("round %1").arg(round)));
+                QVERIFY(crossing.key <= first + 1e-9 && crossing.key >= first - 1.0 / 400.0 - 1e-9);
+            } else if (nearest > radius + 1e-3 * move.norm()) {
+                ++passed;
+                QVERIFY2(!isBlocked, qPrintable(QString("round %1").arg(round)));
+            }
+        }
+        qInfo("%d blocked, %d passed", blocked, passed);
+        QVERIFY(blocked > 2000 && passed > 2000);
+    }
+
     void noFacetThatStandsAgainstABallIsToldOff()
     {
         std::mt19937_64 random(9);

@@ -44,6 +44,17 @@ class SceneCost : public QObject
     Q_OBJECT
 
   private Q_SLOTS:
+    void aLayerIsLargeByItsOwnStructures()
+    {
+        const auto small = indexed(sphere(16, 10.0)), large = indexed(sphere(128, 10.0));
+        const HapticScene scene(
+            {{"outer", small, {}, 0}, {"inner", large, {}, 1}, {"inner too", small, {}, 1}, {"core", small, {}, 2}},
+            4.0);
+        QVERIFY(!scene.layer(0).isLarge);
+        QVERIFY(scene.layer(1).isLarge);
+        QVERIFY(!scene.layer(2).isLarge); // whatever lies around it
+    }
+
     void theHapticCopyIsAsLargeAsItSays()
     {
         if (kIsSanitized) {

@@ -9,6 +9,12 @@
 
 namespace palpate::haptics {
 
+namespace {
+
+constexpr std::size_t kCached = std::size_t{1} << 20; // bytes of nodes that a core's own caches hold
+
+} // namespace
+
 HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingertip_mm)
     : m_structures(std::move(structures))
     , m_fingertip_mm(fingertip_mm)
@@ -46,8 +52,10 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         }
         all.extend(bounds);
         std::vector<geometry::BoxedItem> items;
+        std::size_t bytes = 0;
         for (const std::uint32_t i : members) {
             const geometry::SurfaceIndex& surface = *m_structures[i].surface;
+            bytes += surface.hierarchy().nodeCount() * sizeof(geometry::BoxHierarchy::Node);
             // A god-object within a few skins of a surface must find it.
             const double reach = 8.0 * surface.skin_mm();
             layer.skin_mm = std::max(layer.skin_mm, surface.skin_mm());
@@ -64,6 +72,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         layer.drags = std::any_of(members.begin(), members.end(), [this](std::uint32_t i) {
             return m_structures[i].tissue.friction_drag_Ns_per_mm > 0.0;
         });
+        layer.isLarge = bytes > kCached;
         layer.hierarchy = geometry::BoxHierarchy::build(items, bounds.center(), 1);
         for (const geometry::BoxedItem& item : items) {
             layer.structures.push_back(item.number);

@@ -165,6 +165,24 @@ PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const 
     }
 }
 
+PALPATE_WIDE_LANES Extent extentAlong(const TriangleGroup& group, const float* u) noexcept
+{
+    Float8 a{}, ab{}, ac{};
+    for (int axis = 0; axis < 3; ++axis) {
+        a += u[axis] * load8(group.corners.a[axis]);
+        ab += u[axis] * load8(group.corners.ab[axis]);
+        ac += u[axis] * load8(group.corners.ac[axis]);
+    }
+    const Float8 zero{};
+    const Float8 low = a + least(least(ab, ac), zero), high = a + greatest(greatest(ab, ac), zero);
+    Extent extent{low[0], high[0]};
+    for (int i = 1; i < kLanes; ++i) {
+        extent.low_mm = std::min(extent.low_mm, low[i]);
+        extent.high_mm = std::max(extent.high_mm, high[i]);
+    }
+    return extent;
+}
+
 PALPATE_WIDE_LANES std::uint32_t opposingLanes(const TriangleGroup& group, const Heading& heading,
                                                float cosine) noexcept
 {

@@ -30,6 +30,18 @@ inline constexpr int kMostTriangles = 256; ///< that distances are asked to at o
 void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
                float* distance_mm) noexcept PALPATE_NONBLOCKING;
 
+/// Places along a line through the origin of a group.
+struct Extent
+{
+    float low_mm;
+    float high_mm;
+};
+
+/// @param u  unit vector of the line
+/// @return between which places on it those lie that are nearest to any point of the triangles, to a few ulp of the
+/// largest coordinate
+[[nodiscard]] Extent extentAlong(const TriangleGroup& group, const float* u) noexcept PALPATE_NONBLOCKING;
+
 /// Where a ball's centre starts, and the unit vector of its direction, as seen from a group's origin.
 struct Heading
 {

@@ -19,16 +19,18 @@ constexpr double kNever = 2.0;
 constexpr double kLessThan = 1.0 - 1e-6; // so much of a cosine, in floats, is surely less
 constexpr double kShort = 0.5;           // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
+constexpr double kPlaceRounding = 2e-6; // of a place along a move, in floats, of the largest coordinate
 constexpr double kCellsOnWay = 3.0; // with more than so many cells still to go, a move is asked of the whole hierarchy
 
 // In units of TickWork.
-constexpr std::uint32_t kSweep = 18; // the move's own arithmetic
-constexpr std::uint32_t kGroup = 3;  // eight facets' distances, or which of them stand against the move
-constexpr std::uint32_t kExact = 2;  // the exact test of one
-constexpr std::uint32_t kTimed = 10; // and more where it asks for the share
-constexpr std::uint32_t kMeets = 10; // and more where it blocks
-constexpr std::uint32_t kNode = 12;
-constexpr std::uint32_t kBatch = 8; // of eight facets of the hierarchy
+constexpr std::uint32_t kSweep = 24; // the move's own arithmetic
+constexpr std::uint32_t kGroup = 2;  // eight facets' distances, or which of them stand against the move
+constexpr std::uint32_t kExact = 4;  // the exact test of one
+constexpr std::uint32_t kTimed = 9;  // and more where it asks for the share
+constexpr std::uint32_t kMeets = 12; // and more where it blocks
+constexpr std::uint32_t kNode = 10;
+constexpr std::uint32_t kFarNode = 26; // where the layer is large: it has to be waited for
+constexpr std::uint32_t kBatch = 18;   // of eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
@@ -156,6 +158,7 @@ class NearBall::Traversal
         , m_first(first)
     {
         std::copy_n(m_from.data(), 3, m_from4);
+        (void)asFloats(m_u, Vec3::Zero(), m_u3);
     }
 
     /// @return the share of the move up to which all was asked: 1, or less where the work was spent
@@ -181,15 +184,16 @@ class NearBall::Traversal
     template<class Leaf>
     void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
     {
-        std::uint32_t nodes = m_work.left() / kNode, before = nodes;
+        const std::uint32_t price = m_layer.isLarge ? kFarNode : kNode;
+        std::uint32_t nodes = m_work.left() / price, before = nodes;
         const double free =
             hierarchy.visitSwept(m_from, m_first.y, reach, interest(), nodes, [&](std::uint32_t i, std::uint32_t n) {
-                m_work.spend(kNode * (before - nodes));
+                m_work.spend(price * (before - nodes));
                 leaf(i, n);
-                nodes = before = m_work.left() / kNode;
+                nodes = before = m_work.left() / price;
                 return m_work.isSpent() ? geometry::SweptInterest{-1.0, 0.0} : interest();
             });
-        m_work.spend(kNode * (before - nodes));
+        m_work.spend(price * (before - nodes));
         if (free < m_free_mm) {
             m_free_mm = free;
             m_work.spend(m_work.left());
@@ -199,14 +203,23 @@ class NearBall::Traversal
     void visitStructure(std::uint32_t number, double reach) noexcept
     {
         const geometry::SurfaceIndex& surface = m_layer.surface(number);
-        visit(surface.hierarchy(), reach, [&](std::uint32_t i, std::uint32_t n) {
-            for (const std::uint32_t end = i + n; i < end; ++i) {
-                m_batch.add(surface, number, i);
+        // A leaf's facets are added when the next is found: until then the memory has time.
+        std::uint32_t begin = 0, end = 0;
+        const auto addLast = [&] {
+            for (; begin < end; ++begin) {
+                m_batch.add(surface, number, begin);
                 if (m_batch.isFull()) {
                     flush();
                 }
             }
+        };
+        visit(surface.hierarchy(), reach, [&](std::uint32_t i, std::uint32_t n) {
+            surface.prefetchTriangles(i);
+            addLast();
+            begin = i;
+            end = i + n;
         });
+        addLast();
     }
 
     /// Offers those of the batch that the ball may touch.
@@ -215,16 +228,16 @@ class NearBall::Traversal
         if (m_batch.isEmpty()) {
             return;
         }
-        // Where on the way that is still of interest the ball comes nearest to them.
-        double low = 0.0, high = 0.0;
-        m_batch.project(m_from, m_u, low, high);
-        const double most = std::max(0.0, m_first.limit * m_whole - m_begin * m_whole);
-        low = std::clamp(low, 0.0, most);
-        high = std::clamp(high, 0.0, most);
-        const Vec3 half = 0.5 * (high - low) * m_u;
         float at[3], along[3];
         TriangleGroup group;
         const float reach = m_batch.derive(m_from4, group);
+        // Where on the way that is still of interest the ball comes nearest to them.
+        const Extent extent = extentAlong(group, m_u3);
+        const double rounding = kPlaceRounding * reach;
+        const double most = std::max(0.0, m_first.limit * m_whole - m_begin * m_whole);
+        const double low = std::clamp(extent.low_mm - rounding, 0.0, most);
+        const double high = std::clamp(extent.high_mm + rounding, 0.0, most);
+        const Vec3 half = 0.5 * (high - low) * m_u;
         const float coordinate = std::max(reach, asFloats(0.5 * (low + high) * m_u, Vec3::Zero(), at));
         (void)asFloats(half, Vec3::Zero(), along);
         alignas(32) float distance_mm[kLanes];
@@ -246,6 +259,7 @@ class NearBall::Traversal
     Vec3 m_u;                                                   ///< its direction
     Vec3 m_from;                                                ///< where the rest begins [mm]
     double m_from4[4]{};
+    float m_u3[3];
     TickWork& m_work;
     First& m_first;
     TriangleBatch m_batch;

@@ -20,18 +20,4 @@ float TriangleBatch::derive(const double* origin, TriangleGroup& group) noexcept
     return internal::derive(corners, group);
 }
 
-void TriangleBatch::project(const core::Vec3& from, const core::Vec3& u, double& low_mm, double& high_mm) const noexcept
-{
-    low_mm = high_mm = u.dot(core::Vec3::Map(m_at[0][0]));
-    for (const auto& corner : m_at) {
-        for (int i = 0; i < m_count; ++i) {
-            const double along = u.dot(core::Vec3::Map(corner[i]));
-            low_mm = std::min(low_mm, along);
-            high_mm = std::max(high_mm, along);
-        }
-    }
-    low_mm -= u.dot(from);
-    high_mm -= u.dot(from);
-}
-
 } // namespace palpate::haptics::internal

@@ -40,11 +40,6 @@ class TriangleBatch
     /// @return the largest coordinate [mm]
     float derive(const double* origin, TriangleGroup& group) noexcept PALPATE_NONBLOCKING;
 
-    /// Finds between which places on a line through `from` along the unit vector u its nearest to any point of theirs
-    /// lie. @pre not empty
-    void project(const core::Vec3& from, const core::Vec3& u, double& low_mm,
-                 double& high_mm) const noexcept PALPATE_NONBLOCKING;
-
   private:
     int m_count = 0;
     const double* m_at[3][kLanes];     ///< where the corners lie

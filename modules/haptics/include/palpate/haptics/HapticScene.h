@@ -59,6 +59,7 @@ struct HapticLayer
     double skin_mm = 0.0;             ///< the largest of the structures'
     double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
     bool isLinear = true;             ///< all of its structures are
+    bool isLarge = false;             ///< more nodes than a core's own caches hold: a visit waits for memory
     /// The scene's structures; null where none of the layer has friction.
     const HapticStructure* frictional = nullptr;
     bool drags = false; ///< some of its structures' friction does

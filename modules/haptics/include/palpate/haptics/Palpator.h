@@ -19,7 +19,7 @@ struct GodObjectLimits
     std::uint32_t work = 20000;
     /// The same for a ball. Its layers share it, the innermost first, so that outer ones leave that as it is; each is
     /// sure of a 32nd.
-    std::uint32_t ballWork = 16000;
+    std::uint32_t ballWork = 22000;
 };
 
 /// What a Palpator has room for.

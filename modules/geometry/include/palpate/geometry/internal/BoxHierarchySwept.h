@@ -311,6 +311,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
             top = internal::pushFarthestFirst(node, lanes, ball.order(c), stack, top);
             for (int i = begin; i < top; ++i) {
                 core::prefetch(&m_nodes[stack[i]]);
+                core::prefetch(m_nodes[stack[i]].child);
             }
         }
         if (top == 0) {
