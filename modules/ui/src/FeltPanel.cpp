@@ -13,7 +13,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -147,6 +146,7 @@ void FeltPanel::makeTable()
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->installEventFilter(this);
     fitRows();
 }
 
@@ -166,10 +166,14 @@ void FeltPanel::changeEvent(QEvent* event)
     }
 }
 
-void FeltPanel::resizeEvent(QResizeEvent* event)
+/// The table's width can change without the panel's: what is beside it grows with the text.
+bool FeltPanel::eventFilter(QObject* watched, QEvent* event)
 {
-    QWidget::resizeEvent(event);
-    fitColumns();
+    const bool isTaken = QWidget::eventFilter(watched, event);
+    if (watched == m_table && event->type() == QEvent::Resize) {
+        fitColumns();
+    }
+    return isTaken;
 }
 
 void FeltPanel::setBrief(bool isBrief)

@@ -8,12 +8,12 @@ using namespace palpate::adversary;
 
 namespace {
 
-// Share of the ticks. Of balls five times as many: put down deep, among hundreds of structures and up to the size of
+// Share of the ticks. Of balls four times as many: put down deep, among hundreds of structures and up to the size of
 // the scene; a fifth of all ticks are theirs.
 constexpr double kMostAtBound = 1e-4;
-constexpr double kMostOfBallsAtBound = 5e-4;
+constexpr double kMostOfBallsAtBound = 4e-4;
 // Of other seeds, in which balls without friction are there as often.
-constexpr double kMostOfRoughBallsAtBound = 2e-3;
+constexpr double kMostOfRoughBallsAtBound = 1e-3;
 
 /// @param first  seed; PALPATE_SEED says another one
 void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)

@@ -43,7 +43,7 @@ class FeltPanel : public QWidget
 
   protected:
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     /// Entries of the choice of where a ratio comes from, before the presets.
