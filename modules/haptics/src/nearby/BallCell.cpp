@@ -14,7 +14,7 @@ namespace {
 using core::Vec3;
 
 constexpr double kHalfWidth = 0.75; // cells: a cell holds what is needed in it and a quarter of it around it
-constexpr double kWanted = 24.0;    // facets in a cell, by the facets' mean size
+constexpr double kWanted = 48.0;    // facets in a cell, by the facets' mean size
 constexpr int kLevels = 3;          // each half as large as the one before
 constexpr std::uint32_t kMostAsked = 8 * BallCell::kMost; // facets by their boxes, before a cell counts as too full
 
