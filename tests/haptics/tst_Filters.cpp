@@ -297,7 +297,7 @@ class Filters : public QObject
             const Vec3 origin = 300.0 * point(), u = point().normalized();
             const std::vector<Facet> facets = someFacets(random, origin);
             TriangleGroup group;
-            const double rounding = 2e-6 * derive(cornersOf(facets, origin), group);
+            const double rounding = kPlaceRounding * derive(cornersOf(facets, origin), group);
             double low = facets[0].a.dot(u), high = low;
             for (const Facet& f : facets) {
                 for (const Vec3* corner : {&f.a, &f.b, &f.c}) {

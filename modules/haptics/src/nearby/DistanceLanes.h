@@ -37,9 +37,12 @@ struct Extent
     float high_mm;
 };
 
+/// Rounding of a place along a line, of the largest coordinate: three products and their sum, of converted numbers, are
+/// off by at most 16 times half an ulp of it, 1e-6; twice that.
+inline constexpr double kPlaceRounding = 2e-6;
+
 /// @param u  unit vector of the line
-/// @return between which places on it those lie that are nearest to any point of the triangles, to a few ulp of the
-/// largest coordinate
+/// @return between which places on it those lie that are nearest to any point of the triangles, to kPlaceRounding
 [[nodiscard]] Extent extentAlong(const TriangleGroup& group, const float* u) noexcept PALPATE_NONBLOCKING;
 
 /// Where a ball's centre starts, and the unit vector of its direction, as seen from a group's origin.

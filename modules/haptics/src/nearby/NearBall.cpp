@@ -19,7 +19,6 @@ constexpr double kNever = 2.0;
 constexpr double kLessThan = 1.0 - 1e-6; // so much of a cosine, in floats, is surely less
 constexpr double kShort = 0.5;           // radii: a move that is ruled out as a whole, from its middle
 constexpr int kMostPieces = 8;
-constexpr double kPlaceRounding = 2e-6; // of a place along a move, in floats, of the largest coordinate
 constexpr double kCellsOnWay = 3.0; // with more than so many cells still to go, a move is asked of the whole hierarchy
 
 // In units of TickWork.
