@@ -4,6 +4,7 @@
 #include "TestRunner.h"
 #include "nearby/BallCell.h"
 #include "nearby/FacetCache.h"
+#include "nearby/NearBall.h"
 #include "nearby/NearPoint.h"
 #include "probe/BallProbe.h"
 
@@ -228,6 +229,40 @@ class Nearby : public QObject
         (void)cells.at(layer, p, second);
         QCOMPARE(second.left(), paid);
         QVERIFY(cells.paidAt(p) != nullptr);
+    }
+
+    void whatIsPreparedIsPaidForAndDecidesNothing()
+    {
+        const HapticScene scene = sceneOf({sphere(24, 30.0)}, 4.0);
+        const HapticLayer& layer = scene.layer(0);
+        const Vec3 x(34.0, 0.1, 0.1);
+        BallCells cells;
+        const Vec3 y = x + Vec3(0.0, 1.1 * cells.size_mm(layer), 0.0);
+        TickWork both(100000);
+        cells.beginTick();
+        (void)cells.at(layer, x, both);
+        (void)cells.at(layer, y, both);
+
+        NearBall prepared, fresh;
+        for (int tick = 0; tick < 2; ++tick) { // the second finds the cells held
+            TickWork work(100000);
+            prepared.beginTick();
+            prepared.prepare(layer, x, y, work);
+            QCOMPARE(work.left(), both.left());
+            prepared.beginTick();
+            prepared.prepare(layer, x, x + 4.0 * (y - x), work); // too far to be asked of cells
+            QCOMPARE(work.left(), both.left());
+        }
+        TickWork work(100000), workOfFresh(100000);
+        BallCrossing crossing, crossingOfFresh;
+        prepared.beginTick();
+        fresh.beginTick();
+        const Sweep sweep = prepared.sweep(layer, x, y - Vec3(1.0, 0.0, 0.0), work, crossing);
+        QCOMPARE(fresh.sweep(layer, x, y - Vec3(1.0, 0.0, 0.0), workOfFresh, crossingOfFresh), sweep);
+        QCOMPARE(sweep, Sweep::Blocked);
+        QCOMPARE(crossing.stop, crossingOfFresh.stop);
+        QCOMPARE(crossing.facet.triangle, crossingOfFresh.facet.triangle);
+        QCOMPARE(work.left(), workOfFresh.left());
     }
 };
 

@@ -264,6 +264,15 @@ class NearBall::Traversal
     TriangleBatch m_batch;
 };
 
+void NearBall::prepare(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work) noexcept
+{
+    if ((y - x).cwiseAbs().maxCoeff() > kCellsOnWay * m_cells.size_mm(layer)) {
+        return; // such moves are asked of the whole hierarchy
+    }
+    (void)m_cells.at(layer, x, work);
+    (void)m_cells.at(layer, y, work);
+}
+
 Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work,
                       BallCrossing& best) noexcept
 {

@@ -24,6 +24,11 @@ class NearBall
     [[nodiscard]] Sweep sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work,
                               BallCrossing& first) noexcept PALPATE_NONBLOCKING;
 
+    /// Gathers at the end of a tick what the next is expected to ask for, to spread the time over both. Decides
+    /// nothing, and is charged like all that is gathered.
+    /// @param x,y  where the centre is now, and where the next tick will lead it if it goes on like this
+    void prepare(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work) noexcept PALPATE_NONBLOCKING;
+
   private:
     struct First;
     class Traversal;
