@@ -4,6 +4,8 @@
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "nearby/NearBall.h"
+#include "solver/GodObject.h"
 
 #include <palpate/haptics/Palpator.h>
 
@@ -205,6 +207,31 @@ class Fingertip : public QObject
         QVERIFY(boundedAlone > 0);
         qInfo("%d bounded, %d alone", bounded, boundedAlone);
         QVERIFY(bounded > boundedAlone);
+    }
+
+    /// What a tick prepares for the next is charged, but a tick that only lacked the work for that has come to its end.
+    void whatTheNextTickNeedsDoesNotBoundThisOne()
+    {
+        using namespace haptics::internal;
+        const HapticScene scene({{"organ", indexed(bumpySphere(40, 30.0, 0.03)), {0.2, 0.0}, 0}}, 4.0);
+        const haptics::HapticLayer& layer = scene.layer(0);
+        GodObject god, bounded;
+        NearBall ball, ballOfBounded;
+        int prepared = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double arc = 0.004 * i;
+            const Vec3 hip = (36.0 - std::min(4.0, 0.1 * i)) * Vec3(std::cos(arc), std::sin(arc), 0.0);
+            bounded.restore(god.state());
+            const GodObjectStep whole = god.step(hip, kTick_s, layer, {.work = 20000}, &ball);
+            QCOMPARE(whole.status, TickStatus::Converged);
+            const GodObjectStep less = bounded.step(hip, kTick_s, layer, {.work = whole.work - 1}, &ballOfBounded);
+            if (less.status == TickStatus::Converged) {
+                ++prepared;
+                QVERIFY(less.p_WG == whole.p_WG);
+                QCOMPARE(less.iterations, whole.iterations);
+            }
+        }
+        QVERIFY2(prepared > 20, qPrintable(QString::number(prepared)));
     }
 
     void aTouchedFloorHidesNoWall_data()

@@ -44,10 +44,6 @@ constexpr double kNowhere = 1e-3; // radii: a tick that led farther than this fo
 
 constexpr double kThere = 0.01; // radii before the next facet that count as being at it, where the work is spent
 
-// A tick in contact that has spent no more than so many units of TickWork prepares the next. With fewer, ticks of
-// several moves find nothing prepared; with more, the longest become longer (bench_touch, ball4: from 450 to 1,100).
-constexpr std::uint32_t kLight = 800;
-
 // A ball deeper than this many skins was put there, not pressed, and is let out rather than pushed.
 constexpr double kPressed = 4.0;
 
@@ -335,7 +331,6 @@ bool BallTick::topples() noexcept
 std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 {
     m_near.beginTick();
-    const std::uint32_t work = m_work.left();
     if (!m_active.isEmpty()) {
         m_known = m_active[0];
         m_isKnown = true;
@@ -361,9 +356,6 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
     if (m_active.isEmpty() && m_isKnown && m_god != m_hip) {
         // Away from the HIP something holds it: the facet known last.
         touch(m_known.facet, m_known.side);
-    }
-    if (!m_active.isEmpty() && work - m_work.left() <= kLight) {
-        m_near.prepare(m_layer, m_god, 2.0 * m_god - began.god, m_work);
     }
     return moves;
 }
