@@ -3,6 +3,7 @@
 
 #include "LayerJudge.h"
 #include "RandomHand.h"
+#include "SameBits.h"
 
 #include <bit>
 #include <cstdio>
@@ -23,23 +24,6 @@ constexpr double kTick_s = 1e-3;
 // How often, a tick: rest is judged; another Palpator is restored from the state; a layer is hidden or shown; all is
 // let go of; the input is bad.
 constexpr double kRest = 0.02, kRestore = 1e-3, kSwitch = 5e-3, kReset = 2e-4, kBad = 5e-4;
-
-bool sameBits(const Vec3& a, const Vec3& b)
-{
-    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
-}
-
-bool sameBits(const TickResult& a, const TickResult& b)
-{
-    bool same = sameBits(a.p_WG, b.p_WG) && sameBits(a.f_W, b.f_W) && sameBits(a.n_W, b.n_W) &&
-                a.structure == b.structure && a.triangle == b.triangle && a.constraints == b.constraints &&
-                a.status == b.status && a.iterations == b.iterations && a.friction() == b.friction();
-    for (std::size_t i = 0; same && i < a.constraints; ++i) {
-        same = sameBits(a.active[i].n_W, b.active[i].n_W) && a.active[i].triangle == b.active[i].triangle &&
-               a.active[i].structure == b.active[i].structure;
-    }
-    return same;
-}
 
 /// One layer alone: what the layers' sum is compared with, and what is judged.
 struct Alone

@@ -82,11 +82,11 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
     if (varies && on.tissue.hasFriction()) { // without, the force has that pull
         raise(on, facet, foot, lambda_mm, atRest, sliding);
     }
-    m_still_mm += atRest * lambda_mm;
-    m_sliding_mm += sliding * lambda_mm;
+    m_now.still_mm += atRest * lambda_mm;
+    m_now.sliding_mm += sliding * lambda_mm;
     if (m_layer.drags) {
-        m_drag = std::max(m_drag, on.tissue.friction_drag_Ns_per_mm);
-        m_stiffest = std::max(m_stiffest, stiffnessAt(on, facet, foot, lambda_mm));
+        m_now.drag = std::max(m_now.drag, on.tissue.friction_drag_Ns_per_mm);
+        m_now.stiffest = std::max(m_now.stiffest, stiffnessAt(on, facet, foot, lambda_mm));
     }
 }
 
@@ -125,26 +125,26 @@ void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const
 
 double CoulombFriction::left(double r_mm, double rounding_mm) noexcept
 {
-    m_lastSlid = false;
-    if (!m_slides) {
-        if (r_mm <= m_still_mm + rounding_mm) {
+    m_now.lastSlid = false;
+    if (!m_now.slides) {
+        if (r_mm <= m_now.still_mm + rounding_mm) {
             return 1.0;
         }
-        m_slides = true;
+        m_now.slides = true;
     }
-    if (r_mm <= m_sliding_mm + rounding_mm) {
-        m_slides = !(r_mm < kCaught * m_sliding_mm);
+    if (r_mm <= m_now.sliding_mm + rounding_mm) {
+        m_now.slides = !(r_mm < kCaught * m_now.sliding_mm);
         return 1.0;
     }
-    if (m_drag > 0.0 && m_dt_s > 0.0 && !m_isBehind) {
+    if (m_now.drag > 0.0 && m_dt_s > 0.0 && !m_now.isBehind) {
         // k (r' - R) = (c/dt) (r - r'): what lags behind, by the implicit Euler step, once a tick.
-        m_isBehind = true;
-        const double c = m_drag / m_dt_s;
-        m_behind_mm = (r_mm - m_sliding_mm) * (c / (m_stiffest + c));
+        m_now.isBehind = true;
+        const double c = m_now.drag / m_dt_s;
+        m_now.behind_mm = (r_mm - m_now.sliding_mm) * (c / (m_now.stiffest + c));
     }
-    const double behind_mm = m_drag > 0.0 ? m_behind_mm : 0.0; // nothing lags behind on what does not drag
-    const double left = std::min(1.0, (m_sliding_mm + behind_mm) / r_mm);
-    m_lastSlid = left < 1.0;
+    const double behind_mm = m_now.drag > 0.0 ? m_now.behind_mm : 0.0; // nothing lags behind on what does not drag
+    const double left = std::min(1.0, (m_now.sliding_mm + behind_mm) / r_mm);
+    m_now.lastSlid = left < 1.0;
     return left;
 }
 

@@ -31,16 +31,31 @@ class CoulombFriction
     CoulombFriction(const HapticLayer& layer, double dt_s, bool slides) noexcept
         : m_layer(layer)
         , m_dt_s(dt_s)
-        , m_slides(slides)
     {
+        m_now.slides = slides;
     }
 
-    [[nodiscard]] bool slides() const noexcept { return m_slides; }
-    /// True when the last `left` let it go on.
-    [[nodiscard]] bool lastSlid() const noexcept { return m_lastSlid; }
+    /// What it has come to in this tick.
+    struct State
+    {
+        bool slides;
+        bool lastSlid;     ///< the last `left` let it go on
+        bool isBehind;     ///< `behind_mm` is known
+        double still_mm;   ///< R with the coefficients at rest
+        double sliding_mm; ///< R with those of sliding
+        double drag;       ///< of what is pressed, the greatest [N s/mm]
+        double stiffest;   ///< of what is pressed [N/mm]
+        double behind_mm;  ///< how far drag lets it fall behind R in this tick
+    };
+    [[nodiscard]] const State& state() const noexcept { return m_now; }
+    /// Takes back what came after.
+    void restore(const State& state) noexcept { m_now = state; }
+
+    [[nodiscard]] bool slides() const noexcept { return m_now.slides; }
+    [[nodiscard]] bool lastSlid() const noexcept { return m_now.lastSlid; }
 
     /// Begins with another set of contacts, or another place on them.
-    void lift() noexcept { m_still_mm = m_sliding_mm = m_stiffest = m_drag = 0.0; }
+    void lift() noexcept { m_now.still_mm = m_now.sliding_mm = m_now.stiffest = m_now.drag = 0.0; }
     /// Adds a contact. @param foot  of the god-object on the facet [mm]; @param lambda_mm  its multiplier
     void press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept;
     /// @param r_mm  from the god-object to g*; @param rounding_mm  no difference
@@ -49,7 +64,7 @@ class CoulombFriction
     /// @return true when friction alone holds it against a pull, measured as the spring's length along the way.
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
     {
-        return pull_mm <= (m_slides ? m_sliding_mm : m_still_mm);
+        return pull_mm <= (m_now.slides ? m_now.sliding_mm : m_now.still_mm);
     }
 
   private:
@@ -58,14 +73,7 @@ class CoulombFriction
 
     const HapticLayer& m_layer;
     double m_dt_s;
-    bool m_slides;
-    bool m_lastSlid = false;
-    bool m_isBehind = false;   ///< `m_behind_mm` is known
-    double m_still_mm = 0.0;   ///< R with the coefficients at rest
-    double m_sliding_mm = 0.0; ///< R with those of sliding
-    double m_drag = 0.0;       ///< of what is pressed, the greatest [N s/mm]
-    double m_stiffest = 0.0;   ///< of what is pressed [N/mm]
-    double m_behind_mm = 0.0;  ///< how far drag lets it fall behind R in this tick
+    State m_now{};
 };
 
 } // namespace palpate::haptics::internal

@@ -119,10 +119,10 @@ bool FacetCache::gather(const HapticLayer& layer, const GatheringPlan& plan, con
     return true;
 }
 
-bool FacetCache::gatherAt(const HapticLayer& layer, const GatheringPlan& plan, const Vec3& p, double margin_mm) noexcept
+bool FacetCache::gatherAt(const HapticLayer& layer, const GatheringPlan& plan, const Vec3& p) noexcept
 {
     GatheredFacets& facets = m_sets[m_used];
-    const bool isAll = facets.begin(layer, around(p, p, p, margin_mm), p, plan.around_mm);
+    const bool isAll = facets.begin(layer, {p, p}, p, plan.around_mm);
     facets.finish(layer);
     return isAll;
 }

@@ -48,9 +48,9 @@ class FacetCache
     bool gather(const HapticLayer& layer, const GatheringPlan& plan, const core::Vec3& x,
                 const core::Vec3& y) noexcept PALPATE_NONBLOCKING;
 
-    /// Gathers what is within `margin_mm` of `p` alone. @return false when there is too much.
-    bool gatherAt(const HapticLayer& layer, const GatheringPlan& plan, const core::Vec3& p,
-                  double margin_mm) noexcept PALPATE_NONBLOCKING;
+    /// Gathers what matters at `p` alone. @return false when there is too much: then no region with `p` can be held.
+    bool gatherAt(const HapticLayer& layer, const GatheringPlan& plan,
+                  const core::Vec3& p) noexcept PALPATE_NONBLOCKING;
 
   private:
     void adapt(const GatheringPlan& plan, int count) noexcept;

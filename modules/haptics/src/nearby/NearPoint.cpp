@@ -15,10 +15,7 @@ namespace {
 
 constexpr double kFarMove = 8.0; // facets: gathering along a longer move does not pay
 
-// In units of TickWork: what a sweep costs, as a rule, when the facets held answer it: to gather up to 64 facets, rule
-// them out and test those that stay. A traversal that asks no more than twice as many is charged the same, so that the
-// price does not tell whether it was needed.
-constexpr std::uint32_t kSweepPrice = 64;
+// In units of TickWork.
 constexpr std::uint32_t kExact = 5;                  // of an exact test, beside 1 for each facet that is asked
 constexpr std::uint32_t kSpared = 128 + 64 * kExact; // of a traversal, that costs no more
 
@@ -196,7 +193,7 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
     Crossing crossing;
     if (!std::all_of(path.begin(), path.end(), [this](const Vec3& p) { return holds(p); })) {
         for (std::size_t i = 0; i < moves; ++i) {
-            if (sweep(layer, path[i], path[i + 1], crossing, aroundMove(walked, i)) != Sweep::Free) {
+            if (ask(layer, path[i], path[i + 1], crossing, aroundMove(walked, i)) != Sweep::Free) {
                 return i;
             }
         }
@@ -252,7 +249,7 @@ int NearPoint::near(const HapticLayer& layer, const Vec3& g, double reach_mm, st
             (void)m_cache.gather(layer, planFor(layer), g, g);
         }
     }
-    if (!holds(g) && !m_cache.gatherAt(layer, planFor(layer), g, reach_mm)) {
+    if (!holds(g) && !m_cache.gatherAt(layer, planFor(layer), g)) {
         return 0;
     }
     const GatheredFacets& held = m_cache.held();
@@ -278,6 +275,12 @@ Sweep NearPoint::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, C
         return Sweep::Unknown;
     }
     m_work.spend(kSweepPrice);
+    return ask(layer, x, y, first, walked);
+}
+
+Sweep NearPoint::ask(const HapticLayer& layer, const Vec3& x, const Vec3& y, Crossing& first,
+                     std::span<const FacetNumber> walked) noexcept
+{
     // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {

@@ -26,6 +26,11 @@ class NearPoint
   public:
     static constexpr std::size_t kMostPoints = 9; ///< of a path
 
+    /// What a sweep costs, as a rule, when the facets held answer it: to gather up to 64 facets, rule them out and test
+    /// those that stay. A traversal that asks no more than twice as many is charged the same, so that the price does
+    /// not tell whether it was needed. In units of TickWork.
+    static constexpr std::uint32_t kSweepPrice = 64;
+
     /// Forgets everything: the scene changed.
     void clear() noexcept PALPATE_NONBLOCKING
     {
@@ -113,6 +118,9 @@ class NearPoint
     static constexpr int kHeld = GatheredFacets::kMost;
 
     struct First;
+    /// What `sweep` does, charged for no more than what a traversal costs beyond a sweep.
+    [[nodiscard]] Sweep ask(const HapticLayer& layer, const Vec3& x, const Vec3& y, Crossing& first,
+                            std::span<const FacetNumber> walked) noexcept;
     /// The same by a traversal of all hierarchies.
     [[nodiscard]] Sweep sweepAll(const HapticLayer& layer, First nearest) noexcept;
     [[nodiscard]] int near(const HapticLayer& layer, const Vec3& g, double reach_mm,

@@ -11,7 +11,7 @@ namespace palpate::haptics::internal {
 ///
 /// What is charged must not depend on what is held between ticks: two ways to the same answer are charged alike. A
 /// sweep is therefore charged a fixed price that covers everything the facets around can cost, and beyond it only for
-/// facets that a traversal visits beyond as many as can be held.
+/// facets that a traversal visits beyond as many as can be held; a walk is charged for the moves that it makes.
 class TickWork
 {
   public:

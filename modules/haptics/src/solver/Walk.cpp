@@ -10,17 +10,20 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr std::uint32_t kStepPrice = 12; // of going over to the next facet, in units of TickWork
+constexpr std::uint32_t kMovePrice = 64; // as of a sweep, in units of TickWork
 constexpr double kFarTarget = 16.0;      // facet sizes
 constexpr double kSharpest = 0.5;        // cosine of the angle between two facets' normals
 static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses every edge of a clear facet");
 
-/// @return true when a god-object stands on a facet as one does that has walked there.
-bool isOn(const Facet& facet, int side, const Vec3& g) noexcept
+/// @return where a god-object stands on a facet, if it does so as one that has walked there.
+/// @param edge  width of the band along the edges that counts as AtEdge, in skins
+Foot standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexcept
 {
-    return side * facet.n.dot(g - facet.a) > kStanding * facet.skin_mm &&
-           footOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * facet.skin_mm, facet.skin_mm, 0.0}) !=
-               Foot::Away;
+    const double skin = facet.skin_mm;
+    if (side * facet.n.dot(g - facet.a) <= kStanding * skin) {
+        return Foot::Away;
+    }
+    return footOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * skin, skin, edge * skin});
 }
 
 /// @return true when `p` is at least `least_mm` away from each corner.
@@ -54,8 +57,9 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
 {
     begin(start);
     Next next = start == Start::InCrease ? leaveCrease() : Next::Step;
-    for (std::uint32_t i = 0; i < std::min(most, kMostFacets) && next == Next::Step; ++i) {
-        m_near.spend(kStepPrice);
+    // Charged below, by the moves made: how far the walk looks ahead before it asks for them depends on what is held.
+    const std::uint32_t affordable = m_near.work().left() / kMovePrice + 1;
+    for (std::uint32_t i = 0; i < std::min({most, kMostFacets, affordable}) && next == Next::Step; ++i) {
         next = step();
     }
     if (next != Next::Over) {
@@ -65,6 +69,7 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
             (void)isPathFree();
         }
     }
+    m_near.spend(kMovePrice * (m_moves + 1));
     return m_ended;
 }
 
@@ -72,10 +77,12 @@ PALPATE_ALWAYS_INLINE void Walk::begin(Start start) noexcept
 {
     m_path[0] = m_god;
     m_over[0] = m_over[1] = {m_facet.structure, m_facet.triangle};
-    m_isClear = (start == Start::WellInside || isOn(m_facet, m_side, m_god)) && isClearAt(m_facet, m_god);
-    if (start == Start::InCrease) {
-        m_isClear = m_isClear && isOn(m_beyond, m_side, m_god) && isClearAt(m_beyond, m_god);
-    }
+    // At an edge, where a walk may have ended early, the facet that it left may be in the way back.
+    const bool isInside = start == Start::WellInside ||
+                          (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouched) == Foot::Inside);
+    const bool isInCrease = start == Start::InCrease && standsOn(m_facet, m_side, m_god, 0.0) != Foot::Away &&
+                            standsOn(m_beyond, m_side, m_god, 0.0) != Foot::Away;
+    m_isClear = (isInside || (isInCrease && isClearAt(m_beyond, m_god))) && isClearAt(m_facet, m_god);
 }
 
 PALPATE_ALWAYS_INLINE bool Walk::isClearAt(const Facet& facet, const Vec3& p) noexcept
@@ -295,8 +302,8 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
         ++m_moves;
         return Next::Step;
     }
-    m_path[m_points] = to;
-    m_over[++m_points] = {next.structure, next.triangle};
+    addToPath(to);
+    m_over[m_points] = {next.structure, next.triangle};
     ++m_crossed;
     return m_points < m_path.size() || isPathFree() ? Next::Step : Next::Over;
 }
@@ -330,6 +337,14 @@ PALPATE_ALWAYS_INLINE void Walk::stand() noexcept
     }
 }
 
+void Walk::addToPath(const Vec3& p) noexcept
+{
+    if (m_friction != nullptr) {
+        m_frictionAt[m_points] = m_friction->state();
+    }
+    m_path[m_points++] = p;
+}
+
 /// Makes the moves of the path up to the first that is blocked, and begins a new one there.
 ///
 /// On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above the one
@@ -345,6 +360,9 @@ bool Walk::isPathFree() noexcept
     m_moves += static_cast<std::uint32_t>(moves);
     if (!isFree) {
         m_facet = Facet::of(m_surface, m_facet.structure, m_over[moves + 1].triangle);
+        if (m_friction != nullptr) {
+            m_friction->restore(m_frictionAt[moves + 1]); // how far was looked ahead depends on what is held
+        }
     } else {
         stand();
     }
@@ -366,7 +384,7 @@ PALPATE_ALWAYS_INLINE bool Walk::hasArrivedAt(const Vec3& target) noexcept
         stand();
         return true;
     }
-    m_path[m_points++] = target;
+    addToPath(target);
     return isPathFree();
 }
 

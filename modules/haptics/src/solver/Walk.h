@@ -92,6 +92,7 @@ class Walk
     [[nodiscard]] bool liftOver(const Facet& next, const Vec3& target, double share, Vec3& to) const noexcept;
     [[nodiscard]] Vec3 slowed(const Vec3& target, double rise) noexcept;
     [[nodiscard]] bool isFar(const Vec3& target) const noexcept;
+    void addToPath(const Vec3& p) noexcept;
     [[nodiscard]] bool isPathFree() noexcept;
     [[nodiscard]] bool hasArrivedAt(const Vec3& target) noexcept;
     void stand() noexcept;
@@ -119,6 +120,7 @@ class Walk
     std::array<Vec3, NearPoint::kMostPoints> m_path; ///< moves that are still to be asked for
     /// Of each point and, first, of that before them.
     std::array<FacetNumber, NearPoint::kMostPoints + 1> m_over;
+    std::array<CoulombFriction::State, NearPoint::kMostPoints> m_frictionAt; ///< of each point but the first
     std::size_t m_points = 1;
     std::size_t m_crossed = 0; ///< edges that the path goes over
 };
