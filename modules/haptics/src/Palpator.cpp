@@ -199,7 +199,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     me.started = true;
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
-    // The innermost layer first: of the work that a ball's layers share it has what it would have alone.
+    // The innermost layer first: of the work that layers share it has what it would have alone.
     const bool isBall = me.scene != nullptr && me.scene->fingertip_mm() > 0.0;
     SharedWork work(isBall ? me.limits.ballWork : me.limits.work);
     for (std::size_t i = layers; i-- > 0;) {

@@ -171,7 +171,7 @@ class Game
                 m_alone[i].judge->look(one, hip, v_WH, isRestJudged, faults);
             }
         }
-        if (whole.status == TickStatus::IterationLimit && m_scene.fingertip_mm > 0.0) {
+        if (whole.status == TickStatus::IterationLimit) {
             followAtBound(faults);
         } else if (!(((whole.f_W - sum).norm() <= 1e-12 * size))) {
             faults.push_back(
@@ -201,7 +201,7 @@ class Game
         }
     }
 
-    /// Layers share a ball's work: at its bound only the innermost must be where it would be alone. The others go on
+    /// Layers share a tick's work: at its bound only the innermost must be where it would be alone. The others go on
     /// from where they are together.
     void followAtBound(Faults& faults)
     {

@@ -29,10 +29,12 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
         m_state.placed = 1;
     }
     recallFacets(layer);
-    if (m_state.constraints == 0 && layer.fingertip_mm == 0.0 && m_near.isFree(m_state.p_WG, p_WH)) {
+    if (m_state.constraints == 0 && layer.fingertip_mm == 0.0 && limits.work > NearPoint::kSweepPrice &&
+        m_near.isFree(m_state.p_WG, p_WH)) {
         m_state.p_WG = result.p_WG = p_WH;
         m_state.slides = 0;
         result.iterations = 1;
+        result.work = NearPoint::kSweepPrice; // as if it had been swept
         m_near.endFreeTick(layer, p_WH);
     } else if (layer.frictional != nullptr) {
         stepWithFriction(p_WH, dt_s, layer, limits, ball, result);
@@ -214,6 +216,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
             keep(tick.contacts());
         }
     }
+    result.work = limits.work - m_near.work().left();
     report(result);
     // Then it stands a skin above the facet; where friction holds it stands as it came.
     m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());

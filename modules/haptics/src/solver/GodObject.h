@@ -20,7 +20,7 @@ struct GodObjectStep
     std::uint8_t constraints = 0; ///< how many of `active` are valid
     TickStatus status = TickStatus::Converged;
     std::uint32_t iterations = 0;
-    std::uint32_t work = 0; ///< that a ball has spent, in units of TickWork; a point's depends on what is held: none
+    std::uint32_t work = 0; ///< that was spent, in units of TickWork
     bool slides = false;    ///< friction lets it slide
     Vec3 push_W; ///< sum of the multipliers times the normals [mm]; only with friction and two contacts or more
 };

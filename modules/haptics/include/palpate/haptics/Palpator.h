@@ -15,11 +15,10 @@ namespace palpate::haptics {
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick, for each layer; reaching it is reported
-    /// Units of about 10 ns (internal::TickWork) for each layer of a point; reaching it is reported, too.
+    /// Units of about 10 ns (internal::TickWork) for a point; reaching it is reported, too. Layers share it, the
+    /// innermost first, so that outer ones leave that as it is; each is sure of a 32nd.
     std::uint32_t work = 20000;
-    /// The same for a ball. Its layers share it, the innermost first, so that outer ones leave that as it is; each is
-    /// sure of a 32nd.
-    std::uint32_t ballWork = 22000;
+    std::uint32_t ballWork = 22000; ///< the same for a ball
 };
 
 /// What a Palpator has room for.
@@ -59,7 +58,7 @@ class Palpator
     /// @param p_WH  HIP [mm]; one that is not finite, or farther away than HapticScene::reaches, leaves everything as
     ///              it was and gives zero force
     /// @param dt_s  time since the previous tick [s], > 0; gives the damper its velocity, zero on the first tick
-    /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits for each layer.
+    /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits.
     [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] std::size_t byteSize() const noexcept; ///< of all that it holds; the scene is not its own
