@@ -21,6 +21,37 @@ constexpr double kForceSlack_N = 0.25;
 // Loss is noticed, the force is ramped down, the answer travels; then the motors are off.
 constexpr double kUntilOff_s = 0.040;
 
+/// Chance from a fixed seed.
+class Dice
+{
+  public:
+    bool chance(double p) { return between(0, 1) < p; }
+    double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(m_random); }
+
+  private:
+    std::mt19937 m_random{7};
+};
+
+/// What is wrong for the next second: mostly something, one time in four nothing.
+standin::Faults randomFaults(Dice& dice, std::int64_t now_ns)
+{
+    standin::Faults f;
+    if (dice.chance(0.25)) {
+        return f;
+    }
+    f.dropIn = dice.chance(0.3) ? dice.between(0, 0.3) : 0.0;
+    f.dropOut = dice.chance(0.3) ? dice.between(0, 0.3) : 0.0;
+    f.repeat = dice.chance(0.3) ? dice.between(0, 0.5) : 0.0;
+    f.shortened = dice.chance(0.2) ? dice.between(0, 0.3) : 0.0;
+    f.lengthened = dice.chance(0.2) ? dice.between(0, 0.3) : 0.0;
+    f.random = dice.chance(0.3) ? dice.between(0, 0.3) : 0.0;
+    f.delay = dice.chance(0.3) ? dice.between(0, 0.5) : 0.0;
+    if (dice.chance(0.1)) {
+        f.stalledUntil_ns = now_ns + static_cast<std::int64_t>(dice.between(0.001, 0.9) * 1e9);
+    }
+    return f;
+}
+
 double norm(const standin::V3& v)
 {
     return std::hypot(v[0], v[1], v[2]);
@@ -49,6 +80,34 @@ class Faults : public QObject
     {
         auto made = m_host->make("woodenhaptics");
         return made.isOk() ? std::move(made).value() : nullptr;
+    }
+
+    /// What the arm's motors have pushed, second by second.
+    struct Pushed
+    {
+        double most_N = 0.0;
+        double aside = 0.0; ///< counts by which it is calibrated wrong
+        int calibrated = 0; ///< seconds in which it was not
+    };
+    void judgePush(double second, Pushed& pushed)
+    {
+        m_bench->with([&](standin::Bench& b) {
+            pushed.most_N = std::max(pushed.most_N, b.arm.largestForce_N);
+            QVERIFY(std::isfinite(b.arm.largestForce_N));
+            // An arm that was calibrated in another pose pushes elsewhere than it is told, by no more current.
+            const auto& offset = b.arm.counterOffset;
+            const double aside = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
+            if (aside + pushed.aside < 10.0) {
+                QVERIFY2(b.arm.largestForce_N <= kForceLimit_N + kForceSlack_N,
+                         qPrintable(QStringLiteral("%1 N in second %2").arg(b.arm.largestForce_N).arg(second)));
+                ++pushed.calibrated;
+            }
+            pushed.aside = aside;
+            b.arm.largestForce_N = 0.0;
+            for (double amps : b.arm.amps) {
+                QVERIFY(std::abs(amps) <= 2.0);
+            }
+        });
     }
 
     /// The hand takes the arm to its calibration pose, on a bus that behaves, and presses the button.
@@ -205,45 +264,28 @@ class Faults : public QObject
         loop.setScene(blockScene(0.5));
         QVERIFY(loop.start(*arm, {.askRealtime = false}).isOk());
 
-        std::mt19937 random(7);
-        const auto chance = [&](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
-        const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+        Dice dice;
         int faults = 0;
         int zeros = 0;
-        int calibrated = 0;
         int calibrations = 0;
-        double asideBefore = 0.0;
-        double pressed_N = 0.0;
+        Pushed pushed;
         for (double second = 0.0; second < minutes * 60.0; second += 1.0) {
             m_bench->with([&](standin::Bench& b) {
-                standin::Faults& f = b.faults;
-                f = {};
-                // Most seconds have something wrong, and one in four nothing.
-                if (!chance(0.25)) {
-                    f.dropIn = chance(0.3) ? between(0, 0.3) : 0.0;
-                    f.dropOut = chance(0.3) ? between(0, 0.3) : 0.0;
-                    f.repeat = chance(0.3) ? between(0, 0.5) : 0.0;
-                    f.shortened = chance(0.2) ? between(0, 0.3) : 0.0;
-                    f.lengthened = chance(0.2) ? between(0, 0.3) : 0.0;
-                    f.random = chance(0.3) ? between(0, 0.3) : 0.0;
-                    f.delay = chance(0.3) ? between(0, 0.5) : 0.0;
-                    if (chance(0.1)) {
-                        f.stalledUntil_ns = b.arm.sim_ns + static_cast<std::int64_t>(between(0.001, 0.9) * 1e9);
-                    }
-                }
-                if (chance(0.07)) {
+                b.faults = randomFaults(dice, b.arm.sim_ns);
+                if (dice.chance(0.07)) {
                     standin::plugArm(b, false, b.arm.sim_ns);
                 } else if (!b.arm.isPlugged) {
                     standin::plugArm(b, true, b.arm.sim_ns);
                 }
-                b.arm.isButtonDown = b.arm.isButtonDown || (chance(0.02) && second > 0.3 * 60.0 * minutes);
-                b.arm.hand.isHolding = !chance(0.03);
+                b.arm.isButtonDown = b.arm.isButtonDown || (dice.chance(0.02) && second > 0.3 * 60.0 * minutes);
+                b.arm.hand.isHolding = !dice.chance(0.03);
             });
-            if (chance(0.5)) {
-                m_bench->moveHand({{between(0.1, 0.9), {between(-90, 90), between(-90, 90), between(-15, 30)}}});
+            if (dice.chance(0.5)) {
+                const double time_s = dice.between(0.1, 0.9), x = dice.between(-90, 90), y = dice.between(-90, 90);
+                m_bench->moveHand({{time_s, {x, y, dice.between(-15, 30)}}});
             }
             const bool isAway = arm->report().condition == device::DeviceCondition::NeedsCalibration;
-            if (isAway || (asideBefore > 10.0 && chance(0.3))) {
+            if (isAway || (pushed.aside > 10.0 && dice.chance(0.3))) {
                 calibrateByHand();
                 calibrations += arm->report().condition == device::DeviceCondition::Working ? 1 : 0;
             }
@@ -260,23 +302,7 @@ class Faults : public QObject
                 loop.rearm();
             }
             pass(1.0);
-            m_bench->with([&](standin::Bench& b) {
-                pressed_N = std::max(pressed_N, b.arm.largestForce_N);
-                QVERIFY(std::isfinite(b.arm.largestForce_N));
-                // An arm that was calibrated in another pose pushes elsewhere than it is told, by no more current.
-                const auto& offset = b.arm.counterOffset;
-                const double aside = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
-                if (aside + asideBefore < 10.0) {
-                    QVERIFY2(b.arm.largestForce_N <= kForceLimit_N + kForceSlack_N,
-                             qPrintable(QStringLiteral("%1 N in second %2").arg(b.arm.largestForce_N).arg(second)));
-                    ++calibrated;
-                }
-                asideBefore = aside;
-                b.arm.largestForce_N = 0.0;
-                for (double amps : b.arm.amps) {
-                    QVERIFY(std::abs(amps) <= 2.0);
-                }
-            });
+            judgePush(second, pushed);
             servo::TickRecord tick;
             if (loop.fetchSnapshot(tick)) {
                 QVERIFY(tick.fSent_W.allFinite() && tick.fSent_W.norm() <= kForceLimit_N * (1 + 1e-9));
@@ -291,10 +317,11 @@ class Faults : public QObject
               "seen off "
               "after %d of them; largest force %.2f N; %d s with the arm calibrated right",
               minutes, static_cast<unsigned long long>(report.states), static_cast<unsigned long long>(report.refused),
-              static_cast<unsigned long long>(report.losses), calibrations, faults, zeros, pressed_N, calibrated);
+              static_cast<unsigned long long>(report.losses), calibrations, faults, zeros, pushed.most_N,
+              pushed.calibrated);
         QVERIFY(report.refused > 100 && report.losses > 0 && faults > 2 && zeros > 0 && calibrations > 0 &&
-                pressed_N > 0.5);
-        QVERIFY(calibrated > minutes * 20.0);
+                pushed.most_N > 0.5);
+        QVERIFY(pushed.calibrated > minutes * 20.0);
     }
 };
 

@@ -98,6 +98,36 @@ Vec3 adversarialVector(std::mt19937_64& random)
     return {adversarialNumber(random), adversarialNumber(random), adversarialNumber(random)};
 }
 
+/// Of a plausible hand for long stretches, with single and lasting faults in between.
+/// @param hip  where the hand is; moved on [mm]
+DeviceState randomState(std::mt19937_64& random, Vec3& hip, std::int64_t now_ns)
+{
+    const bool isWild = random() % 512 == 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        hip[axis] += (static_cast<double>(random() % 2001) - 1000.0) * 2e-3;
+        hip[axis] = std::clamp(hip[axis], -100.0, 100.0);
+    }
+    DeviceState state;
+    state.isPresent = random() % 2048 != 0;
+    state.isLost = random() % 32768 == 0;
+    state.p_D = isWild ? adversarialVector(random) : hip;
+    state.time_ns = random() % 8192 == 0 ? static_cast<std::int64_t>(random()) : now_ns;
+    return state;
+}
+
+ForceRequest randomRequest(std::mt19937_64& random, const Vec3& hip)
+{
+    ForceRequest request;
+    const auto mode = random() % 64;
+    request.f_D = mode == 0 ? adversarialVector(random) : Vec3(0.1 * hip + Vec3::Constant(mode < 8 ? 30.0 : 0.0));
+    if (!request.f_D.allFinite() && random() % 64 != 0) {
+        request.f_D.setZero(); // a fault now and then, not always
+    }
+    request.isInContact = random() % 32 != 0;
+    request.isSceneChanged = random() % 128 == 0;
+    return request;
+}
+
 } // namespace
 
 class SafetyGate : public QObject
@@ -401,31 +431,12 @@ class SafetyGate : public QObject
         long byKind[9] = {};
         for (long i = 0; i < total / 3; ++i) {
             now_ns += static_cast<std::int64_t>(dt_s * 1e9);
-            // Long stretches of a plausible hand with single and lasting faults in between.
-            const bool isWild = random() % 512 == 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                hip[axis] += (static_cast<double>(random() % 2001) - 1000.0) * 2e-3;
-                hip[axis] = std::clamp(hip[axis], -100.0, 100.0);
-            }
-            DeviceState state;
-            state.isPresent = random() % 2048 != 0;
-            state.isLost = random() % 32768 == 0;
-            state.p_D = isWild ? adversarialVector(random) : hip;
-            state.time_ns = random() % 8192 == 0 ? static_cast<std::int64_t>(random()) : now_ns;
-            const GatedInput input = gate.admit(state, now_ns);
+            const GatedInput input = gate.admit(randomState(random, hip, now_ns), now_ns);
             QVERIFY(input.p_D.allFinite());
             QVERIFY(input.p_D.norm() <= 200.0 + slack);
             QVERIFY(!input.isFirst || input.isPresent);
 
-            ForceRequest request;
-            const auto mode = random() % 64;
-            request.f_D =
-                mode == 0 ? adversarialVector(random) : Vec3(0.1 * hip + Vec3::Constant(mode < 8 ? 30.0 : 0.0));
-            if (!request.f_D.allFinite() && random() % 64 != 0) {
-                request.f_D.setZero(); // a fault now and then, not always
-            }
-            request.isInContact = random() % 32 != 0;
-            request.isSceneChanged = random() % 128 == 0;
+            const ForceRequest request = randomRequest(random, hip);
             const bool mayBegin = request.isInContact && (!wasInContact || input.isFirst) && !request.isSceneChanged &&
                                   last.norm() <= change + slack;
             wasInContact = request.isInContact;

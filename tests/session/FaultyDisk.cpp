@@ -231,40 +231,47 @@ int FaultyDisk::ask(Operation::Kind kind, const std::string& file, std::int64_t 
     return 0;
 }
 
+namespace {
+
+/// What a name stands for from its creation to its deletion, and in what order names come and go.
+struct Incarnation
+{
+    std::string synced;
+    std::vector<FaultyDisk::Operation> pending; // writes and truncations
+    bool isDeleted = false;
+};
+struct Name
+{
+    std::vector<Incarnation> lives;
+    std::size_t onDisk = 0; // entries of the folder that are safe: creations and deletions, in their order
+    [[nodiscard]] std::size_t entries() const
+    {
+        return 2 * lives.size() - (lives.empty() || lives.back().isDeleted ? 0 : 1);
+    }
+};
+
+void redo(std::string& content, const FaultyDisk::Operation& operation)
+{
+    if (operation.kind == Kind::Write) {
+        put(content, operation.offset, operation.bytes);
+    } else {
+        content.resize(static_cast<std::size_t>(operation.offset), '\0');
+    }
+}
+
+} // namespace
+
 DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::Operation>& log, std::size_t end,
                          std::uint32_t seed)
 {
     constexpr std::uint32_t kNothing = 0;
     constexpr std::uint32_t kEverything = 1;
     constexpr std::size_t kSector = 512;
-    /// What a name stands for from its creation to its deletion, and in what order names come and go.
-    struct Incarnation
-    {
-        std::string synced;
-        std::vector<FaultyDisk::Operation> pending; // writes and truncations
-        bool isDeleted = false;
-    };
-    struct Name
-    {
-        std::vector<Incarnation> lives;
-        std::size_t onDisk = 0; // entries of the folder that are safe: creations and deletions, in their order
-        [[nodiscard]] std::size_t entries() const
-        {
-            return 2 * lives.size() - (lives.empty() || lives.back().isDeleted ? 0 : 1);
-        }
-    };
     std::map<std::string, Name> names;
     for (const auto& [name, bytes] : before) {
         names[name].lives.push_back({bytes, {}, false});
         names[name].onDisk = 1;
     }
-    const auto apply = [](std::string& content, const FaultyDisk::Operation& operation) {
-        if (operation.kind == Kind::Write) {
-            put(content, operation.offset, operation.bytes);
-        } else {
-            content.resize(static_cast<std::size_t>(operation.offset), '\0');
-        }
-    };
     for (std::size_t i = 0; i < end; ++i) {
         const FaultyDisk::Operation& operation = log[i];
         if (operation.kind == Kind::Mark) {
@@ -278,7 +285,7 @@ DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::
         } else if (operation.kind == Kind::Sync) {
             Incarnation& file = name.lives.back();
             for (const auto& one : file.pending) {
-                apply(file.synced, one);
+                redo(file.synced, one);
             }
             file.pending.clear();
             if (operation.file.ends_with("-journal")) { // SQLite syncs the folder of a new journal with it
@@ -313,7 +320,7 @@ DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::
             if (operation.kind == Kind::Write && seed != kEverything && toss() % 2 == 0) {
                 operation.bytes.resize(std::min(operation.bytes.size(), kSector * (toss() % 8)));
             }
-            apply(file.synced, operation);
+            redo(file.synced, operation);
         }
         out[text] = std::move(file.synced);
     }

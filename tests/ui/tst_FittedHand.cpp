@@ -44,6 +44,40 @@ class FittedHand : public QObject
         return m_model.hapticScene(greatest);
     }
 
+    /// A hand's settings and place, changed at random.
+    struct Changing
+    {
+        ui::HandSettings settings; // as a device that was never seen begins
+        ui::HandPlace place;
+        std::mt19937 random{29};
+
+        double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
+    };
+    /// @param lumpAt_W  where a lump is fitted, if one is [mm]
+    void change(Changing& hand, const Vec3& lumpAt_W) const
+    {
+        hand.settings.turn = hand.random() % 4 == 0 ? ui::MapTurn::Patient : ui::MapTurn::Camera;
+        const double angle = hand.between(-0.6, 0.6);
+        hand.place.right_W = Vec3(std::cos(angle), std::sin(angle), 0.0);
+        switch (hand.random() % 4) {
+        case 0:
+            hand.settings.fill = ui::MapFill::Scene;
+            hand.place.filled = m_all;
+            break;
+        case 1:
+            hand.settings.fill = ui::MapFill::Organ;
+            hand.place.filled = boxOf(m_model.rows().front());
+            break;
+        case 2:
+            hand.settings.fill = ui::MapFill::Lump;
+            hand.place.filled = ui::lumpAt(lumpAt_W);
+            break;
+        default:
+            hand.settings.fill = ui::MapFill::Scale;
+            hand.settings.scale = hand.between(0.2, 3.0);
+        }
+    }
+
   private Q_SLOTS:
     void initTestCase()
     {
@@ -82,21 +116,18 @@ class FittedHand : public QObject
         const double bound_N = limits.maxForceRate_N_per_s * 0.001 * (1.0 + 1e-9);
         const geometry::SurfaceIndex& liver = *m_model.rows().front().touch;
 
-        ui::HandSettings settings; // as a device that was never seen begins
-        ui::HandPlace place;
-        place.right_W = Vec3::UnitX();
-        place.up_W = Vec3::UnitZ(); // from the front
-        place.filled = m_all;
+        Changing hand;
+        hand.place.right_W = Vec3::UnitX();
+        hand.place.up_W = Vec3::UnitZ(); // from the front
+        hand.place.filled = m_all;
         servo::ServoCore core(limits, 1000.0, servo::PassivityLimits::forDevice(info));
-        servo::MapSettings map = ui::mapFor(settings, info, place);
+        servo::MapSettings map = ui::mapFor(hand.settings, info, hand.place);
         QVERIFY(!map.isDirect);
         core.setMap(map);
         std::uint32_t generation = 1;
         auto scene = sceneFor(info, map.scale);
         core.setScene(scene.get(), generation);
 
-        std::mt19937 random(29);
-        const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
         int touched = 0, changes = 0, freed = 0;
         double mostStep_N = 0.0, most_N = 0.0;
         bool wasOut = false;
@@ -110,32 +141,13 @@ class FittedHand : public QObject
             const Vec3 p_U(0.2 * radius * std::sin(0.7 * t), 0.2 * radius * std::cos(0.9 * t),
                            radius * (0.45 + 0.6 * std::cos(1.3 * t)));
             const Vec3 p_D = info.q_UD.conjugate() * p_U;
-            if (i > 600 && random() % 150 == 0) {
+            if (i > 600 && hand.random() % 150 == 0) {
                 ++changes;
-                settings.turn = random() % 4 == 0 ? ui::MapTurn::Patient : ui::MapTurn::Camera;
-                const double angle = between(-0.6, 0.6);
-                place.right_W = Vec3(std::cos(angle), std::sin(angle), 0.0);
-                switch (random() % 4) {
-                case 0:
-                    settings.fill = ui::MapFill::Scene;
-                    place.filled = m_all;
-                    break;
-                case 1:
-                    settings.fill = ui::MapFill::Organ;
-                    place.filled = boxOf(m_model.rows().front());
-                    break;
-                case 2:
-                    settings.fill = ui::MapFill::Lump;
-                    place.filled = ui::lumpAt(isTouching ? g_W : p_W);
-                    break;
-                default:
-                    settings.fill = ui::MapFill::Scale;
-                    settings.scale = between(0.2, 3.0);
-                }
+                change(hand, isTouching ? g_W : p_W);
                 const std::uint32_t before = map.centreRequest;
-                map = ui::mapFor(settings, info, place);
-                map.centreRequest = before + (!isTouching || random() % 8 == 0 ? 1 : 0);
-                map.isClutched = random() % 10 == 0;
+                map = ui::mapFor(hand.settings, info, hand.place);
+                map.centreRequest = before + (!isTouching || hand.random() % 8 == 0 ? 1 : 0);
+                map.isClutched = hand.random() % 10 == 0;
                 core.setMap(map);
                 auto next = sceneFor(info, map.scale); // stays alive until the core has it
                 core.setScene(next.get(), ++generation);
