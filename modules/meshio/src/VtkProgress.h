@@ -8,7 +8,7 @@
 
 namespace palpate::meshio::internal {
 
-/// Stops a VTK algorithm when the caller asks for it.
+/// Stops a VTK algorithm when the caller asks for it, and does not ask again: VTK 9.3 tells of progress once more then.
 class ProgressObserver : public vtkCommand
 {
   public:
@@ -16,7 +16,7 @@ class ProgressObserver : public vtkCommand
     void Execute(vtkObject* caller, unsigned long, void*) override
     {
         auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-        if (algorithm != nullptr && report && !report(algorithm->GetProgress())) {
+        if (algorithm != nullptr && report && !isCancelled && !report(algorithm->GetProgress())) {
             isCancelled = true;
             algorithm->SetAbortExecute(1);
         }
