@@ -77,6 +77,7 @@ class FoundSeeds : public QObject
         row("a facet holds a ball that came around its rim", Family::Balls, 50251, 3537);
         row("a facet holds a ball that came around its rim", Family::Balls, 50355, 3481);
         row("a facet is met late by a move in its plane", Family::Closed, 3102114, 1857);
+        row("a facet is met by a move in its plane that stays beside it", Family::Layers, 1003111, 399);
         row("two planes, one to rounding, cross far beside their edge", Family::Closed, 3100175, 1315);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3100098, 401);
         row("of facets that hold in turn one is told to friction", Family::Rough, 3100599, 846);

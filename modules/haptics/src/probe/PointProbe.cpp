@@ -82,6 +82,14 @@ void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around
     }
 }
 
+/// @return true when all of the move, seen along the normal, is beside the facet by more than counts as at its edge.
+bool staysBeside(const Facet& facet, const Vec3& x, const Vec3& y) noexcept
+{
+    Part part;
+    clipToEdges(facet, x, y, kBesideEdge * facet.skin_mm, part);
+    return part.isEmpty();
+}
+
 /// @return the share of a move in a facet's plane that leads up to the facet: before it is at its edge, and before it
 /// is behind the plane by more than counts as on it.
 double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double start, double end) noexcept
@@ -197,6 +205,9 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     const Part part = partInBox(facet, x, y, facet.skin_mm);
     if (part.isEmpty() || along + slack < part.begin || along - slack > part.end) {
         return false; // it is met beside the facet
+    }
+    if (start < onPlane && staysBeside(facet, x, y)) {
+        return false; // nor does it come to the facet in its plane, where rounding tells where it is met
     }
     const double place = std::clamp(along, part.begin, part.end);
     const bool isTouched = touches(facet, start, place, d2);
