@@ -45,10 +45,9 @@ std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexce
 }
 
 /// Tells of a layer that is touched, all but the force.
-/// @param v_WH  of the HIP [mm/s]
 /// @pre the step ended in contact
 PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const GodObjectStep& step,
-                                         const HapticScene& scene, const Vec3& push_W, const Vec3& v_WH) noexcept
+                                         const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
 {
     const std::size_t which = stiffest(scene, step);
     const ActiveConstraint& touched = step.active[which];
@@ -67,7 +66,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
             push_W,
             contact.depth_mm,
             contact.n_W,
-            v_WH,
+            hip,
             std::span(step.active).first(step.constraints),
             contact.stiffnessScale};
 }
@@ -80,9 +79,9 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
 
 // What a linear layer costs does not depend on what others can have.
 [[gnu::noinline]] void fillAny(Contact& contact, const GodObject& god, const GodObjectStep& step,
-                               const HapticScene& scene, const Vec3& push_W, const Vec3& v_WH) noexcept
+                               const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
 {
-    const law::Touch touch = touchOf(contact, god, step, scene, push_W, v_WH);
+    const law::Touch touch = touchOf(contact, god, step, scene, push_W, hip);
     const HapticStructure& structure = touch.structure;
     if (!structure.maps.hasOfForce()) {
         contact.f_W = law::UnmappedLaw::force(touch);
@@ -97,6 +96,19 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
         const double length = step.constraints > 1 ? step.push_W.norm() : 0.0;
         contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[stiffest(scene, step)].n_W;
     }
+}
+
+/// Adds a layer's contact, and reports it: further layers are outer ones.
+PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, const GodObjectStep& step) noexcept
+{
+    result.contacts[result.contactCount++] = contact;
+    result.f_W += contact.f_W;
+    result.p_WG = contact.p_WG;
+    result.n_W = contact.n_W;
+    result.structure = static_cast<std::int32_t>(contact.structure);
+    result.triangle = contact.triangle;
+    result.active = step.active;
+    result.constraints = step.constraints;
 }
 
 /// Of several contacts, found from the innermost layer on: puts the outermost first, and adds their forces up so.
@@ -194,9 +206,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
         result.status = TickStatus::InvalidInput;
         return result;
     }
-    const Vec3 v_WH = me.started && dt_s > 0.0 ? Vec3((p_WH - me.p_WH) / dt_s) : Vec3::Zero();
-    me.p_WH = p_WH;
-    me.started = true;
+    const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0};
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
     // The innermost layer first: of the work that layers share it has what it would have alone.
@@ -204,8 +214,8 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
     SharedWork work(isBall ? me.limits.ballWork : me.limits.work);
     for (std::size_t i = layers; i-- > 0;) {
         const HapticLayer& layer = me.scene->layer(i);
-        const GodObjectStep step = me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()},
-                                                   me.balls == nullptr ? nullptr : &(*me.balls)[i]);
+        const GodObjectStep step =
+            me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()}, isBall ? &(*me.balls)[i] : nullptr);
         work.spend(step.work);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
@@ -216,25 +226,22 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
             // Free, or stopped at the iteration bound on the way: no surface, no force.
             continue;
         }
-        Contact& contact = result.contacts[result.contactCount++];
         const Vec3 push_W = step.p_WG - p_WH;
-        if (layer.isLinear) {
-            contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, v_WH));
-        } else {
-            fillAny(contact, me.gods[i], step, *me.scene, push_W, v_WH);
-        }
+        Contact contact;
         contact.layer = static_cast<std::uint32_t>(i);
-        result.f_W += contact.f_W;
-        result.p_WG = contact.p_WG;
-        result.n_W = contact.n_W;
-        result.structure = static_cast<std::int32_t>(contact.structure);
-        result.triangle = contact.triangle;
-        result.active = step.active;
-        result.constraints = step.constraints;
+        if (layer.isLinear) {
+            contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, hip));
+            report(result, contact, step);
+        } else {
+            fillAny(contact, me.gods[i], step, *me.scene, push_W, hip);
+            report(result, contact, step);
+        }
     }
     if (result.contactCount > 1) {
         putOutermostFirst(result);
     }
+    me.p_WH = p_WH;
+    me.started = true;
     return result;
 }
 

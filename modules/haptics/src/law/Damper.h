@@ -16,7 +16,7 @@ struct LinearDamper
     }
     [[nodiscard]] static Vec3 force(const Touch& touch) noexcept
     {
-        return -touch.structure.tissue.damping_Ns_per_mm * touch.v_WH;
+        return -touch.structure.tissue.damping_Ns_per_mm * touch.hip.velocity();
     }
 };
 
@@ -30,7 +30,7 @@ struct MapDamper
     [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const MappedTouch& touch) noexcept
     {
         const TissueMap& map = touch.structure.maps.damping;
-        return map.isEmpty() ? LinearDamper::force(touch) : Vec3(-touch.foot.numberOf(map) * touch.v_WH);
+        return map.isEmpty() ? LinearDamper::force(touch) : Vec3(-touch.foot.numberOf(map) * touch.hip.velocity());
     }
 };
 
