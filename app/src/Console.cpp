@@ -54,16 +54,21 @@ void print(const char* format, ...)
     va_end(arguments);
 }
 
-core::Result<double> numberOption(std::string_view option, const std::string& text, double least, bool isAbove)
+core::Result<double> numberOption(std::string_view option, const std::string& text, const NumberRange& range)
 {
     const auto value = core::parseNumber(text);
-    const bool isGood = value && std::isfinite(*value) && (isAbove ? *value > least : *value >= least);
-    if (!isGood) {
-        return Status(StatusCode::BadCommandLine, std::string(option) + ": found \"" + text + "\", expected a number " +
-                                                      (isAbove ? "above " : "of at least ") +
-                                                      std::to_string(static_cast<long long>(least)));
+    const bool isGood = value && std::isfinite(*value) && *value <= range.most &&
+                        (range.isAbove ? *value > range.least : *value >= range.least);
+    if (isGood) {
+        return *value;
     }
-    return *value;
+    const auto whole = [](double bound) { return std::to_string(static_cast<long long>(bound)); };
+    std::string expected = (range.isAbove ? "above " : "of at least ") + whole(range.least);
+    if (std::isfinite(range.most)) {
+        expected += " and at most " + whole(range.most);
+    }
+    return Status(StatusCode::BadCommandLine,
+                  std::string(option) + ": found \"" + text + "\", expected a number " + expected);
 }
 
 core::Result<double> unitOption(const std::string& text)

@@ -6,6 +6,7 @@
 #include <palpate/core/Text.h>
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,17 @@ void printError(std::string_view message);
 
 using core::grouped;
 
+/// What a number on the command line may be; bounds are whole numbers.
+struct NumberRange
+{
+    double least = 0.0;
+    double most = std::numeric_limits<double>::infinity();
+    bool isAbove = false; ///< `least` itself is not allowed
+};
+
 /// Checks a number from the command line.
-/// @param least  smallest value that is allowed, or with `isAbove` the largest that is not
-[[nodiscard]] core::Result<double> numberOption(std::string_view option, const std::string& text, double least,
-                                                bool isAbove);
+[[nodiscard]] core::Result<double> numberOption(std::string_view option, const std::string& text,
+                                                const NumberRange& range);
 /// What `--frame` is, for the help of each command that has it.
 inline constexpr const char* kFrameHelp =
     "Axes of a mesh file's coordinates, whatever its tag says: LPS, RAS or Y-up (x left, y up, z front)";

@@ -6,6 +6,7 @@
 #include "ProgramFolders.h"
 #include "ProgressLine.h"
 
+#include <palpate/core/Tissue.h>
 #include <palpate/evaluation/Report.h>
 #include <palpate/session/MotionFile.h>
 #include <palpate/session/RecordingReader.h>
@@ -178,7 +179,7 @@ core::Result<std::optional<double>> stiffnessOption(const std::string& text)
     if (text.empty()) {
         return std::optional<double>();
     }
-    const auto given = numberOption("--stiffness", text, 0.0, true);
+    const auto given = numberOption("--stiffness", text, {.most = core::kTissueTerms.front().most, .isAbove = true});
     return given.isOk() ? core::Result<std::optional<double>>(std::optional(given.value())) : given.status();
 }
 

@@ -38,7 +38,7 @@ Result<std::vector<double>> depthsOption(const std::string& text)
     std::size_t from = 0;
     while (from <= text.size()) {
         const std::size_t to = std::min(text.find(',', from), text.size());
-        const auto depth = numberOption("--press", text.substr(from, to - from), 0.0, false);
+        const auto depth = numberOption("--press", text.substr(from, to - from), {});
         if (!depth.isOk()) {
             return depth.status();
         }
@@ -58,7 +58,7 @@ Result<std::map<std::string, double>> ratiosOption(const std::vector<std::string
             return Status(StatusCode::BadCommandLine,
                           "--ratio: found \"" + text + "\", expected NAME=R, as \"lump 12 mm=4.4\"");
         }
-        const auto ratio = numberOption("--ratio " + text.substr(0, at), text.substr(at + 1), 0.0, true);
+        const auto ratio = numberOption("--ratio " + text.substr(0, at), text.substr(at + 1), {.isAbove = true});
         if (!ratio.isOk()) {
             return ratio.status();
         }
@@ -160,7 +160,7 @@ int runFelt(const FeltCommandOptions& options)
     }
     std::optional<double> radius_mm;
     if (!options.radius.empty()) {
-        const auto radius = numberOption("--radius", options.radius, 0.0, true);
+        const auto radius = numberOption("--radius", options.radius, {.isAbove = true});
         if (!radius.isOk()) {
             return report(radius.status());
         }

@@ -64,11 +64,12 @@ Status ReplayRun::checkOptions()
     if (Status cpu = servo::checkCpu(m_options.cpu); !cpu.isOk()) {
         return cpu;
     }
-    const auto number = [](std::string_view option, const std::string& text, bool isAbove, std::optional<double>& out) {
+    const auto number = [](std::string_view option, const std::string& text, const NumberRange& range,
+                           std::optional<double>& out) {
         if (text.empty()) {
             return Status();
         }
-        const auto value = numberOption(option, text, 0.0, isAbove);
+        const auto value = numberOption(option, text, range);
         if (value.isOk()) {
             out = value.value();
         }
@@ -77,15 +78,14 @@ Status ReplayRun::checkOptions()
     for (std::size_t i = 0; i < m_tissue.size(); ++i) {
         const core::TissueTerm& term = core::kTissueTerms[i];
         const bool isAbove = term.member == &core::Tissue::stiffness_N_per_mm; // without it nothing is felt
-        if (Status status = number(term.option, m_options.tissue[i], isAbove, m_tissue[i]); !status.isOk()) {
+        const NumberRange range{.most = term.most, .isAbove = isAbove};
+        if (Status status = number(term.option, m_options.tissue[i], range, m_tissue[i]); !status.isOk()) {
             return status;
         }
     }
-    if (Status status = number("--radius", m_options.radius, false, m_radius); !status.isOk()) {
+    const NumberRange ofRadius{.most = haptics::HapticScene::kMostFingertip_mm};
+    if (Status status = number("--radius", m_options.radius, ofRadius, m_radius); !status.isOk()) {
         return status;
-    }
-    if (m_radius && *m_radius > haptics::HapticScene::kMostFingertip_mm) {
-        return {StatusCode::BadCommandLine, "--radius: found " + m_options.radius + ", expected at most 50 mm"};
     }
     std::vector<fs::path> outputs;
     for (const fs::path* path : {&m_options.out, &m_options.json, &m_options.record}) {

@@ -100,18 +100,19 @@ int runRecover(const SessionOptions& options)
 core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
                                                bool& isWhole)
 {
-    const auto distance = options.distance.empty() ? core::Result<double>(study::usualDistance_mm(reader))
-                                                   : numberOption("--distance", options.distance, 0.0, true);
-    if (!distance.isOk()) {
-        return distance.status();
-    }
     const auto surfaces = study::recordedSurfaces(reader, options.scene);
     if (!surfaces.isOk() && !options.scene.empty()) {
         return surfaces.status();
     }
+    const session::MeshesByHash meshes = surfaces.isOk() ? surfaces.value() : session::MeshesByHash{};
+    const auto distance = options.distance.empty() ? core::Result<double>(study::usualDistance_mm(reader, meshes))
+                                                   : numberOption("--distance", options.distance, {.isAbove = true});
+    if (!distance.isOk()) {
+        return distance.status();
+    }
     session::MeasureOptions how;
     how.distance_mm = distance.value();
-    auto measures = session::measureSession(reader, surfaces.isOk() ? surfaces.value() : session::MeshesByHash{}, how);
+    auto measures = session::measureSession(reader, meshes, how);
     if (measures.isOk()) {
         std::string names;
         for (const std::string& name : measures.value().unmeasured) {

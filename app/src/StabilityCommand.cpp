@@ -80,13 +80,9 @@ int runStability(const StabilityOptions& options)
     if (!frame.isOk()) {
         return report(frame.status());
     }
-    const auto rate = numberOption("--rate", options.rate, 1.0, false);
+    const auto rate = numberOption("--rate", options.rate, {.least = 1.0, .most = 10000.0});
     if (!rate.isOk()) {
         return report(rate.status());
-    }
-    constexpr double kFastest_Hz = 10000.0;
-    if (rate.value() > kFastest_Hz) {
-        return report(Status(StatusCode::BadCommandLine, "--rate: found " + options.rate + ", expected 1 to 10000"));
     }
     auto presets = presetsOf(options.device);
     if (!presets.isOk()) {

@@ -690,6 +690,16 @@ class CommandLine : public QObject
         row("stiffness negative with =", replay + QStringList{"--stiffness=-1"}, "--stiffness: found \"-1\"");
         row("stiffness nan", replay + QStringList{"--stiffness", "nan"}, "--stiffness: found \"nan\"");
         row("stiffness inf", replay + QStringList{"--stiffness", "inf"}, "--stiffness: found \"inf\"");
+        row("stiffness beyond a scene's", replay + QStringList{"--stiffness", "1e300"},
+            "--stiffness: found \"1e300\", expected a number above 0 and at most 1000");
+        row("damping beyond a scene's", replay + QStringList{"--damping", "1001"},
+            "--damping: found \"1001\", expected a number of at least 0 and at most 1000");
+        row("radius beyond a hand's", replay + QStringList{"--radius", "51"},
+            "--radius: found \"51\", expected a number of at least 0 and at most 50");
+        row("evaluate, stiffness beyond", {"evaluate", "box.stl", "--stiffness", "1e300"},
+            "--stiffness: found \"1e300\", expected a number above 0 and at most 1000");
+        row("stability, rate beyond", {"stability", "box.stl", "--rate", "1e5"},
+            "--rate: found \"1e5\", expected a number of at least 1 and at most 10000");
         row("stiffness word", replay + QStringList{"--stiffness", "1,5"}, "--stiffness: found \"1,5\"");
         row("damping negative", replay + QStringList{"--damping=-0.1"}, "--damping: found \"-0.1\"");
         row("CPU of none", replay + QStringList{"--live", "--cpu", "100000"},

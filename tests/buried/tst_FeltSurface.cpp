@@ -298,7 +298,7 @@ class FeltSurface : public QObject
             bad.ratio = ratio;
             QVERIFY(felt({bad}).status().code() == core::StatusCode::OutOfRange);
         }
-        for (const double radius : {0.0, -5.0, 31.0, std::numeric_limits<double>::quiet_NaN()}) {
+        for (const double radius : {0.0, -5.0, 1e-300, 0.01, 31.0, std::numeric_limits<double>::quiet_NaN()}) {
             FeltOptions how;
             how.radius_mm = radius;
             QVERIFY(felt({good}, how).status().code() == core::StatusCode::OutOfRange);

@@ -259,6 +259,11 @@ class Measures : public QObject
         QCOMPARE(at.meanForce_N, 1.0);
         QCOMPARE(at.peakForce_N, 1.0);
         QCOMPARE(at.peakDepth_mm, 2.0);
+        for (const double distance_mm : {0.03, 1e-300, 0.0, -1.0, std::nan("")}) {
+            const auto refused = session::measureSession(*reader.value(), {{hash, sheet}}, {distance_mm, nullptr});
+            QCOMPARE(refused.status().code(), core::StatusCode::OutOfRange);
+            QVERIFY(refused.status().message().find("expected at least 0.04 mm") != std::string::npos);
+        }
         const std::atomic<bool> yes{true};
         QCOMPARE(session::measureSession(*reader.value(), {}, {4.0, &yes}).status().code(),
                  core::StatusCode::Cancelled);

@@ -15,9 +15,12 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace palpate::buried {
 
@@ -33,9 +36,9 @@ constexpr double kFinest = 0.5; ///< contact radii that an edge is long at most
 
 std::string text(double value)
 {
-    std::string out;
-    core::appendNumber(out, value);
-    return out;
+    std::array<char, 32> digits;
+    char* const begin = digits.data();
+    return {begin, std::to_chars(begin, begin + digits.size(), value, std::chars_format::general, 6).ptr};
 }
 
 bool hasInside(const geometry::MeshReport& report)
@@ -97,6 +100,18 @@ Status checked(const FeltOptions& options)
         }
     }
     return {};
+}
+
+/// Whether the organ can be made as fine as the finger's contact asks for.
+Status checkedFor(const RepairedMesh& organ, const std::string& name, double radius_mm)
+{
+    // A triangle with edges of length l has sqrt(3)/4 l^2.
+    const double least_mm = std::sqrt(4.0 / std::numbers::sqrt3 * organ.report.area_mm2 / kMostRefined) / kFinest;
+    if (radius_mm >= least_mm) {
+        return {};
+    }
+    return {StatusCode::OutOfRange, name + ": contact radius: found " + text(radius_mm) + " mm, expected at least " +
+                                        text(std::ceil(100.0 * least_mm) / 100.0) + " mm on a surface this large"};
 }
 
 /// The lumps that can be felt; notes say what was left out.
@@ -395,6 +410,9 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         return Status(StatusCode::Unsupported,
                       name + ": its surface is open or inside out; expected a closed one, or it can't be told what "
                              "lies in it");
+    }
+    if (Status status = checkedFor(organ, name, options.radius_mm); !status.isOk()) {
+        return status;
     }
     FeltSurface felt;
     const SurfaceIndex index = SurfaceIndex::build(organ);

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -158,9 +161,31 @@ class StructurePhases
 
 } // namespace
 
+double leastDistance_mm(const MeshesByHash& meshes)
+{
+    constexpr double kMostTriangles = 1e7;
+    double area_mm2 = 0.0;
+    for (const auto& [hash, mesh] : meshes) {
+        area_mm2 += areaOf(mesh->mesh);
+    }
+    // A triangle with edges of half the distance d has sqrt(3)/16 d^2.
+    return std::sqrt(16.0 / std::numbers::sqrt3 * area_mm2 / kMostTriangles);
+}
+
 core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
                                              const MeasureOptions& options)
 {
+    if (const double least_mm = leastDistance_mm(meshes); !(options.distance_mm >= least_mm)) {
+        const auto text = [](double value) {
+            std::array<char, 32> digits;
+            char* const begin = digits.data();
+            return std::string(begin,
+                               std::to_chars(begin, begin + digits.size(), value, std::chars_format::general, 6).ptr);
+        };
+        return Status(StatusCode::OutOfRange,
+                      "distance: found " + text(options.distance_mm) + " mm, expected at least " +
+                          text(std::ceil(100.0 * least_mm) / 100.0) + " mm for surfaces this large");
+    }
     const double dt_s = reader.info().dt_s;
     MeasureAccumulator sums(dt_s);
     PhaseAccumulator phases(dt_s);

@@ -414,11 +414,12 @@ bool hasFingertip(const RecordingReader& reader)
     return !reader.scenes().empty() && reader.scenes().front().fingertip_mm > 0.0;
 }
 
-double usualDistance_mm(const RecordingReader& reader)
+double usualDistance_mm(const RecordingReader& reader, const session::MeshesByHash& surfaces)
 {
     constexpr double kLeast_mm = 1.0; // finer than this costs more than it says
-    return hasFingertip(reader) ? std::max(reader.scenes().front().fingertip_mm, kLeast_mm)
-                                : session::MeasureOptions().distance_mm;
+    const double usual_mm = hasFingertip(reader) ? std::max(reader.scenes().front().fingertip_mm, kLeast_mm)
+                                                 : session::MeasureOptions().distance_mm;
+    return std::max(usual_mm, session::leastDistance_mm(surfaces));
 }
 
 } // namespace palpate::study

@@ -39,6 +39,8 @@ struct FeltOptions
 };
 inline constexpr double kMostRadius_mm = 30.0, kMostPress_mm = 30.0, kMostRatio = 1e4;
 inline constexpr std::size_t kMostPresses = 8;
+/// Triangles of a surface that is refined for the finger's contact: more would take minutes and gigabytes.
+inline constexpr double kMostRefined = 2e6;
 
 /// Changes of stiffness that hands tell: untrained 28 %, trained 14 %, and half of it, in 100.
 /// @par Source resources/docs/felt.md
@@ -108,7 +110,8 @@ struct FeltSurface
 /// Computes what can be felt of lumps through an organ's surface.
 /// Lumps are taken in their order; one that is open, inside out, or wholly outside the organ is left out, with a note.
 /// @param name  the organ's, for messages
-/// @return OutOfRange for a radius, press or ratio out of range; Unsupported where the organ has no sure inside; Empty
+/// @return OutOfRange for a radius, press or ratio out of range, and for a radius so small that the surface would need
+/// more than kMostRefined triangles; Unsupported where the organ has no sure inside; Empty
 /// without a lump; Cancelled.
 /// @par Cost about 20 ns for each vertex, triangle of a lump (at most LumpShape::kUsualTriangles) and press. All cores;
 /// the same bits on any number of them. Never from the servo thread.

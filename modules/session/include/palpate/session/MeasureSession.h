@@ -71,9 +71,13 @@ struct SessionMeasures
     std::optional<std::int64_t> lateTicks; ///< periods that the servo left out; nothing: it is not said
 };
 
+/// @return the least distance with which these surfaces are measured: they are split to triangles half as long, at
+///         most some ten million, which take 3 GB. [mm]
+[[nodiscard]] double leastDistance_mm(const MeshesByHash& meshes);
+
 /// Reads a recording once and measures it.
 /// @param meshes  the surfaces that were felt, as far as they are there
-/// @return Cancelled, or what could not be read
+/// @return OutOfRange for a distance below `leastDistance_mm`, Cancelled, or what could not be read
 /// @par Thread Any; the reader must serve no other meanwhile.
 [[nodiscard]] core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
                                                            const MeasureOptions& options = {});

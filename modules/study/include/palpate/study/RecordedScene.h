@@ -42,7 +42,8 @@ void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
 [[nodiscard]] bool hasFingertip(const session::RecordingReader& reader);
 
 /// How near the contact must come to count as touched, where no option says it: the radius of the fingertip that
-/// touched in the recording, but at least 1 mm; 5 mm where a point touched. [mm]
-[[nodiscard]] double usualDistance_mm(const session::RecordingReader& reader);
+/// touched in the recording, but at least 1 mm; 5 mm where a point touched; more on surfaces so large that they are not
+/// measured as finely. [mm]
+[[nodiscard]] double usualDistance_mm(const session::RecordingReader& reader, const session::MeshesByHash& surfaces);
 
 } // namespace palpate::study
