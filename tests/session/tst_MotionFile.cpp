@@ -39,6 +39,14 @@ class MotionFile : public QObject
         QCOMPARE(motion.value().dt_s, session::kNominalPeriod_s);
     }
 
+    void takesQuotedFields()
+    {
+        const auto motion = session::parseMotion("\"x\",\"y\",\"z\"\n1,2,3\n\"4\", \"5\" ,\"6\"\n", "m.csv");
+        QVERIFY2(motion.isOk(), motion.status().message().c_str());
+        QCOMPARE(motion.value().p_WH.size(), std::size_t{2});
+        QCOMPARE(motion.value().p_WH[1], core::Vec3(4, 5, 6));
+    }
+
     void readsTheSameUnderADecimalComma()
     {
         if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {

@@ -30,6 +30,14 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// Many programs write each field, or the header's, in quotation marks.
+std::string_view unquoted(std::string_view field)
+{
+    field = trimmed(field);
+    const bool isQuoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+    return isQuoted ? field.substr(1, field.size() - 2) : field;
+}
+
 /// Cuts the text up to `separator` off the front of `rest`.
 std::string_view take(std::string_view& rest, char separator)
 {
@@ -95,7 +103,7 @@ class MotionParser
         m_place.fill(m_fields);
         std::string_view rest = header;
         for (std::size_t i = 0; i < m_fields; ++i) {
-            const auto known = std::find(kColumns.begin(), kColumns.end(), trimmed(take(rest, ',')));
+            const auto known = std::find(kColumns.begin(), kColumns.end(), unquoted(take(rest, ',')));
             if (known == kColumns.end()) {
                 continue;
             }
@@ -126,7 +134,7 @@ class MotionParser
         }
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < m_fields; ++i) {
-            const std::string_view field = take(row, ',');
+            const std::string_view field = unquoted(take(row, ','));
             const auto c = static_cast<std::size_t>(std::find(m_place.begin(), m_place.end(), i) - m_place.begin());
             if (c == m_place.size()) {
                 continue;
