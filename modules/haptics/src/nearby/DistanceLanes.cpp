@@ -24,8 +24,15 @@ using core::store8;
 
 constexpr float kSmallest = 1e-30f;
 
-// Longest edge squared over twice the area, squared: flatter triangles than 1e3 are not told apart from their normal.
-constexpr float kFlattest2 = 1e6f;
+// Longest edge squared over twice the area, squared: of flatter triangles than this the normal does not tell enough. A
+// product or difference in floats is off by eps = 2^-24 of itself, the normal along the triangle's longest direction so
+// by at most 6/sqrt(27) eps times two edges, which tilts the plane by 1.16 eps times this. Over the triangle, at most
+// sqrt(3) C long, C the largest coordinate, the tilt comes to 2 eps C times this, twice as much where the place is
+// beside it; the rest, some 8 eps C, is the coordinates' own rounding.
+constexpr float kFlattest = 75.0f;
+constexpr float kFlattest2 = kFlattest * kFlattest;
+constexpr double kFloatRounding = 0.5 * std::numeric_limits<float>::epsilon();
+static_assert((2.0 * kFlattest + 8.0) * kFloatRounding <= kDistanceRounding);
 
 // Squared distances d² that differ by no more than kAsNear d² + kAsNearAt C², C the largest coordinate, are equal to
 // rounding: twice the geometric mean of the two is no less than kSquareRounding d C.
@@ -192,7 +199,8 @@ PALPATE_WIDE_LANES std::uint32_t opposingLanes(const TriangleGroup& group, const
     Mask8 isTwoSided;
     std::memcpy(&isTwoSided, group.corners.isTwoSided, sizeof isTwoSided);
     const Float8 perNormal2 = load8(group.perNormal2);
-    const Mask8 isBehind = (away.height < 0.0f) & (away.height * away.height * perNormal2 > rounding * rounding);
+    // Twice the rounding: x may be beside the triangle.
+    const Mask8 isBehind = (away.height < 0.0f) & (away.height * away.height * perNormal2 > 4.0f * rounding * rounding);
     // Twice the rounding: that of the distance as well.
     const Float8 falls = 2.0f * rounding - away.along;
     const Mask8 isBeside = (falls < 0.0f) | (falls * falls < cosine * cosine * away.distance2);

@@ -42,7 +42,7 @@ struct Extent
 inline constexpr double kPlaceRounding = 2e-6;
 
 /// @param u  unit vector of the line
-/// @return between which places on it those lie that are nearest to any point of the triangles, to kPlaceRounding
+/// @return the interval that the triangles' projections on the line cover, to kPlaceRounding
 [[nodiscard]] Extent extentAlong(const TriangleGroup& group, const float* u) noexcept PALPATE_NONBLOCKING;
 
 /// Where a ball's centre starts, and the unit vector of its direction, as seen from a group's origin.
@@ -59,7 +59,8 @@ struct Heading
 [[nodiscard]] std::uint32_t opposingLanes(const TriangleGroup& group, const Heading& heading,
                                           float cosine) noexcept PALPATE_NONBLOCKING;
 
-/// Rounding of a distance: a few ulp of the largest coordinate, times the flattest triangle that is ruled out.
+/// Rounding of a distance, in largest coordinates: that of the flattest triangle whose normal is relied on, see
+/// `kFlattest` in DistanceLanes.cpp.
 inline constexpr double kDistanceRounding = 1e-5;
 
 /// Two squared distances d² are equal to rounding where they differ by less than this times d and the largest
