@@ -571,7 +571,7 @@ class Fingertip : public QObject
     {
         BallFeel ball(bumpySphere(10, 10.0, 0.08), 0.0);
         HapticScene scene({HapticStructure{"it", indexed(bumpySphere(10, 10.0, 0.08)), {0.5, 0.0}, 0}});
-        Palpator point;
+        Palpator point(haptics::Fingertips::Points); // which has no ball at all
         point.setScene(&scene);
         for (int i = 0; i < 500; ++i) {
             const Vec3 hip = Vec3(std::sin(0.01 * i), std::cos(0.013 * i), 0.3) * (12 - 0.01 * i);

@@ -23,7 +23,8 @@ namespace {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
-/// DESIGN's words: against the normal, from the front or the plane, to behind it, through the closed triangle.
+/// As god-object.md defines it: against the normal, from the front or the plane, to behind it, through the closed
+/// triangle.
 bool isBlocked(const RepairedMesh& r, const Vec3& from, const Vec3& to)
 {
     const Long3 x = from.cast<long double>(), y = to.cast<long double>(), d = y - x;

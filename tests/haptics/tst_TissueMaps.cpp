@@ -179,7 +179,7 @@ class TissueMaps : public QObject
     void forceIsTheGradientOfTheEnergy_data()
     {
         QTest::addColumn<double>("radius_mm");
-        QTest::addColumn<bool>("isLinear");
+        QTest::addColumn<bool>("isPlain");
         QTest::newRow("point, linear") << 0.0 << true;
         QTest::newRow("point, exponential") << 0.0 << false;
         QTest::newRow("ball, linear") << 3.0 << true;
@@ -188,8 +188,8 @@ class TissueMaps : public QObject
     void forceIsTheGradientOfTheEnergy()
     {
         QFETCH(double, radius_mm);
-        QFETCH(bool, isLinear);
-        const Tissue tissue = isLinear ? spring(0.5) : fung();
+        QFETCH(bool, isPlain);
+        const Tissue tissue = isPlain ? spring(0.5) : fung();
         const auto s = [](const Vec3& p) { return 1.0 + 0.3 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y()); };
         Mapped on(slab(6), tissue, s, radius_mm);
         std::mt19937_64 random(2);
@@ -402,7 +402,7 @@ class TissueMaps : public QObject
 
     void lumpsBelowAreFeltBetweenThePressesThatAreKnown_data()
     {
-        QTest::addColumn<bool>("isLinear");
+        QTest::addColumn<bool>("isPlain");
         QTest::addColumn<bool>("isMapped");
         QTest::newRow("linear") << true << false;
         QTest::newRow("exponential") << false << false;
@@ -410,9 +410,9 @@ class TissueMaps : public QObject
     }
     void lumpsBelowAreFeltBetweenThePressesThatAreKnown()
     {
-        QFETCH(bool, isLinear);
+        QFETCH(bool, isPlain);
         QFETCH(bool, isMapped);
-        const Tissue tissue = isLinear ? spring(0.5) : fung();
+        const Tissue tissue = isPlain ? spring(0.5) : fung();
         const auto law = haptics::ForceTable::build(tissue);
         const auto F = [&](double d) { return law == nullptr ? 0.5 * d : law->force(d); };
         const auto ratio = [](const Vec3& p, double press) { return 1.0 + 0.0625 * press * (1.0 + p.x() / 32.0); };

@@ -175,10 +175,10 @@ class RecordedScene : public QObject
     {
         auto loaded = meshio::loadScene(path("s.palpate.json"));
         QVERIFY(loaded.isOk());
-        for (const bool isLinear : {true, false}) {
+        for (const bool isPlain : {true, false}) {
             core::Tissue& tissue = loaded.value().structures[0].description.tissue;
             tissue.damping_Ns_per_mm = 2e-3;
-            tissue.law = isLinear ? core::ForceLaw{} : core::usualLaw(core::LawKind::Exponential);
+            tissue.law = isPlain ? core::ForceLaw{} : core::usualLaw(core::LawKind::Exponential);
             const auto felt = study::hapticScene(loaded.value());
             const session::SceneRecord scene =
                 session::describeScene(1, *felt, study::sourcesOf(loaded.value(), false));

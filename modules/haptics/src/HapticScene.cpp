@@ -59,7 +59,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
             // A god-object within a few skins of a surface must find it.
             const double reach = 8.0 * surface.skin_mm();
             layer.skin_mm = std::max(layer.skin_mm, surface.skin_mm());
-            layer.isLinear = layer.isLinear && m_structures[i].isLinear();
+            layer.isPlain = layer.isPlain && m_structures[i].isPlain();
             const core::Box box(surface.bounds().min().array() - reach, surface.bounds().max().array() + reach);
             items.emplace_back(geometry::FloatBox::around(box, bounds.center()), i);
             layer.facetSize_mm = layer.facetSize_mm == 0.0 ? surface.facetSize_mm()

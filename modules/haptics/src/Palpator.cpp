@@ -229,7 +229,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
         const Vec3 push_W = step.p_WG - p_WH;
         Contact contact;
         contact.layer = static_cast<std::uint32_t>(i);
-        if (layer.isLinear) {
+        if (layer.isPlain) {
             contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, hip));
             report(result, contact, step);
         } else {

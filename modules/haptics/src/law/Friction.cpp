@@ -123,7 +123,7 @@ void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const
     sliding = std::max(sliding, least);
 }
 
-double CoulombFriction::left(double r_mm, double rounding_mm) noexcept
+double CoulombFriction::remainingShare(double r_mm, double rounding_mm) noexcept
 {
     m_now.lastSlid = false;
     if (!m_now.slides) {

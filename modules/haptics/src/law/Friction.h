@@ -39,7 +39,7 @@ class CoulombFriction
     struct State
     {
         bool slides;
-        bool lastSlid;     ///< the last `left` let it go on
+        bool lastSlid;     ///< the last `remainingShare` let it go on
         bool isBehind;     ///< `behind_mm` is known
         double still_mm;   ///< R with the coefficients at rest
         double sliding_mm; ///< R with those of sliding
@@ -60,7 +60,7 @@ class CoulombFriction
     void press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept;
     /// @param r_mm  from the god-object to g*; @param rounding_mm  no difference
     /// @return the share of the way to g* that is left when friction has let it go on: 1 where that holds
-    [[nodiscard]] double left(double r_mm, double rounding_mm) noexcept;
+    [[nodiscard]] double remainingShare(double r_mm, double rounding_mm) noexcept;
     /// @return true when friction alone holds it against a pull, measured as the spring's length along the way.
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
     {

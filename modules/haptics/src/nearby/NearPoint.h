@@ -48,8 +48,8 @@ class NearPoint
     /// @par Real-time Wait-free.
     void endTick(const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
 
-    /// The same after a tick that asked for nothing.
-    /// @param isClearAround  nor will the next facet
+    /// The same after a tick that tested no facets.
+    /// @param isClearAround  the neighbours of the facet that it ended on are clear, too
     void endClearTick(const HapticLayer& layer, const Vec3& g, bool isClearAround) noexcept PALPATE_NONBLOCKING;
 
     /// The same after a tick in free space.

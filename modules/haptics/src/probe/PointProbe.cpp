@@ -225,27 +225,27 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     return true;
 }
 
-Foot footOn(const Facet& facet, int side, const Vec3& g, const Standing& standing) noexcept
+Footing footingOn(const Facet& facet, int side, const Vec3& g, const Standing& standing) noexcept
 {
     const auto [gap_mm, slack_mm, edge_mm] = standing;
     const Vec3 ga = facet.a - g, gb = facet.b - g, gc = facet.c - g;
     if (std::abs(facet.n.dot(ga)) > gap_mm) {
-        return Foot::Away;
+        return Footing::Away;
     }
     const Vec3 d = -side * facet.n;
-    Foot foot = Foot::Inside;
+    Footing footing = Footing::Inside;
     for (const auto& [p, q] : {std::pair(&ga, &gb), std::pair(&gb, &gc), std::pair(&gc, &ga)}) {
         const double volume = side * d.dot(p->cross(*q)); // distance outside the edge, times the edge's length
         const double volume2 = volume * volume, edge2 = (*q - *p).squaredNorm();
         if (volume > 0.0 && volume2 > slack_mm * slack_mm * edge2 &&
             volume2 > kVolumeRounding2 * p->squaredNorm() * q->squaredNorm()) {
-            return Foot::Away;
+            return Footing::Away;
         }
         if (volume > 0.0 || volume2 < edge_mm * edge_mm * edge2) {
-            foot = Foot::AtEdge;
+            footing = Footing::AtEdge;
         }
     }
-    return foot;
+    return footing;
 }
 
 } // namespace palpate::haptics::internal

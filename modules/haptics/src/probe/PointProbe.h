@@ -54,7 +54,7 @@ struct Crossing
                           Crossing& crossing) noexcept PALPATE_NONBLOCKING;
 
 /// Where the foot of a god-object lies on a facet's plane.
-enum class Foot : std::uint8_t
+enum class Footing : std::uint8_t
 {
     Away,   ///< not on the facet
     AtEdge, ///< nearer to an edge than `edge_mm`, on either side of it
@@ -72,7 +72,7 @@ struct Standing
 /// Finds where a god-object at `g` stands on `facet`; Away where it does not.
 /// @param side  that `g` is on: +1 front, -1 behind
 /// @par Real-time Wait-free.
-[[nodiscard]] Foot footOn(const Facet& facet, int side, const Vec3& g,
-                          const Standing& standing) noexcept PALPATE_NONBLOCKING;
+[[nodiscard]] Footing footingOn(const Facet& facet, int side, const Vec3& g,
+                                const Standing& standing) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal

@@ -172,7 +172,7 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
         m_friction->press(m_active[i].facet, m_active[i].nearest.q, m_active.lambda_mm(i));
     }
     const Vec3 slide = m_active.freePart(u);
-    const double left = m_friction->left(slide.norm(), kRoundingOfMoves * m_skin_mm);
+    const double left = m_friction->remainingShare(slide.norm(), kRoundingOfMoves * m_skin_mm);
     const Vec3 down = u - slide;
     if (isDeep()) {
         return u; // it was put there, and nothing holds it
@@ -213,7 +213,7 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
 /// Judges a long step by where it has led.
 /// @param isOver  the tick has come to its end
 /// @return false when it was taken back
-bool BallTick::isKept(bool isOver) noexcept
+bool BallTick::judgeLongStep(bool isOver) noexcept
 {
     if (m_trialMoves == 0) {
         return true;
@@ -290,7 +290,7 @@ void BallTick::standAgain(const Before& stood) noexcept
 /// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
 /// roll.
 /// @return true when there is a side to try; where none led closer it stands where it stood
-bool BallTick::topples() noexcept
+bool BallTick::tryAside() noexcept
 {
     if (m_friction != nullptr && m_friction->holdsAgainst(kRoundingOfMoves * m_skin_mm)) {
         return false; // what friction holds does not roll
@@ -340,11 +340,11 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
     std::uint32_t moves = 0;
     while (moves < limit) {
         ++moves;
-        if (!goesOn()) {
+        if (!makeMove()) {
             break;
         }
     }
-    if (isKept(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
+    if (judgeLongStep(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
         standAgain(m_stood);
     }
     const double end = (m_hip - m_god).norm();
@@ -400,12 +400,12 @@ double BallTick::slight(double spring_mm) const noexcept
 }
 
 /// Makes one move of the tick. @return false when there is none left to make, or no work to make it with
-bool BallTick::goesOn() noexcept
+bool BallTick::makeMove() noexcept
 {
     if (m_work.isSpent()) {
         return false;
     }
-    (void)isKept(false);
+    (void)judgeLongStep(false);
     const double now = (m_hip - m_god).norm();
     if (touchesHip(now)) {
         return false;
@@ -413,16 +413,16 @@ bool BallTick::goesOn() noexcept
     if (now < m_spring_mm - slight(now)) {
         m_spring_mm = now;
         m_since = 0;
-    } else if (++m_since > kPatience && !m_active.isEmpty() && isKept(true)) {
-        return topples();
+    } else if (++m_since > kPatience && !m_active.isEmpty() && judgeLongStep(true)) {
+        return tryAside();
     }
     const Vec3 u = nextMove();
     if (m_isHeld) {
-        return !isKept(true);
+        return !judgeLongStep(true);
     }
     const double step = u.cwiseAbs().maxCoeff();
     if (!m_active.isEmpty() && step <= kShortest * m_skin_mm) {
-        return !isKept(true) || topples();
+        return !judgeLongStep(true) || tryAside();
     }
     const bool isLong = m_trialMoves == kTrial;
     const Vec3 target = m_active.isEmpty() ? m_hip : Vec3(m_god + u);
@@ -455,7 +455,7 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
         m_last = m_step;
     }
     m_god = target;
-    return !(lookAgain() && wasFlat && isFlat() && !isLong && isKept(true) && !topples());
+    return !(lookAgain() && wasFlat && isFlat() && !isLong && judgeLongStep(true) && !tryAside());
 }
 
 /// Moves up to the facet in the way, and takes it as a contact. @return false when no further move gains anything
@@ -475,7 +475,7 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
         return c.facet.structure == crossing.facet.structure && c.facet.triangle == crossing.facet.triangle;
     });
     if (isHeld) {
-        return hasMoved || isLong || !isKept(true);
+        return hasMoved || isLong || !judgeLongStep(true);
     }
     touch(crossing.facet, crossing.side);
     m_known = m_active[m_active.count() - 1];

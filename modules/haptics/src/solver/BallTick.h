@@ -61,7 +61,7 @@ class BallTick
 
   private:
     void keepThinnest(double skin_mm) noexcept;
-    [[nodiscard]] bool goesOn() noexcept;
+    [[nodiscard]] bool makeMove() noexcept;
     [[nodiscard]] bool moveTo(const Vec3& target, bool isLong) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept;
     [[nodiscard]] bool lookAgain() noexcept;
@@ -70,9 +70,9 @@ class BallTick
     [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
     [[nodiscard]] Vec3 brink(const BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 slope() const noexcept;
-    [[nodiscard]] bool topples() noexcept;
+    [[nodiscard]] bool tryAside() noexcept;
     [[nodiscard]] Vec3 lengthened(const Vec3& u) noexcept;
-    [[nodiscard]] bool isKept(bool isOver) noexcept;
+    [[nodiscard]] bool judgeLongStep(bool isOver) noexcept;
     void dropUntouched() noexcept;
     [[nodiscard]] bool touchesHip(double spring_mm) const noexcept;
     [[nodiscard]] bool isNearest(double spring_mm) const noexcept;

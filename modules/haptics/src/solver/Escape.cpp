@@ -11,7 +11,7 @@ void Escape::addTouched(const Facet& facet, std::size_t held) noexcept
 {
     const int side = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
     const double reach = kTouched * facet.skin_mm; // feet may lie so far beside a facet
-    if (footOn(facet, side, m_god, {reach, reach, 0.0}) == Foot::Away) {
+    if (footingOn(facet, side, m_god, {reach, reach, 0.0}) == Footing::Away) {
         return;
     }
     for (std::size_t i = 0; i < held; ++i) {

@@ -54,10 +54,10 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     std::array<HalfSpace, 3> planes;
     ConstrainedPoint point;
     bool isKnown = false; // `planes` and `point` are those of the end of the tick
-    const bool isOn = m_state.constraints > 0 && (m_hasWalked || isBelow(0, layer));
+    const bool isOn = m_state.constraints > 0 && (m_hasWalked || supports(0, layer));
     if (isOn && m_state.slides == 0) { // what slides most likely slides on
         point = withoutFriction(p_WH, layer, planes);
-        isKnown = isHeld(point, planes, layer, friction);
+        isKnown = tryHold(point, planes, layer, friction);
     }
     if (isKnown) {
         report(result);
@@ -115,21 +115,21 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
 }
 
 /// @return true when the god-object is on the contact's triangle; a ball's plane goes through its contact point
-bool GodObject::isBelow(std::size_t contact, const HapticLayer& layer) const noexcept
+bool GodObject::supports(std::size_t contact, const HapticLayer& layer) const noexcept
 {
-    return layer.fingertip_mm > 0.0 || PointContact{m_facets[contact], m_state.side[contact]}.isBelow(m_state.p_WG);
+    return layer.fingertip_mm > 0.0 || PointContact{m_facets[contact], m_state.side[contact]}.supports(m_state.p_WG);
 }
 
 /// @param point,planes  of `withoutFriction`
 /// @return true when friction holds the god-object on its contacts. In a corner it has nothing to hold.
 /// @pre it is on the first contact
-bool GodObject::isHeld(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes, const HapticLayer& layer,
-                       CoulombFriction& friction) const noexcept
+bool GodObject::tryHold(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes, const HapticLayer& layer,
+                        CoulombFriction& friction) const noexcept
 {
     friction.lift();
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
         const std::size_t on = point.active[i];
-        if (on > 0 && !isBelow(on, layer)) {
+        if (on > 0 && !supports(on, layer)) {
             return false;
         }
         friction.press(m_facets[on], m_state.p_WG, point.lambda_mm[i]);
@@ -141,7 +141,7 @@ bool GodObject::isHeld(const ConstrainedPoint& point, const std::array<HalfSpace
     const Vec3 slide = freePart(point.u, std::span<const Vec3>(normals).first(static_cast<std::size_t>(point.count)));
     const double r = slide.norm(), rounding = kRoundingOfMoves * m_facets[0].skin_mm;
     const bool isOn = (point.u - slide).cwiseAbs().maxCoeff() <= kSupporting * m_facets[0].skin_mm;
-    return point.count > 0 && isOn && friction.left(r, rounding) == 1.0 && (point.count == 1 || r > rounding);
+    return point.count > 0 && isOn && friction.remainingShare(r, rounding) == 1.0 && (point.count == 1 || r > rounding);
 }
 
 PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noexcept

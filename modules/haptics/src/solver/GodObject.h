@@ -63,9 +63,9 @@ class GodObject
                           NearBall* ball, GodObjectStep& result) noexcept;
     [[nodiscard]] ConstrainedPoint withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
                                                    std::array<HalfSpace, 3>& planes) const noexcept;
-    [[nodiscard]] bool isBelow(std::size_t contact, const HapticLayer& layer) const noexcept;
-    [[nodiscard]] bool isHeld(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes,
-                              const HapticLayer& layer, CoulombFriction& friction) const noexcept;
+    [[nodiscard]] bool supports(std::size_t contact, const HapticLayer& layer) const noexcept;
+    [[nodiscard]] bool tryHold(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes,
+                               const HapticLayer& layer, CoulombFriction& friction) const noexcept;
     void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
     template<class Contacts>
     void keep(const Contacts& contacts) noexcept;

@@ -21,7 +21,7 @@ constexpr int kRounds = 3;              // rounds over a convex edge that togeth
 void PointTick::touch(const PointContact& contact) noexcept
 {
     m_active.add() = contact;
-    m_mayWalk = contact.isInTheWay && (m_friction == nullptr || contact.isBelow(m_god)); // from a facet newly met
+    m_mayWalk = contact.isInTheWay && (m_friction == nullptr || contact.supports(m_god)); // from a facet newly met
     m_skin_mm = std::max(m_skin_mm, contact.facet.skin_mm);
 }
 
@@ -43,11 +43,11 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             // Planes that repeat each other to rounding can take turns for ever: a god-object that gains less than a
             // skin in so many moves has arrived.
             const double last = std::exchange(spring, (m_hip - m_god).norm());
-            if (spring > last - m_skin_mm && !escapes()) {
+            if (spring > last - m_skin_mm && !takeEscape()) {
                 return i + 1 + m_walked;
             }
         }
-        if (m_active.count() == 1 && m_mayWalk && hasWalkedHome(limit - i - m_walked)) {
+        if (m_active.count() == 1 && m_mayWalk && walkHome(limit - i - m_walked)) {
             return i + m_walked;
         }
         if (i + m_walked >= limit || m_near.work().isSpent()) {
@@ -66,8 +66,8 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             break;
         }
         if (swept == Sweep::Blocked) {
-            const bool isOnEdge = m_active.isEmpty() && turnsRound();
-            if ((!stopAt(target, crossing) || isOnEdge) && !escapes()) {
+            const bool isOnEdge = m_active.isEmpty() && countRound();
+            if ((!stopAt(target, crossing) || isOnEdge) && !takeEscape()) {
                 if (isOnEdge && m_friction != nullptr) {
                     holdByAllInTurn();
                 }
@@ -83,7 +83,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
         moveTo(target);
         const std::size_t before = m_active.count();
         keepSupporting();
-        if (m_active.count() == before && (isCertain() || !escapes())) {
+        if (m_active.count() == before && (isCertain() || !takeEscape())) {
             return i + 1 + m_walked;
         }
     }
@@ -91,7 +91,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
 }
 
 /// Walks on from the one contact, as long as walking is all there is to do. @return true when nothing is left.
-bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
+bool PointTick::walkHome(std::uint32_t most) noexcept
 {
     PointContact& contact = m_active[0];
     Facet beyond;
@@ -108,7 +108,7 @@ bool PointTick::hasWalkedHome(std::uint32_t most) noexcept
 
 /// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and the
 /// other is met by the straight way. @return true when that has come round a few times without gaining a skin.
-bool PointTick::turnsRound() noexcept
+bool PointTick::countRound() noexcept
 {
     const double spring = (m_hip - m_god).norm();
     if (spring < m_letGo_mm - m_skin_mm) {
@@ -156,7 +156,7 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
     m_friction->lift();
     bool isOn = false;
     for (std::size_t i = 0; i < m_active.count(); ++i) {
-        if (m_active[i].isBelow(m_god)) {
+        if (m_active[i].supports(m_god)) {
             m_friction->press(m_active[i].facet, m_god, m_active.lambda_mm(i));
             isOn = true;
         }
@@ -166,7 +166,7 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
     }
     const Vec3 slide = m_active.freePart(u);
     const double r = slide.norm(), rounding = kRoundingOfMoves * m_skin_mm;
-    const double left = m_friction->left(r, rounding);
+    const double left = m_friction->remainingShare(r, rounding);
     if (left < 1.0) {
         return u - left * slide;
     }
@@ -179,7 +179,7 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
 /// @return false when that leads nowhere any more.
 bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
 {
-    const PointContact met{crossing.facet, crossing.side, Foot::Away, true};
+    const PointContact met{crossing.facet, crossing.side, Footing::Away, true};
     m_skin_mm = std::max(m_skin_mm, met.facet.skin_mm);
     if (moveTo(m_god + crossing.stop * (target - m_god))) {
         keepSupporting();
@@ -219,8 +219,8 @@ void PointTick::keepSupporting() noexcept
     const double slack = m_active.count() > 1 ? m_skin_mm : 0.0;
     m_active.release([&](PointContact& c) {
         const double skin = c.facet.skin_mm, plate = c.facet.isTwoSided ? kPlate * skin : 0.0;
-        c.foot = footOn(c.facet, c.side, m_god, {kSupporting * skin, std::max(slack, plate), kTouched * skin});
-        return c.foot == Foot::Away && !c.isInTheWay;
+        c.footing = footingOn(c.facet, c.side, m_god, {kSupporting * skin, std::max(slack, plate), kTouched * skin});
+        return c.footing == Footing::Away && !c.isInTheWay;
     });
 }
 
@@ -228,7 +228,7 @@ void PointTick::keepSupporting() noexcept
 /// the god-object that share an edge and rise towards each other.
 bool PointTick::isCertain() const noexcept
 {
-    return m_active.isEmpty() || (m_active.count() == 1 && m_active[0].foot == Foot::Inside) ||
+    return m_active.isEmpty() || (m_active.count() == 1 && m_active[0].footing == Footing::Inside) ||
            (m_active.count() == 2 && isConcaveEdge());
 }
 
@@ -237,7 +237,7 @@ bool PointTick::isCertain() const noexcept
 bool PointTick::isConcaveEdge() const noexcept
 {
     const PointContact &p = m_active[0], &q = m_active[1];
-    if (p.foot == Foot::Away || q.foot == Foot::Away) {
+    if (p.footing == Footing::Away || q.footing == Footing::Away) {
         return false;
     }
     std::array<const Vec3*, 2> end{};
@@ -260,7 +260,7 @@ bool PointTick::isConcaveEdge() const noexcept
 }
 
 /// Where the planes leave no room: @return true when there is a way out all the same, and it was taken.
-bool PointTick::escapes() noexcept
+bool PointTick::takeEscape() noexcept
 {
     Escape::End end;
     if (!Escape(m_hip, m_layer, m_near, m_god, m_skin_mm).find(m_active, end)) {

@@ -45,8 +45,8 @@ class PointTick
   private:
     void touch(const PointContact& contact) noexcept;
     [[nodiscard]] std::uint32_t moveUntilDone(std::uint32_t limit) noexcept;
-    [[nodiscard]] bool hasWalkedHome(std::uint32_t most) noexcept;
-    [[nodiscard]] bool turnsRound() noexcept;
+    [[nodiscard]] bool walkHome(std::uint32_t most) noexcept;
+    [[nodiscard]] bool countRound() noexcept;
     void meetInTurn(const PointContact& contact) noexcept;
     void holdByAllInTurn() noexcept;
     [[nodiscard]] Vec3 nextTarget() noexcept;
@@ -56,7 +56,7 @@ class PointTick
     void keepSupporting() noexcept;
     [[nodiscard]] bool isCertain() const noexcept;
     [[nodiscard]] bool isConcaveEdge() const noexcept;
-    [[nodiscard]] bool escapes() noexcept;
+    [[nodiscard]] bool takeEscape() noexcept;
 
     const Vec3& m_hip;
     const HapticLayer& m_layer;

@@ -17,13 +17,13 @@ static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses
 
 /// @return where a god-object stands on a facet, if it does so as one that has walked there.
 /// @param edge  width of the band along the edges that counts as AtEdge, in skins
-Foot standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexcept
+Footing standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexcept
 {
     const double skin = facet.skin_mm;
     if (side * facet.n.dot(g - facet.a) <= kStanding * skin) {
-        return Foot::Away;
+        return Footing::Away;
     }
-    return footOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * skin, skin, edge * skin});
+    return footingOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * skin, skin, edge * skin});
 }
 
 /// @return true when `p` is at least `least_mm` away from each corner.
@@ -66,7 +66,7 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
         if (m_isClear) {
             stand();
         } else {
-            (void)isPathFree();
+            (void)makePathMoves();
         }
     }
     m_near.spend(kMovePrice * (m_moves + 1));
@@ -79,9 +79,9 @@ PALPATE_ALWAYS_INLINE void Walk::begin(Start start) noexcept
     m_over[0] = m_over[1] = {m_facet.structure, m_facet.triangle};
     // At an edge, where a walk may have ended early, the facet that it left may be in the way back.
     const bool isInside = start == Start::WellInside ||
-                          (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouched) == Foot::Inside);
-    const bool isInCrease = start == Start::InCrease && standsOn(m_facet, m_side, m_god, 0.0) != Foot::Away &&
-                            standsOn(m_beyond, m_side, m_god, 0.0) != Foot::Away;
+                          (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouched) == Footing::Inside);
+    const bool isInCrease = start == Start::InCrease && standsOn(m_facet, m_side, m_god, 0.0) != Footing::Away &&
+                            standsOn(m_beyond, m_side, m_god, 0.0) != Footing::Away;
     m_isClear = (isInside || (isInCrease && isClearAt(m_beyond, m_god))) && isClearAt(m_facet, m_god);
 }
 
@@ -110,7 +110,7 @@ Walk::Next Walk::leaveCrease() noexcept
     }
     if (crease.held == 2) {
         m_isClear = m_isClear && isClearAt(m_facet, crease.target) && isClearAt(m_beyond, crease.target);
-        m_ended = hasArrivedAt(crease.target) ? Ended::InCrease : Ended::AtCreaseEnd;
+        m_ended = makeLastMove(crease.target) ? Ended::InCrease : Ended::AtCreaseEnd;
         return Next::Over;
     }
     if (crease.first == 1) {
@@ -150,7 +150,7 @@ PALPATE_ALWAYS_INLINE Vec3 Walk::slowed(const Vec3& target, double rise) noexcep
     const Vec3 behind = back - m_here->n.dot(back) * m_here->n;
     m_friction->lift();
     m_friction->press(*m_here, last(), rise);
-    const double left = m_friction->left(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
+    const double left = m_friction->remainingShare(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
     return left < 1.0 ? Vec3(target + left * behind) : last();
 }
 
@@ -200,7 +200,7 @@ PALPATE_ALWAYS_INLINE Walk::Next Walk::arrive(const Vec3& target) noexcept
 {
     m_isClear = m_isClear && isClearAt(*m_here, target);
     // The facets gathered next need not be those around the path so far: it is asked for first.
-    if ((m_isClear || m_near.holds(target) || isPathFree()) && hasArrivedAt(target)) {
+    if ((m_isClear || m_near.holds(target) || makePathMoves()) && makeLastMove(target)) {
         m_ended = Ended::OnFacet;
     }
     return Next::Over;
@@ -219,11 +219,11 @@ Walk::Next Walk::enterCrease(const Vec3& from) noexcept
         if (m_isClear) {
             stand();
         }
-        m_ended = m_isClear || isPathFree() ? Ended::AtCreaseEnd : Ended::Unfinished;
+        m_ended = m_isClear || makePathMoves() ? Ended::AtCreaseEnd : Ended::Unfinished;
         return Next::Over;
     }
     m_isClear = m_isClear && isClearAt(*m_here, crease.target) && isClearAt(m_beyond, crease.target);
-    if ((m_isClear || m_near.holds(crease.target) || isPathFree()) && hasArrivedAt(crease.target)) {
+    if ((m_isClear || m_near.holds(crease.target) || makePathMoves()) && makeLastMove(crease.target)) {
         m_ended = Ended::InCrease;
     }
     return Next::Over;
@@ -250,7 +250,7 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
         m_friction->lift();
         m_friction->press(facet, g, point.lambda_mm[0]);
         m_friction->press(m_beyond, g, point.lambda_mm[1]);
-        const double left = m_friction->left(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
+        const double left = m_friction->remainingShare(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
         crease.target = left < 1.0 ? Vec3(crease.target - left * ahead * along) : g;
     }
     // Where two planes are one to rounding, so is where they cross: that may lie anywhere beside the edge.
@@ -265,7 +265,7 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
 {
     Vec3 to = last() + exit.share * (target - last());
     m_isClear = m_isClear && isClearAt(*m_here, to);
-    if (!m_isClear && !m_near.holds(to) && !isPathFree()) {
+    if (!m_isClear && !m_near.holds(to) && !makePathMoves()) {
         return Next::Over;
     }
     const geometry::SurfaceIndex::Neighbour neighbour =
@@ -305,7 +305,7 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
     addToPath(to);
     m_over[m_points] = {next.structure, next.triangle};
     ++m_crossed;
-    return m_points < m_path.size() || isPathFree() ? Next::Step : Next::Over;
+    return m_points < m_path.size() || makePathMoves() ? Next::Step : Next::Over;
 }
 
 /// Where the surface falls away beyond an edge, the foot on the facet before it can leave that facet too early by its
@@ -351,7 +351,7 @@ void Walk::addToPath(const Vec3& p) noexcept
 /// it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or more beyond their
 /// edge.
 /// @return true when none is blocked
-bool Walk::isPathFree() noexcept
+bool Walk::makePathMoves() noexcept
 {
     const std::size_t moves = m_near.freeMoves(m_layer, std::span<const Vec3>(m_path).first(m_points),
                                                std::span<const FacetNumber>(m_over).first(m_crossed + 2));
@@ -376,7 +376,7 @@ bool Walk::isPathFree() noexcept
 }
 
 /// Makes the last move. @return false when it is blocked
-PALPATE_ALWAYS_INLINE bool Walk::hasArrivedAt(const Vec3& target) noexcept
+PALPATE_ALWAYS_INLINE bool Walk::makeLastMove(const Vec3& target) noexcept
 {
     if (m_isClear) {
         m_god = target;
@@ -385,7 +385,7 @@ PALPATE_ALWAYS_INLINE bool Walk::hasArrivedAt(const Vec3& target) noexcept
         return true;
     }
     addToPath(target);
-    return isPathFree();
+    return makePathMoves();
 }
 
 } // namespace palpate::haptics::internal

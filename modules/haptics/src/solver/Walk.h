@@ -93,8 +93,8 @@ class Walk
     [[nodiscard]] Vec3 slowed(const Vec3& target, double rise) noexcept;
     [[nodiscard]] bool isFar(const Vec3& target) const noexcept;
     void addToPath(const Vec3& p) noexcept;
-    [[nodiscard]] bool isPathFree() noexcept;
-    [[nodiscard]] bool hasArrivedAt(const Vec3& target) noexcept;
+    [[nodiscard]] bool makePathMoves() noexcept;
+    [[nodiscard]] bool makeLastMove(const Vec3& target) noexcept;
     void stand() noexcept;
     [[nodiscard]] const Vec3& last() const noexcept { return m_path[m_points - 1]; }
 

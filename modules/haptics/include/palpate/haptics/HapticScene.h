@@ -29,7 +29,7 @@ struct HapticStructure
     std::shared_ptr<const ForceTable> law{};
 
     /// True without friction, a law of its own or a map.
-    [[nodiscard]] bool isLinear() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
+    [[nodiscard]] bool isPlain() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
     /// Force and energy by depth, without the maps.
     /// @par Real-time Wait-free.
     [[nodiscard]] ForceTable::Value lawAt(double depth_mm) const noexcept
@@ -58,7 +58,7 @@ struct HapticLayer
     double facetSize_mm = 0.0;        ///< of the finest structure
     double skin_mm = 0.0;             ///< the largest of the structures'
     double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
-    bool isLinear = true;             ///< all of its structures are
+    bool isPlain = true;              ///< all of its structures are
     bool isLarge = false;             ///< more nodes than a core's own caches hold: a visit waits for memory
     /// The scene's structures; null where none of the layer has friction.
     const HapticStructure* frictional = nullptr;
@@ -99,7 +99,7 @@ class HapticScene
     {
         return ((p_W - m_middle).array().abs() <= m_farthest_mm).all(); // not for NaN either
     }
-    /// The skin is at least 2^-40 of the extent, and a double has 53 digits: 2^13.
+    /// The skin is at least 2^-40 of the extent, and a double has 53 bits: 2^13.
     static constexpr double kFarthest = 8192.0;
     /// Bytes of all surfaces, counting a shared one once.
     [[nodiscard]] std::size_t byteSize() const;
