@@ -48,12 +48,8 @@ std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double s
 {
     std::vector<haptics::HapticStructure> structures = shape.structures;
     for (std::size_t i = 0; i < structures.size(); ++i) {
-        haptics::Tissue tissue;
-        tissue.friction_static = shape.structures[i].tissue.friction_static;
-        tissue.friction_dynamic = shape.structures[i].tissue.friction_dynamic;
-        tissue.friction_drag_Ns_per_mm = shape.structures[i].tissue.friction_drag_Ns_per_mm;
-        structures[i].tissue = tissue;
-        structures[i].law = nullptr; // it would stand for the stiffness that is tried
+        structures[i].tissue.law = {}; // it would stand for the stiffness that is tried
+        structures[i].law = nullptr;
         structures[i].tissue.stiffness_N_per_mm = shape.share[i] * stiffness_N_per_mm;
         structures[i].tissue.damping_Ns_per_mm = damping_Ns_per_mm;
     }

@@ -51,8 +51,11 @@ haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueO
     std::vector<haptics::HapticStructure> structures = scene.structures();
     for (auto& structure : structures) {
         if (std::any_of(given.begin(), given.end(), [](const auto& value) { return value.has_value(); })) {
-            structure.tissue.friction_static = structure.tissue.friction_dynamic = 0.0;
-            structure.tissue.friction_drag_Ns_per_mm = 0.0;
+            for (const core::TissueTerm& term : core::kTissueTerms) {
+                if (term.option.empty()) {
+                    structure.tissue.*term.member = 0.0;
+                }
+            }
             structure.tissue.law = {};
             structure.law = nullptr;
             structure.maps = {};

@@ -6,6 +6,7 @@
 
 #include <palpate/core/Tissue.h>
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -13,12 +14,12 @@
 
 namespace palpate::session::internal {
 
-/// @return the numbers of a tissue that recordings of this version hold.
+/// @return the numbers of a tissue that recordings of this version hold. @param version  1 to kRecordingVersion
 inline std::span<const core::TissueTerm> tissueTerms(int version)
 {
-    constexpr std::size_t kUpToVersion2 = 2;
-    static_assert(core::kTissueTerms.size() == 5 || kRecordingVersion > 3, "another term, another version");
-    return std::span(core::kTissueTerms).first(version <= 2 ? kUpToVersion2 : core::kTissueTerms.size());
+    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5}; // by version
+    static_assert(kTerms.back() == core::kTissueTerms.size(), "another term, another version");
+    return std::span(core::kTissueTerms).first(kTerms[static_cast<std::size_t>(version)]);
 }
 
 /// @return the columns of a tissue in the table `structures`, each behind a comma. @param type  of each
