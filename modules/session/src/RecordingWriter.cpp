@@ -295,11 +295,6 @@ std::uint64_t RecordingWriter::ticksDropped() const noexcept
     return m_d->dropped;
 }
 
-std::size_t RecordingWriter::ticksPending() const noexcept
-{
-    return m_d->pending.ticks.size();
-}
-
 std::optional<std::int64_t> RecordingWriter::newestStored_ns() const noexcept
 {
     return m_d->stored ? std::optional(m_d->stored->time_ns) : std::nullopt;

@@ -33,7 +33,6 @@ class Counters
     void restart(const RawCounts& raw, std::int64_t now_ns) noexcept;
     /// Counts since they began, which was at the raw values themselves.
     [[nodiscard]] core::Vec3 counts() const noexcept { return m_counts; }
-    [[nodiscard]] bool hasBegun() const noexcept { return m_hasBegun; }
 
   private:
     [[nodiscard]] bool isNear(const RawCounts& from, const RawCounts& to, double seconds) const noexcept;

@@ -68,10 +68,10 @@ class SurfaceIndex
         return {packed >> 2, packed & 3u};
     }
 
-    /// True when nothing but the triangles beyond its edges can be in the way of what moves over it, on a side that it
-    /// is touched from, up to kClearHeight skins above it and at least kClearOfCorners skins away from its corners: no
-    /// other triangle of this surface comes as near, and those three turn by at most 53 degrees. It is false where that
-    /// was not shown.
+    /// True when a god-object that moves over this triangle can be blocked by its three neighbours alone: no other
+    /// triangle of this surface comes as near, and those three turn by at most 53 degrees. That holds on the sides that
+    /// are touched, up to kClearHeight skins above the triangle and from kClearOfCorners skins off its corners on.
+    /// False where it was not shown.
     [[nodiscard]] bool isClear(std::uint32_t i) const noexcept { return (m_triangles[i][1] & kFlagBit) != 0; }
     /// @return true when all three neighbours are there and clear.
     [[nodiscard]] bool isClearAround(std::uint32_t i) const noexcept
@@ -84,8 +84,7 @@ class SurfaceIndex
     static constexpr double kClearApart = 8.0;  ///< skins from a clear triangle to those that share no corner with it
     static constexpr float kClearTurned = 0.6f; ///< cosine of the angle to its neighbours, at least
 
-    /// Asks for what will be read soon, without waiting for it: a triangle, the neighbours of one that is clear, or
-    /// the corners of one.
+    /// Asks for what will be read soon, without waiting for it: a triangle, or the neighbours of one that is clear.
     void prefetchTriangles(std::uint32_t i) const noexcept { core::prefetch(&m_triangles[i]); }
     void prefetchNeighbours(std::uint32_t i) const noexcept
     {
@@ -95,12 +94,6 @@ class SurfaceIndex
             core::prefetch(&m_neighbours[n]);
         }
     }
-    void prefetchCorners(std::uint32_t i) const noexcept
-    {
-        for (const std::uint32_t corner : triangle(i)) {
-            core::prefetch(&m_vertices[corner]);
-        }
-    }
 
     /// The items of its leaves are positions of triangles.
     [[nodiscard]] const BoxHierarchy& hierarchy() const noexcept { return m_hierarchy; }
@@ -108,7 +101,7 @@ class SurfaceIndex
     /// Gap that a god-object keeps to this surface: above the rounding error of a plane distance, far below what can be
     /// felt; see resources/docs/god-object.md. [mm]
     [[nodiscard]] double skin_mm() const noexcept { return m_skin_mm; }
-    /// Mean length of the triangles' edges, as the side of the equilateral triangle of mean area. [mm]
+    /// Side of the equilateral triangle of mean area. [mm]
     [[nodiscard]] double facetSize_mm() const noexcept { return m_facetSize_mm; }
     /// What touch costs: bytes held by the containers of this copy.
     [[nodiscard]] std::size_t byteSize() const noexcept;

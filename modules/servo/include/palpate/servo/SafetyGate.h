@@ -95,8 +95,6 @@ class SafetyGate
     [[nodiscard]] FaultKind fault() const noexcept { return m_fault; }
     /// The force is zero and stays so until re-armed.
     [[nodiscard]] bool isAtRest() const noexcept;
-    /// Share of the model's force that is let through while easing in, 0 to 1.
-    [[nodiscard]] double gain() const noexcept { return m_gain; }
     [[nodiscard]] const GateLimits& limits() const noexcept { return m_limits; }
 
   private:

@@ -69,7 +69,6 @@ class RecordingWriter
 
     [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or about to be
     [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk took nothing for too long
-    [[nodiscard]] std::size_t ticksPending() const noexcept;   ///< not yet committed
     /// Time of the newest tick that is committed, as ticks have it; nothing before the first. [ns]
     [[nodiscard]] std::optional<std::int64_t> newestStored_ns() const noexcept;
 

@@ -12,7 +12,6 @@ class Transport
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
     [[nodiscard]] double position_s() const noexcept { return m_position_s; }
     [[nodiscard]] bool isPlaying() const noexcept { return m_isPlaying; }
-    [[nodiscard]] double speed() const noexcept { return m_speed; }
 
     /// At the end it starts again from the beginning.
     void play();

@@ -37,7 +37,6 @@ class VtkViewport : public QOpenGLWidget
     ~VtkViewport() override;
 
     [[nodiscard]] view::SceneView& view() noexcept { return m_view; }
-    [[nodiscard]] Mode mode() const noexcept { return m_mode; }
     void setMode(Mode mode);
     /// The ray under the pointer; nothing when it is outside.
     [[nodiscard]] std::optional<view::Ray> pointerRay();
