@@ -53,8 +53,8 @@ struct TickColumn
 using haptics::TickResult;
 using servo::TickRecord;
 
-/// All values of a tick, those of the table `ticks` in its order. A new one comes last, and last in the CSV: readers go
-/// by the order.
+/// All values of a tick, those of the table `ticks` in its order. A new one comes last and has no place in the CSV
+/// here: readers go by the order, and there it is a row of kCsvColumns.
 inline constexpr TickColumn kTickColumns[] = {
     {"tick", &TickRecord::tick, "primary key, since the servo started; a gap is a loss", 1},
     {"time_ns", &TickRecord::time_ns, "monotonic, since the recording's first tick"},
