@@ -51,7 +51,8 @@ double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
         return kMiss;
     }
     const Vec3 s = p - a;
-    const double eps = 1e-12; // a ray through an edge belongs to both neighbours, not to none
+    constexpr double eps =
+        1e-12; // of barycentric coordinates: a ray through an edge belongs to both neighbours, not to none
     const double beta = s.dot(q) / det;
     const Vec3 r = s.cross(u);
     const double gamma = d.dot(r) / det;

@@ -62,10 +62,11 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
         planeDistanceError(*std::max_element(slenderest_mm2.begin(), slenderest_mm2.end()), coordinate);
     Scale scale;
     // Eight times the worst rounding error, at least 2^-40 of the extent (2e-10 mm on an organ of 200 mm) so that the
-    // arithmetic of contacts has room, at most what the design allows.
+    // arithmetic of contacts has room, at most what can't be felt (god-object.md, "The skin"); 2.3e-16 is above eps.
     scale.skin_mm = std::min(
         {std::max(8.0 * worst, std::ldexp(extent, -40)), 1e-4, std::max(1e-6 * extent, 8.0 * 2.3e-16 * coordinate)});
     scale.isSkinAboveRounding = 8.0 * worst <= scale.skin_mm;
+    // Of an equilateral triangle with the mean area: twice that by sin 60°, so 2 / sqrt(3) times.
     scale.facetSize_mm = std::sqrt((front_mm2 + back_mm2) / static_cast<double>(count) * 1.1547);
     return scale;
 }

@@ -58,7 +58,7 @@ core::Status startImportServer(const ImportLimits& limits, ReaderHook hook);
 /// @return true when files are read in children
 [[nodiscard]] bool hasImportServer();
 
-/// Reads `file` in a child. Whatever becomes of the child is an error here that names the file.
+/// Reads `file` in a child. A child that fails, crashes or is stopped gives an error that names the file.
 /// @par Thread Any number at a time, a child each.
 [[nodiscard]] core::Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path,
                                                  const ReadOptions& options);

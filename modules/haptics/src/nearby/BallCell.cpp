@@ -149,7 +149,7 @@ double BallCells::size_mm(const HapticLayer& layer) noexcept
 {
     if (m_size_mm == 0.0) {
         // Facets of mean size within a shell around a ball that stands on them.
-        const double area = 0.433 * layer.facetSize_mm * layer.facetSize_mm;
+        const double area = 0.433 * layer.facetSize_mm * layer.facetSize_mm; // sqrt(3) / 4
         const double r = layer.fingertip_mm, patch = kWanted * area / std::numbers::pi;
         m_size_mm = patch / (std::sqrt(r * r + patch) + r) / (std::numbers::sqrt3 * kHalfWidth);
     }

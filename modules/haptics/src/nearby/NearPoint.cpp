@@ -127,6 +127,7 @@ void NearPoint::endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept
     }
     const GatheredFacets& held = m_cache.held();
     float at[3];
+    // Three half ulp: of the place, of the box and of their difference.
     const float rounding = 2e-7f * (asFloats(g, held.origin(), at) + held.reach_mm());
     const core::Box& region = held.region();
     const double half = std::min({static_cast<double>(boxDistance(held.groups(), held.count(), at) - rounding),

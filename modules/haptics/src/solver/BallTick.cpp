@@ -59,7 +59,7 @@ struct Trough
         const Vec3 across = p.n.cross(q.n);
         const double sine2 = across.squaredNorm();
         if (sine2 < 1e-12) {
-            return;
+            return; // within 1e-6 rad: rounding would tell where their line leads
         }
         // The Lagrangian's second derivative is 1 less the bends.
         t = across / std::sqrt(sine2);

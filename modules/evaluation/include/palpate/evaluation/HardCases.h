@@ -12,7 +12,7 @@ namespace palpate::evaluation {
 
 using core::Vec3;
 
-/// A case in which god-object solvers fail: one row of a table. To add one, add a row in HardCaseRows*.cpp.
+/// A case in which god-object solvers fail: one row of a table. CONTRIBUTING.md says how to add one.
 struct HardCase
 {
     std::string name;
@@ -26,8 +26,8 @@ struct HardCase
     /// that jump across the scene in each tick: there ways part all the time.
     double mostElsewhere_percent = 0.0;
     double fingertip_mm = 0.0; ///< radius of the ball that touches, which grows with `scale`; 0 is a point
-    /// Coulomb's mu, at rest and sliding. With it a god-object rests where it is held: instead of what the exact solver
-    /// says it must be within the cone of the facet that holds it.
+    /// Coulomb's mu, at rest and sliding. With it a point is compared with the exact solver with friction, and must be
+    /// within the cone of the facet that holds it; a ball must be within the cone.
     double friction = 0.0;
     /// How large the scene is compared with one of some 10 mm, where bounds in mm must grow with it.
     double scale = 1.0;

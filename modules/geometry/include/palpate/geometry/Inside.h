@@ -12,8 +12,8 @@ namespace palpate::geometry {
 [[nodiscard]] double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, const Vec3& d);
 
 /// Tells whether a point is inside a closed surface: a ray from it leaves an odd number of times, as most of three rays
-/// say, so that one that grazes an edge decides nothing. A point beyond the surface's box is outside without a ray. Of
-/// a surface without an inside it says nothing, and of a point within 1e-9 of the extent of the surface neither.
+/// say, so that one that grazes an edge decides nothing. A point beyond the surface's box is outside without a ray.
+/// Unspecified for a surface without an inside, and for a point within 1e-9 of the extent of the surface.
 /// @param p  in the frame of the surface [mm]
 /// @par Cost about log n a ray: microseconds on a million triangles. Any thread but the servo's.
 [[nodiscard]] bool isInside(const SurfaceIndex& surface, const Vec3& p);

@@ -26,7 +26,7 @@ struct Contact
     Vec3 n_W;
     Vec3 f_W;                ///< the layer's share of the force on the hand [N]
     double depth_mm;         ///< of the HIP below the god-object
-    double stiffnessScale;   ///< by which maps and lumps below scale the law here [1]; a recording does not keep it
+    double stiffnessScale;   ///< factor of the law's force here, of maps and buried lumps [1]; not recorded
     std::uint32_t structure; ///< touched, as its number in the scene; of several the stiffest: the hand can't pass it
     std::uint32_t triangle;  ///< touched, as its index in the structure's mesh as given to `repair`
     std::uint32_t layer;     ///< position in the scene's layers, 0 the outermost

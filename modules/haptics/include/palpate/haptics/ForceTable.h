@@ -23,10 +23,10 @@ namespace palpate::haptics {
 ///
 /// Between knots the force is the cubic that meets both ends' forces and slopes (Hermite), and the energy its integral,
 /// a quartic; after the last knot the force is straight on with the last slope. A knot has a slope to either side, so
-/// that a law's corner is a corner. Knots lie where a law needs them (at most 257), not evenly: Hertz's d^1.5 would be
-/// 1e-5 wrong near its start on even ones, and a click's corners would be rounded. At most 18 KiB.
-/// Made and read with + - * / and the square root alone, so that the knots give the same bits on each machine.
-/// resources/docs/laws.md has the laws.
+/// that a law's corner is a corner. Knots lie where a law needs them (kLawKnots), not evenly: Hertz's d^1.5 would be
+/// 1e-5 wrong near its start on even ones, and a click's corners would be rounded. Some 29 kB; a bounded table, at most
+/// kMostKnots, 108 kB. Made and read with + - * / and the square root alone, so that the knots give the same bits on
+/// each machine. resources/docs/laws.md has the laws.
 class ForceTable
 {
   public:
@@ -150,7 +150,7 @@ class ForceTable
         return cell.start_mm * energy +
                t * t * (0.5 * cell.force_N + t * (cell.rise / 3.0 + t * (0.25 * cell.square + t * (0.2 * cell.cube))));
     }
-    /// Of a depth > 0: its exponent and the first six digits of its mantissa, so that places stand close where it is
+    /// Of a depth > 0: its exponent and the first six bits of its mantissa, so that places stand close where it is
     /// small. Laws are curved at their start, and there the knots stand close, too.
     [[nodiscard]] static std::int64_t placeOf(double depth_mm) noexcept
     {

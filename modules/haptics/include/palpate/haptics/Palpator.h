@@ -15,8 +15,8 @@ namespace palpate::haptics {
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves tried in a tick, for each layer; reaching it is reported
-    /// Units of about 10 ns (internal::TickWork) for a point; reaching it is reported, too. Layers share it, the
-    /// innermost first, so that outer ones leave that as it is; each is sure of a 32nd.
+    /// Units of about 10 ns (resources/docs/cost.md) for a point; reaching it is reported, too. Layers share it, the
+    /// innermost first, so that outer layers don't change the innermost one's result; each layer gets at least 1/32.
     std::uint32_t work = 20000;
     std::uint32_t ballWork = 22000; ///< the same for a ball
 };
@@ -44,7 +44,8 @@ class Palpator
     Palpator& operator=(Palpator&&) noexcept;
 
     /// Lets the coming ticks feel another scene. God-objects stay where they are, each with the layer of its number (a
-    /// structure that appears around one lets it out freely); that of a layer whose number is new starts at the HIP.
+    /// structure that appears around one lets it out freely); the god-object of a layer with a new number starts at the
+    /// HIP.
     /// @param scene  only read; must outlive its use here; null = nothing to touch
     /// @par Real-time Wait-free.
     void setScene(const HapticScene* scene) noexcept PALPATE_NONBLOCKING;
@@ -61,7 +62,7 @@ class Palpator
     /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits.
     [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s) noexcept PALPATE_NONBLOCKING;
 
-    [[nodiscard]] std::size_t byteSize() const noexcept; ///< of all that it holds; the scene is not its own
+    [[nodiscard]] std::size_t byteSize() const noexcept; ///< of all that it holds, without the scene
 
     [[nodiscard]] PalpatorState state() const noexcept;
     /// Continues from a recorded state. @pre the scene is the one the state was taken on

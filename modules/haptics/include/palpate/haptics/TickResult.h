@@ -31,7 +31,8 @@ inline constexpr std::size_t kMaxLayers = 4;
 /// What one servo tick gives.
 struct TickResult
 {
-    Vec3 p_WG = Vec3::Zero();    ///< god-object of the layer that is reported (see `structure`) [mm]
+    Vec3 p_WG = Vec3::Zero();    ///< god-object of the layer that is reported (see `structure`); in free space the
+                                 ///< outermost's [mm]
     Vec3 f_W = Vec3::Zero();     ///< force on the hand, summed over the layers, unbounded [N]
     Vec3 n_W = Vec3::Zero();     ///< unit normal of the contact, from surface to free space; zero in free space
     std::int32_t structure = -1; ///< number of the touched structure in the scene, -1 in free space; with several
@@ -41,7 +42,7 @@ struct TickResult
     std::uint8_t constraints = 0;              ///< active constraints of the reported layer, 0 to 3
     TickStatus status = TickStatus::Converged; ///< worst over the layers
     std::uint32_t iterations = 0;              ///< summed over the layers
-    std::array<Contact, kMaxLayers> contacts;  ///< of the layers that are touched, the outermost first
+    std::array<Contact, kMaxLayers> contacts;  ///< of the layers touched, the outermost first; set up to `contactCount`
     std::uint8_t contactCount = 0;             ///< how many of `contacts` are valid
 
     /// What friction does to the layer that is reported.

@@ -22,7 +22,7 @@ struct TissueMap
     /// The largest number, with the factor; 0 without a map.
     [[nodiscard]] double greatest() const noexcept;
 
-    /// The same with no number above `most`; itself where none is.
+    /// A copy with no number above `most`; unchanged where none is.
     [[nodiscard]] TissueMap atMost(double most) const;
 
     /// The same with each number above 1 brought nearer to it: 1 + share (number - 1). @pre 0 <= share <= 1; factor 1
@@ -37,8 +37,8 @@ struct TissueMap
     [[nodiscard]] static TissueMap atTriangles(const geometry::SurfaceIndex& surface, std::span<const float> values);
 };
 
-/// How deep a finger is pressed in where a felt map knows how much stiffer lumps below make the surface [mm]; between
-/// them linear, beyond the last as there.
+/// Press depths at which a felt map gives how much stiffer lumps below make the surface [mm]; linear between them,
+/// constant beyond the last.
 inline constexpr std::array<double, 4> kFeltPress_mm{0.0, 2.0, 4.0, 8.0};
 
 /// What varies over a structure.

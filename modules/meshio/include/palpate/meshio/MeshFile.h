@@ -45,7 +45,7 @@ struct ReadOptions
     /// Told the share done, 0 … 1; return false to cancel. Called on the reading thread. May be empty.
     std::function<bool(double)> progress;
     /// Reads what is whole of an STL, OBJ or PLY that was cut off, instead of refusing it, and says in `loss` what is
-    /// not there. A VTP that was cut off is refused all the same.
+    /// not there. A VTP or VTK that was cut off is refused all the same.
     bool isPartial = false;
     /// The axes that the coordinates are along, whatever the file's tag says; Untagged: as the tag says, else LPS.
     FileFrame frame = FileFrame::Untagged;
