@@ -196,6 +196,33 @@ class Recording : public QObject
         QVERIFY2(status.message().find(range.toStdString()) != std::string::npos, status.message().c_str());
     }
 
+    /// Numbers that would give forces without a bound: the file is refused, and what is whole of it can be recovered.
+    void refusesATissueThatNoSceneHas_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("wrong");
+        QTest::newRow("stiffness") << "UPDATE structures SET stiffness_N_per_mm = 1e300"
+                                   << "for stiffness_N_per_mm, expected 0 to 1e9";
+        QTest::newRow("negative") << "UPDATE structures SET friction_static = -1"
+                                  << "found -1 for friction_static, expected 0 to 1e9";
+        QTest::newRow("nothing") << "UPDATE structures SET damping_Ns_per_mm = NULL"
+                                 << "found nan for damping_Ns_per_mm";
+        QTest::newRow("layer") << "UPDATE structures SET layer = -5"
+                               << "found the layer -5, expected one from 0";
+    }
+
+    void refusesATissueThatNoSceneHas()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, wrong);
+        QVERIFY(test::writeRecording(path("e.palpate"), test::palpationTicks(2000)));
+        QVERIFY(test::runSql(path("e.palpate"), sql.toStdString()));
+        const auto reader = RecordingReader::open(path("e.palpate"));
+        QCOMPARE(reader.status().code(), core::StatusCode::BadFormat);
+        QVERIFY2(reader.status().message().find(wrong.toStdString()) != std::string::npos,
+                 reader.status().message().c_str());
+    }
+
     /// A bit flipped anywhere in the file, sampled from end to end, is found and named, or changes nothing.
     void findsFlippedBits()
     {

@@ -7,9 +7,13 @@
 #include "Schema.h"
 #include "palpate/session/GeometryHash.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace palpate::session::internal {
 
@@ -53,6 +57,29 @@ Status RecordingTables::readMeta(MetaTable& out) const
     }
     return step == Step::Failed ? damaged() : Status();
 }
+
+namespace {
+
+constexpr double kMostTissue = 1e9; // far beyond what a scene file may hold, and no force or energy overflows
+
+/// @return what is wrong with a structure's numbers, or nothing.
+std::optional<std::string> wrongNumber(const StructureRecord& structure, std::int64_t layer)
+{
+    if (layer < 0 || layer > std::numeric_limits<std::uint32_t>::max()) {
+        return "found the layer " + std::to_string(layer) + ", expected one from 0";
+    }
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        const double value = structure.tissue.*term.member;
+        if (!(value >= 0.0 && value <= kMostTissue)) {
+            std::string found;
+            core::appendNumber(found, value);
+            return "found " + found + " for " + std::string(term.key) + ", expected 0 to 1e9";
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
 
 Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
 {
@@ -99,12 +126,15 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
         }
+        std::optional<std::string> wrong = wrongNumber(structure, rows.integer(8));
         if (auto law = parseLaw(rows.bytes(10))) {
             structure.tissue.law = std::move(*law);
-        } else if (status.isOk()) {
+        } else {
+            wrong = "found the law " + oneLine(rows.bytes(10)) + ", expected one of this version";
+        }
+        if (wrong && status.isOk()) {
             status = Status(StatusCode::BadFormat, "scene " + std::to_string(generation) + ", structure \"" +
-                                                       oneLine(structure.name) + "\": found the law " +
-                                                       oneLine(rows.bytes(10)) + ", expected one of this version");
+                                                       oneLine(structure.name) + "\": " + *wrong);
         }
     }
     return step == Step::Failed ? damaged() : status;
