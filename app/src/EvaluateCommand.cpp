@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -288,6 +289,17 @@ int runEvaluate(EvaluateOptions options)
     return reportLosses(losses);
 }
 
+/// CLI11 takes -1 and what is too large for others. @return what is wrong with a seed; empty: nothing
+std::string wrongSeed(const std::string& text)
+{
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, seed);
+    return read.ec == std::errc{} && read.ptr == end
+               ? ""
+               : "found \"" + text + "\", expected a whole number from 0 to 18446744073709551615";
+}
+
 } // namespace
 
 void addEvaluateCommand(CLI::App& app, Chosen& chosen)
@@ -306,7 +318,7 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--stiffness", options->stiffness,
                         "Stiffness of every tissue [N/mm]; without it, the scene's own");
     command->add_option("--layers", options->layers, kLayersHelp);
-    command->add_option("--seed", options->seed, "Seed of the motions")->capture_default_str();
+    command->add_option("--seed", options->seed, "Seed of the motions")->capture_default_str()->check(wrongSeed);
     command->add_flag("--quick", options->isQuick, "End within half a minute");
     command->add_flag("--stability", options->isStability, "Run the hard cases alone; exit code 3 when one fails");
     command->add_flag("--long", options->isLong, "With --stability: the hard cases of millions of ticks as well");

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QOpenGLContext>
 #include <QPainter>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -191,6 +192,11 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     const RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
+    if (!QOpenGLContext().create()) { // without one a widget for OpenGL crashes
+        app::printError("the display (" + QGuiApplication::platformName().toStdString() +
+                        ") has no OpenGL, expected one that has; app/run.sh draws without a display");
+        return app::kFailed;
+    }
     QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));
     QCoreApplication::setApplicationName(options.screenshot ? QStringLiteral("Palpate screenshot")
                                                             : QStringLiteral("Palpate"));

@@ -698,6 +698,8 @@ class CommandLine : public QObject
             "--radius: found \"51\", expected a number of at least 0 and at most 50");
         row("evaluate, stiffness beyond", {"evaluate", "box.stl", "--stiffness", "1e300"},
             "--stiffness: found \"1e300\", expected a number above 0 and at most 1000");
+        row("seed below", {"evaluate", "box.stl", "--quick", "--seed=-1"}, "--seed: found \"-1\", expected a whole");
+        row("seed beyond", {"evaluate", "box.stl", "--quick", "--seed", "18446744073709551616"}, "--seed: found");
         row("stability, rate beyond", {"stability", "box.stl", "--rate", "1e5"},
             "--rate: found \"1e5\", expected a number of at least 1 and at most 10000");
         row("stiffness word", replay + QStringList{"--stiffness", "1,5"}, "--stiffness: found \"1,5\"");
@@ -763,6 +765,24 @@ class CommandLine : public QObject
         QVERIFY2(outcome.error.contains(names), outcome.error.constData());
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), before);
         QCOMPARE(read("m.csv"), motion);
+    }
+
+    void aDisplayWithoutOpenGlIsSaid()
+    {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) { // where Qt's own would ask for it
+            environment.remove(name);
+        }
+        environment.insert("QT_QPA_PLATFORM", "minimal");
+        process.setProcessEnvironment(environment);
+        process.start(PALPATE_EXECUTABLE, {file("box.stl"), "--screenshot", file("p.png")});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QByteArray error = process.readAllStandardError();
+        QVERIFY2(error.contains("palpate: the display (minimal) has no OpenGL"), error.constData());
+        QVERIFY(!QFile::exists(file("p.png")));
     }
 
     void anOldOutputStaysWhenTheReplayFails()
