@@ -5,6 +5,7 @@
 #include <palpate/meshio/CurveFile.h>
 
 #include <numbers>
+#include <sys/stat.h>
 
 using namespace palpate;
 
@@ -24,6 +25,7 @@ class SceneFile : public QObject
     void aWrongCurveIsNamedByItsLine_data();
     void aWrongCurveIsNamedByItsLine();
     void newerVersionIsRefused();
+    void aPipeIsNotReplaced();
     void onlyJsonIsAScene();
 };
 
@@ -327,6 +329,16 @@ void SceneFile::newerVersionIsRefused()
     const test::Folder folder;
     const auto scene = meshio::readScene(folder.write("a.json", R"({"version": 2, "structures": []})"));
     QCOMPARE(scene.status().code(), core::StatusCode::Mismatch);
+}
+
+void SceneFile::aPipeIsNotReplaced()
+{
+    const test::Folder folder;
+    const auto pipe = folder.path("pipe.palpate.json");
+    QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+    const core::Status status = meshio::writeScene(pipe, {});
+    QVERIFY2(status.message().find("cannot be written: not a file") != std::string::npos, status.message().c_str());
+    QVERIFY(std::filesystem::is_fifo(pipe));
 }
 
 void SceneFile::onlyJsonIsAScene()

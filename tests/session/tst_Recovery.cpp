@@ -14,6 +14,7 @@
 
 #include <limits>
 #include <map>
+#include <sys/stat.h>
 
 using namespace palpate;
 using session::RecordingReader;
@@ -194,6 +195,15 @@ class Recovery : public QObject
             QVERIFY(result.status().message().find("found no SQLite database") != std::string::npos);
             QVERIFY(!QFile::exists(m_folder.filePath("p.palpate")));
         }
+    }
+
+    void aPipeOrDeviceIsNotReplaced()
+    {
+        QVERIFY(test::writeRecording(path("e.palpate"), test::palpationTicks(2000)));
+        QCOMPARE(::mkfifo(path("pipe").c_str(), 0600), 0);
+        const auto recovered = session::recoverRecording(path("e.palpate"), path("pipe"));
+        QVERIFY(recovered.status().message().ends_with("pipe: cannot be written: not a file"));
+        QVERIFY(std::filesystem::is_fifo(path("pipe")));
     }
 
     void keepsEmbeddedSurfaces()

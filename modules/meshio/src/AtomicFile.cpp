@@ -20,6 +20,11 @@ core::Status writeAtomically(const std::filesystem::path& path, std::string_view
     if (name.toStdString() != path.string()) { // Qt would write to another one
         return failed("its name is not UTF-8");
     }
+    std::error_code unknown;
+    if (const auto kind = std::filesystem::status(path, unknown);
+        std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
+        return failed("not a file"); // it would be replaced
+    }
     QSaveFile file(name);
     if (!file.open(QIODevice::WriteOnly) ||
         file.write(bytes.data(), static_cast<qint64>(bytes.size())) != static_cast<qint64>(bytes.size()) ||

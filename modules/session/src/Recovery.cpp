@@ -154,6 +154,9 @@ class Rescue
         if (fs::equivalent(m_from, m_to, error)) {
             return wrong(StatusCode::BadCommandLine, m_to, "is the recording itself, expected another name");
         }
+        if (const auto kind = fs::status(m_to, error); fs::exists(kind) && !fs::is_regular_file(kind)) {
+            return wrong(StatusCode::Unreadable, m_to, "cannot be written: not a file"); // the copy would replace it
+        }
         error.clear();
         fs::copy_file(m_from, m_source.path(), fs::copy_options::overwrite_existing, error);
         const fs::path journal = with(m_from, "-journal");
