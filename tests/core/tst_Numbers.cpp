@@ -77,6 +77,9 @@ class Numbers : public QObject
             wrong += !read || std::bit_cast<std::uint64_t>(*read) != std::bit_cast<std::uint64_t>(value) ? 1 : 0;
         }
         QCOMPARE(wrong, 0);
+        QCOMPARE(palpate::core::shortNumber(0.57), std::string("0.57"));
+        QCOMPARE(palpate::core::shortNumber(-1e300), std::string("-1e+300"));
+        QCOMPARE(palpate::core::shortNumber(2.0 / 3.0, 3), std::string("0.667"));
     }
 
     void ignoresTheLocale()

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -33,13 +32,6 @@ using geometry::RepairedMesh;
 using geometry::SurfaceIndex;
 
 constexpr double kFinest = 0.5; ///< contact radii that an edge is long at most
-
-std::string text(double value)
-{
-    std::array<char, 32> digits;
-    char* const begin = digits.data();
-    return {begin, std::to_chars(begin, begin + digits.size(), value, std::chars_format::general, 6).ptr};
-}
 
 bool hasInside(const geometry::MeshReport& report)
 {
@@ -85,8 +77,8 @@ bool isAnyInside(const SurfaceIndex& around, const RepairedMesh& lump)
 Status checked(const FeltOptions& options)
 {
     if (!(options.radius_mm > 0.0 && options.radius_mm <= kMostRadius_mm)) {
-        return {StatusCode::OutOfRange,
-                "contact radius: found " + text(options.radius_mm) + " mm, expected more than 0 and at most 30 mm"};
+        return {StatusCode::OutOfRange, "contact radius: found " + core::shortNumber(options.radius_mm) +
+                                            " mm, expected more than 0 and at most 30 mm"};
     }
     if (options.press_mm.empty() || options.press_mm.size() > kMostPresses) {
         return {StatusCode::OutOfRange, "press depths: found " + std::to_string(options.press_mm.size()) +
@@ -96,7 +88,7 @@ Status checked(const FeltOptions& options)
         const double press = options.press_mm[i], before = i == 0 ? -1.0 : options.press_mm[i - 1];
         if (!(press >= 0.0 && press <= kMostPress_mm && press > before)) {
             return {StatusCode::OutOfRange,
-                    "press depths: found " + text(press) + " mm, expected 0 to 30 mm, ascending"};
+                    "press depths: found " + core::shortNumber(press) + " mm, expected 0 to 30 mm, ascending"};
         }
     }
     return {};
@@ -110,8 +102,9 @@ Status checkedFor(const RepairedMesh& organ, const std::string& name, double rad
     if (radius_mm >= least_mm) {
         return {};
     }
-    return {StatusCode::OutOfRange, name + ": contact radius: found " + text(radius_mm) + " mm, expected at least " +
-                                        text(std::ceil(100.0 * least_mm) / 100.0) + " mm on a surface this large"};
+    return {StatusCode::OutOfRange,
+            name + ": contact radius: found " + core::shortNumber(radius_mm) + " mm, expected at least " +
+                core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm on a surface this large"};
 }
 
 /// The lumps that can be felt; notes say what was left out.
@@ -123,7 +116,7 @@ Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organ
     for (std::size_t i = 0; i < lumps.size(); ++i) {
         const BuriedLump& lump = lumps[i];
         if (!(lump.ratio > 0.0 && lump.ratio <= kMostRatio)) {
-            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " + text(lump.ratio) +
+            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " + core::shortNumber(lump.ratio) +
                                                       ", expected more than 0 and at most 10000");
         }
         const geometry::MeshReport& report = lump.surface->report;
@@ -458,7 +451,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
             felt.notes.push_back(name +
                                  ": its triangles are wider than a finger's contact: what the hand feels of its "
                                  "lumps differs by up to " +
-                                 text(std::round(100.0 * felt.coarseness)) +
+                                 core::shortNumber(std::round(100.0 * felt.coarseness)) +
                                  " % from what is shown; a finer mesh mends it");
         }
     }

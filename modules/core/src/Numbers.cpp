@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/core/Numbers.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace palpate::core {
@@ -29,6 +30,14 @@ void appendNumber(std::string& out, double value)
     char digits[32];
     const auto result = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
     out.append(digits, result.ptr);
+}
+
+std::string shortNumber(double value, int digits)
+{
+    char text[40]; // 17 digits with sign, point and exponent are 24
+    const auto result =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, std::clamp(digits, 1, 17));
+    return {text, result.ptr};
 }
 
 } // namespace palpate::core

@@ -3,9 +3,10 @@
 #include "ImportServer.h"
 #include "MeshWire.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -62,9 +63,7 @@ Budget budgetFor(const ImportLimits& limits, std::size_t fileSize)
 /// @return `value` in seconds, with three digits
 std::string inSeconds(double value)
 {
-    std::array<char, 32> text = {};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3).ptr;
-    return std::string(text.data(), end) + " s";
+    return core::shortNumber(value, 3) + " s";
 }
 
 /// What a reader that handed nothing back died of.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/MeasureSession.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -176,15 +177,9 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
                                              const MeasureOptions& options)
 {
     if (const double least_mm = leastDistance_mm(meshes); !(options.distance_mm >= least_mm)) {
-        const auto text = [](double value) {
-            std::array<char, 32> digits;
-            char* const begin = digits.data();
-            return std::string(begin,
-                               std::to_chars(begin, begin + digits.size(), value, std::chars_format::general, 6).ptr);
-        };
         return Status(StatusCode::OutOfRange,
-                      "distance: found " + text(options.distance_mm) + " mm, expected at least " +
-                          text(std::ceil(100.0 * least_mm) / 100.0) + " mm for surfaces this large");
+                      "distance: found " + core::shortNumber(options.distance_mm) + " mm, expected at least " +
+                          core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm for surfaces this large");
     }
     const double dt_s = reader.info().dt_s;
     MeasureAccumulator sums(dt_s);

@@ -71,9 +71,7 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, std::in
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const double value = structure.tissue.*term.member;
         if (!(value >= 0.0 && value <= kMostTissue)) {
-            std::string found;
-            core::appendNumber(found, value);
-            return "found " + found + " for " + std::string(term.key) + ", expected 0 to 1e9";
+            return "found " + core::shortNumber(value) + " for " + std::string(term.key) + ", expected 0 to 1e9";
         }
     }
     return std::nullopt;

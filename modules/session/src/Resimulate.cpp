@@ -9,7 +9,6 @@
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <span>
 #include <utility>
@@ -196,9 +195,7 @@ class Resimulator
 
     static std::string apart(double value, const char* unit)
     {
-        char digits[32];
-        const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3);
-        return ", " + std::string(digits, end.ptr) + unit + " apart";
+        return ", " + core::shortNumber(value, 3) + unit + " apart";
     }
 
     static std::string touch(const haptics::TickResult& felt)

@@ -14,4 +14,7 @@ namespace palpate::core {
 /// Writes with 17 significant digits, which give the same double back; the same under every locale.
 void appendNumber(std::string& out, double value);
 
+/// @return a number for a message, with so many significant digits; the same under every locale.
+[[nodiscard]] std::string shortNumber(double value, int digits = 6);
+
 } // namespace palpate::core
