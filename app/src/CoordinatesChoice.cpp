@@ -104,3 +104,5 @@ void CoordinatesChoice::refresh()
     m_button->setAccessibleName(tr("Coordinates: %1").arg(m_button->text()));
     m_button->setAccessibleDescription(m_button->toolTip());
 }
+
+#include "moc_CoordinatesChoice.cpp"

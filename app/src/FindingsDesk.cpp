@@ -256,3 +256,5 @@ void FindingsDesk::show()
     m_parts.viewport.update();
     Q_EMIT countChanged(markers.marks().size());
 }
+
+#include "moc_FindingsDesk.cpp"

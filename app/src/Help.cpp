@@ -80,3 +80,5 @@ void Help::showAbout()
 }
 
 } // namespace palpate::app
+
+#include "moc_Help.cpp"

@@ -394,3 +394,5 @@ void MainWindow::letGo()
         m_palpateAction->setChecked(false);
     }
 }
+
+#include "moc_MainWindow.cpp"

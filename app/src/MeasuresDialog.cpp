@@ -321,3 +321,5 @@ void MeasuresDialog::run(const std::function<QString(const std::function<bool(do
         }
     });
 }
+
+#include "moc_MeasuresDialog.cpp"

@@ -95,3 +95,5 @@ void RecordingControl::acknowledge()
     m_failure.clear();
     refresh();
 }
+
+#include "moc_RecordingControl.cpp"

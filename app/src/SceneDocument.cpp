@@ -265,3 +265,5 @@ void SceneDocument::discardLeftover(const std::filesystem::path& copy)
     std::error_code ignored;
     std::filesystem::remove(copy, ignored);
 }
+
+#include "moc_SceneDocument.cpp"

@@ -80,3 +80,5 @@ void ShowAround::bringForward(QWidget* part)
 }
 
 } // namespace palpate::app
+
+#include "moc_ShowAround.cpp"

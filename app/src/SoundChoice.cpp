@@ -57,3 +57,5 @@ void SoundChoice::offer(const QString& whyNot)
 }
 
 } // namespace palpate::app
+
+#include "moc_SoundChoice.cpp"

@@ -130,3 +130,5 @@ std::vector<ActionList::KeyLine> ActionList::keyLines() const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_ActionList.cpp"

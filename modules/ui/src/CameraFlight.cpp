@@ -67,3 +67,5 @@ core::ViewPose CameraFlight::between(double share) const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_CameraFlight.cpp"

@@ -155,3 +155,5 @@ void ChipRow::changeEvent(QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_ChipRow.cpp"

@@ -165,3 +165,5 @@ void DeskStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
 }
 
 } // namespace palpate::ui
+
+#include "moc_DeskStyle.cpp"

@@ -322,3 +322,5 @@ void DeviceChoice::tellWhatIsOnTheBus()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_DeviceChoice.cpp"

@@ -51,3 +51,5 @@ void EnergyBar::paintEvent(QPaintEvent*)
 }
 
 } // namespace palpate::ui
+
+#include "moc_EnergyBar.cpp"

@@ -237,3 +237,5 @@ void EngineeringPanel::show(const EngineeringReading& reading)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_EngineeringPanel.cpp"

@@ -199,3 +199,5 @@ bool FeltOverlay::showBestPlace(std::size_t organ, std::size_t lump)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_FeltOverlay.cpp"

@@ -422,3 +422,5 @@ void FeltPanel::showBestPlace()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_FeltPanel.cpp"

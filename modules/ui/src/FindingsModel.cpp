@@ -331,3 +331,5 @@ Qt::ItemFlags FindingsModel::flags(const QModelIndex& index) const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_FindingsModel.cpp"

@@ -241,3 +241,5 @@ bool FindingsPanel::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_FindingsPanel.cpp"

@@ -283,3 +283,5 @@ void HandControl::showStatus()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_HandControl.cpp"

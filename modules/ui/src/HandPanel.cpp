@@ -272,3 +272,5 @@ void HandPanel::show(const HandStatus& status)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_HandPanel.cpp"

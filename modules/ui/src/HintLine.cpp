@@ -51,3 +51,5 @@ void HintLine::mouseReleaseEvent(QMouseEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_HintLine.cpp"

@@ -169,3 +169,5 @@ void LawEditor::askForFile()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_LawEditor.cpp"

@@ -292,3 +292,5 @@ void LawPlot::movePoint(double depth_mm, double force_N)
 }
 
 } // namespace palpate::ui
+
+#include "moc_LawPlot.cpp"

@@ -302,3 +302,5 @@ core::Status LiveTouch::stopRecording()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_LiveTouch.cpp"

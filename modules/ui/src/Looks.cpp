@@ -105,3 +105,5 @@ bool Looks::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_Looks.cpp"

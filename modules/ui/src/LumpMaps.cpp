@@ -365,3 +365,5 @@ void LumpMaps::take(Found& found)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_LumpMaps.cpp"

@@ -228,3 +228,5 @@ void MapDisplay::refresh()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_MapDisplay.cpp"

@@ -396,3 +396,5 @@ QString MapEditor::note() const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_MapEditor.cpp"

@@ -119,3 +119,5 @@ void MapWarnings::take(const std::shared_ptr<const haptics::HapticScene>& scene,
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_MapWarnings.cpp"

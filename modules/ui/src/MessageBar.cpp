@@ -182,3 +182,5 @@ QString MessageBar::text() const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_MessageBar.cpp"

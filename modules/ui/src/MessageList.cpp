@@ -48,3 +48,5 @@ void MessageList::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_MessageList.cpp"

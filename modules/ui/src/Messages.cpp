@@ -77,3 +77,5 @@ QIcon Messages::iconOf(Kind kind)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_Messages.cpp"

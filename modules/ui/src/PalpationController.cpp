@@ -432,3 +432,5 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_PalpationController.cpp"

@@ -139,3 +139,5 @@ bool FocusFrame::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_PanelRound.cpp"

@@ -30,3 +30,5 @@ QSize PanelScroll::minimumSizeHint() const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_PanelScroll.cpp"

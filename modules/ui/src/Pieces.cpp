@@ -224,3 +224,5 @@ void KeysCard::focusOutEvent(QFocusEvent*)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_Pieces.cpp"

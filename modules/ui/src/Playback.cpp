@@ -166,3 +166,5 @@ void Playback::showMoment(double time_s)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_Playback.cpp"

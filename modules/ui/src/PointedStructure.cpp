@@ -116,3 +116,5 @@ void PointedStructure::show()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_PointedStructure.cpp"

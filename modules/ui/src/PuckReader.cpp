@@ -111,3 +111,5 @@ void PuckReader::step()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_PuckReader.cpp"

@@ -172,3 +172,5 @@ void RecordedTouch::startOverview()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_RecordedTouch.cpp"

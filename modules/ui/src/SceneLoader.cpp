@@ -363,3 +363,5 @@ void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_SceneLoader.cpp"

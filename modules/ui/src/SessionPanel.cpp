@@ -107,3 +107,5 @@ QString lossesText(qulonglong late, qulonglong lost)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_SessionPanel.cpp"

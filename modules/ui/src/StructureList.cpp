@@ -343,3 +343,5 @@ bool StructureList::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "moc_StructureList.cpp"

@@ -698,3 +698,5 @@ Qt::ItemFlags StructureModel::flags(const QModelIndex& index) const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_StructureModel.cpp"

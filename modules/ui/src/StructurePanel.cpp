@@ -780,3 +780,5 @@ void StructurePanel::openMenu(const QPoint& place)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_StructurePanel.cpp"

@@ -269,3 +269,5 @@ Qt::ItemFlags StructureTree::flags(const QModelIndex& index) const
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_StructureTree.cpp"

@@ -257,3 +257,5 @@ void ForceBar::paintEvent(QPaintEvent*)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_TouchChart.cpp"

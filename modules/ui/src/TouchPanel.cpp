@@ -203,3 +203,5 @@ void TouchPanel::clearHistory()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_TouchPanel.cpp"

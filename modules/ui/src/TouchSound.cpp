@@ -172,3 +172,5 @@ TouchSound::TouchSound(QObject* parent)
 TouchSound::~TouchSound() = default;
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_TouchSound.cpp"

@@ -226,3 +226,5 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_Tour.cpp"

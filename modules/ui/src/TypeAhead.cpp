@@ -41,3 +41,5 @@ bool TypeAhead::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_TypeAhead.cpp"

@@ -119,3 +119,5 @@ void ViewKeys::moved()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_ViewKeys.cpp"

@@ -26,3 +26,5 @@ void ViewVoice::say()
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_ViewVoice.cpp"

@@ -399,3 +399,5 @@ void VtkViewport::leaveEvent(QEvent* event)
 }
 
 } // namespace palpate::ui
+
+#include "palpate/ui/moc_VtkViewport.cpp"
