@@ -8,7 +8,19 @@ target_compile_options(palpate_flags INTERFACE -ffp-contract=off -fno-math-errno
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # A source is then an included file, in which GCC takes a class with a member from an unnamed namespace for a header's.
   target_compile_options(palpate_flags INTERFACE -Wno-subobject-linkage)
+  # GCC collects its garbage first at 512 MiB instead of 128: that takes a twentieth of the time of so long a source.
+  cmake_host_system_information(RESULT palpate_memory_MiB QUERY TOTAL_PHYSICAL_MEMORY)
+  if(palpate_memory_MiB GREATER 7000) # two compilers at once, and a desktop
+    target_compile_options(palpate_flags INTERFACE --param=ggc-min-heapsize=524288)
+  endif()
 endif()
+
+# For what no servo tick waits for: the optimiser takes half of the time to compile, which is saved where the whole tree is built.
+add_library(palpate_o1_flags INTERFACE)
+if(CMAKE_UNITY_BUILD AND CMAKE_BUILD_TYPE STREQUAL "Release")
+  target_compile_options(palpate_o1_flags INTERFACE -O1)
+endif()
+
 if(NOT PALPATE_SANITIZER STREQUAL "none")
   target_compile_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(palpate_flags INTERFACE -fsanitize=${PALPATE_SANITIZER})
@@ -26,11 +38,11 @@ function(palpate_moc target)
   set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc.sh)
 endfunction()
 
-# palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT])
+# palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT] [O1])
 # makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed, each as a component NAME
-# of find_package(Palpate); a module comes after those that it uses.
+# of find_package(Palpate); a module comes after those that it uses. O1: no servo tick waits for it (palpate_o1_flags).
 function(palpate_module name)
-  cmake_parse_arguments(M "ENGINE;QT" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(M "ENGINE;QT;O1" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(palpate_${name} STATIC ${M_SOURCES})
   add_library(palpate::${name} ALIAS palpate_${name})
   target_include_directories(palpate_${name} PUBLIC
@@ -39,6 +51,9 @@ function(palpate_module name)
   list(TRANSFORM M_USES PREPEND palpate::)
   target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:palpate_flags> ${M_PRIVATE_LIBRARIES})
+  if(M_O1)
+    target_link_libraries(palpate_${name} PRIVATE $<BUILD_INTERFACE:palpate_o1_flags>)
+  endif()
   if(M_QT)
     palpate_moc(palpate_${name})
   endif()
