@@ -9,7 +9,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 ensure_packages "${palpate_build_packages[@]}"
 ensure_configured "$palpate_preset"
-build "$palpate_preset" palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse
+targets=(palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse)
+case ${1:-} in
+    evaluate | stability) targets+=(palpate_evaluation_app) ;;
+esac
+build "$palpate_preset" "${targets[@]}"
 
 palpate=$palpate_root/build/$palpate_preset/bin/palpate
 phantom=$palpate_root/data/phantom

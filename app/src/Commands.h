@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/App.hpp>
+#include "Program.h"
 
-#include <functional>
+#include <CLI/App.hpp>
 
 namespace palpate::app {
 
-/// What the command line asked for; run after it was parsed. @return the exit code
-using Chosen = std::function<int()>;
+/// What `palpate --help` says of a subcommand.
+struct CommandText
+{
+    const char* name;
+    const char* description;
+};
+inline constexpr CommandText kEvaluate{"evaluate",
+                                       "Measure speed against error: every solver and setting, on your meshes"};
+inline constexpr CommandText kStability{"stability",
+                                        "Find the largest stiffness that a device holds without oscillating"};
 
 /// Each adds its subcommand; when that is given on the command line, `chosen` becomes what it does. The subcommand's
 /// options live as long as `app`.

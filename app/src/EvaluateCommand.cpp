@@ -305,8 +305,7 @@ std::string wrongSeed(const std::string& text)
 void addEvaluateCommand(CLI::App& app, Chosen& chosen)
 {
     auto options = std::make_shared<EvaluateOptions>();
-    CLI::App* command =
-        app.add_subcommand("evaluate", "Measure speed against error: every solver and setting, on your meshes");
+    CLI::App* command = app.add_subcommand(kEvaluate.name, kEvaluate.description);
     command->add_option("SCENE", options->scenes,
                         "Mesh files, scene files or folders of meshes; without any, the bundled phantom");
     command->add_option("--motion", options->motion,

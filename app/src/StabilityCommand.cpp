@@ -149,8 +149,7 @@ int runStability(const StabilityOptions& options)
 void addStabilityCommand(CLI::App& app, Chosen& chosen)
 {
     auto options = std::make_shared<StabilityOptions>();
-    CLI::App* command =
-        app.add_subcommand("stability", "Find the largest stiffness that a device holds without oscillating");
+    CLI::App* command = app.add_subcommand(kStability.name, kStability.description);
     command->add_option("SCENE", options->scene,
                         "Mesh file, scene file or folder of meshes; without one, walls, corners, a groove, a lump, "
                         "a fine sphere and two layers");

@@ -2,21 +2,19 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Devices.h"
+#include "HandOver.h"
+#include "Program.h"
 #ifdef PALPATE_HAS_WINDOW
 #include "Window.h"
 #endif
 
-#include <palpate/meshio/ImportServer.h>
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/servo/RealtimeSetup.h>
-#include <palpate/session/Recording.h>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <new>
 
 namespace {
 
@@ -99,29 +97,22 @@ int run(int argc, char** argv)
     }
     CLI::App cli("Palpate: feel segmented anatomy. Research, training and planning rehearsal; not a medical device.",
                  "palpate");
-    cli.set_version_flag("--version", "palpate " + session::palpateVersion() + " (" + session::buildId() + ")");
+    cli.set_version_flag("--version", app::versionText());
     cli.require_subcommand(0, 1);
     app::Chosen chosen;
     app::addDevicesCommand(cli, chosen);
-    app::addEvaluateCommand(cli, chosen);
+    app::addHandedOver(cli, chosen);
     app::addFeltCommand(cli, chosen);
     app::addFindingsCommand(cli, chosen);
     app::addInfoCommand(cli, chosen);
     app::addReplayCommand(cli, chosen);
     app::addSessionCommand(cli, chosen);
-    app::addStabilityCommand(cli, chosen);
 #ifdef PALPATE_HAS_WINDOW
     WindowCommandLine window;
     addWindowOptions(cli, window);
 #endif
-    try {
-        cli.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-            return cli.exit(error); // help or version
-        }
-        app::printError(std::string(error.what()) + " (palpate --help lists what there is)");
-        return app::kBadInput;
+    if (const auto code = app::parse(cli, argc, argv)) {
+        return *code;
     }
     if (chosen) {
         return chosen();
@@ -138,23 +129,8 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    // First, while there is one thread and nothing is open. Without a server files are read here.
-    if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
-        app::printError(server.message() + "; meshes are read in this process");
+    if (argc > 1 && app::isEvaluation(argv[1])) {
+        return app::handOver(argv);
     }
-    int code = app::kFailed;
-    try {
-        code = run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        app::printError("out of memory");
-    } catch (const std::exception& error) {
-        app::printError(error.what());
-    } catch (...) {
-        app::printError("stopped by an unknown error");
-    }
-    if (std::fflush(stdout) != 0 && code == app::kDone) {
-        app::printError("the output could not be written");
-        code = app::kFailed;
-    }
-    return code;
+    return app::runProgram(argc, argv, run);
 }

@@ -220,6 +220,8 @@ class CommandLine : public QObject
         QTest::newRow("help") << QStringList{"--help"};
         QTest::newRow("replay") << QStringList{"replay", "--help"};
         QTest::newRow("info") << QStringList{"info", "--help"};
+        QTest::newRow("evaluate") << QStringList{"evaluate", "--help"};
+        QTest::newRow("stability") << QStringList{"stability", "--help"};
         QTest::newRow("session") << QStringList{"session", "--help"};
     }
 
@@ -230,6 +232,9 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
+        if (arguments == QStringList{"--help"}) { // those of the program beside it as well
+            QVERIFY(outcome.out.contains("  evaluate ") && outcome.out.contains("  stability "));
+        }
     }
 
     /// A folder of two spheres, the inner one 8 mm below the surface of the outer: pressed 12 mm over it the force is
@@ -698,6 +703,8 @@ class CommandLine : public QObject
             "--radius: found \"51\", expected a number of at least 0 and at most 50");
         row("evaluate, stiffness beyond", {"evaluate", "box.stl", "--stiffness", "1e300"},
             "--stiffness: found \"1e300\", expected a number above 0 and at most 1000");
+        row("command after an option", {"--unit", "mm", "evaluate", "box.stl", "--quick"},
+            "evaluate: found after an option, expected as the first word");
         row("seed below", {"evaluate", "box.stl", "--quick", "--seed=-1"}, "--seed: found \"-1\", expected a whole");
         row("seed beyond", {"evaluate", "box.stl", "--quick", "--seed", "18446744073709551616"}, "--seed: found");
         row("stability, rate beyond", {"stability", "box.stl", "--rate", "1e5"},

@@ -100,6 +100,26 @@ class Evaluate : public QObject
         QVERIFY(QDir(file("x")).entryList(QDir::Files).isEmpty());
     }
 
+    void aProgramAloneSaysWhatItMisses_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::newRow("evaluate") << "evaluate";
+        QTest::newRow("stability") << "stability";
+    }
+    void aProgramAloneSaysWhatItMisses()
+    {
+        QFETCH(QString, command);
+        QVERIFY(QFile::copy(PALPATE_EXECUTABLE, file("palpate")));
+        QProcess process;
+        process.start(file("palpate"), {command, "organs"});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 1);
+        const QByteArray error = process.readAllStandardError();
+        QCOMPARE(error.count('\n'), qsizetype(1));
+        QVERIFY2(error.contains(file("palpate-evaluation").toUtf8() + ": No such file"), error);
+        QVERIFY2(error.contains("build all of Palpate"), error);
+    }
+
     void whatIsWrittenGoesBelowOut_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -14,3 +14,6 @@ said=$("$work/consumer/consumer")
 echo "$said"
 # 2 mm into a triangle of 0.5 N/mm.
 [ "$said" = "force 0 0 1 N" ]
+# The programs find each other where they are installed.
+program=$work/prefix/bin/palpate
+[ ! -x "$program" ] || [[ $("$program" evaluate --help) == *--quick* ]]

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
+#include "Console.h"
+
+#include <palpate/meshio/ImportServer.h>
+#include <palpate/session/Recording.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace palpate::app {
+
+int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
+{
+    // First, while there is one thread and nothing is open. Without a server files are read here.
+    if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
+        printError(server.message() + "; meshes are read in this process");
+    }
+    int code = kFailed;
+    try {
+        code = run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        printError("out of memory");
+    } catch (const std::exception& error) {
+        printError(error.what());
+    } catch (...) {
+        printError("stopped by an unknown error");
+    }
+    if (std::fflush(stdout) != 0 && code == kDone) {
+        printError("the output could not be written");
+        code = kFailed;
+    }
+    return code;
+}
+
+std::string versionText()
+{
+    return "palpate " + session::palpateVersion() + " (" + session::buildId() + ")";
+}
+
+std::optional<int> parse(CLI::App& cli, int argc, char** argv)
+{
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return cli.exit(error); // help or version
+        }
+        printError(std::string(error.what()) + " (palpate --help lists what there is)");
+        return kBadInput;
+    }
+    return std::nullopt;
+}
+
+} // namespace palpate::app
