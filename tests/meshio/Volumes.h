@@ -109,6 +109,23 @@ inline std::string niftiHeader()
     return out;
 }
 
+/// The head of a NIfTI-2 file, whose counts have 64 bits.
+inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1)
+{
+    std::string out(544, '\0');
+    const auto put = [&out](std::size_t at, auto value) { std::memcpy(&out[at], &value, sizeof(value)); };
+    put(0, std::int32_t{540});
+    put(4, std::array<char, 8>{'n', '+', '2', '\0', '\r', '\n', '\x1a', '\n'});
+    put(12, std::int16_t{16}); // float
+    put(14, std::int16_t{32});
+    put(16, std::array<std::int64_t, 8>{5, 12, 3, 2, 1, numbersOfOne, 1, 1});
+    put(104, std::array<double, 8>{1, 1, 2, 3, 1, 1, 1, 1});
+    put(168, std::int64_t{544});
+    put(348, std::int32_t{1});
+    put(400, std::array<double, 12>{-1, 0, 0, -10, 0, -2, 0, -20, 0, 0, 3, 30});
+    return out;
+}
+
 /// With the numbers behind the XML, as they lie in memory.
 inline std::string vtiAppended(const std::string& numbers)
 {
@@ -151,6 +168,7 @@ inline std::vector<VolumeSample> volumeSamples()
             {"packed.nrrd", nrrdHeader("gzip") + gzipped(floats)},
             {"beside.nhdr", nrrdHeader("raw", "data file: beside.img\n"), "beside.img", floats},
             {"plain.nii", niftiHeader() + floats},
+            {"wide.nii", niftiWideHeader() + floats},
             {"packed.nii.gz", gzipped(niftiHeader() + floats)},
             {"text.vti", vtiText(text)},
             {"appended.vti", vtiAppended(floats)}};

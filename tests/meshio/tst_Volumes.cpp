@@ -51,6 +51,28 @@ class Volumes : public QObject
         }
     }
 
+    void aFileForEachSliceSaysTheSame()
+    {
+        const std::string floats = test::volumeNumbers();
+        const std::string list = "LIST\nfirst.raw\nsecond.raw\n";
+        const test::Folder folder;
+        (void)folder.write("first.raw", floats.substr(0, floats.size() / 2));
+        (void)folder.write("second.raw", floats.substr(floats.size() / 2));
+        const std::string meta = test::metaHeader("MET_FLOAT", list);
+        for (const test::VolumeSample& sample :
+             {test::VolumeSample{"list.nhdr", test::nrrdHeader("raw", "data file: " + list)},
+              test::VolumeSample{"list.mhd", meta}}) {
+            const auto grid = readSample(folder, sample);
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            QVERIFY2(isWhole(grid.value()), sample.name.c_str());
+        }
+        (void)folder.write("second.raw", floats.substr(0, 10));
+        const auto cut = readSample(folder, {"list.mhd", meta});
+        QVERIFY(!cut.isOk());
+        QCOMPARE(cut.status().message(),
+                 std::string("list.mhd: 72 voxels declared; expected as many as its 154 bytes can hold"));
+    }
+
     void whatIsCutShortIsRefused()
     {
         for (const test::VolumeSample& sample : test::volumeSamples()) {
@@ -132,6 +154,10 @@ class Volumes : public QObject
             std::string text = test::nrrdHeader("raw");
             return text.replace(text.find(from), from.size(), to) + floats;
         };
+        const auto vti = [](const std::string& from, const std::string& to) {
+            std::string text = test::vtiText("1 2 3");
+            return text.replace(text.find(from), from.size(), to);
+        };
         row("dimensions beyond counting", "v.mha", meta("NDims = 3", "NDims = 1e308"),
             "v.mha: header: NDims: what is not one number; expected 1 to 4");
         row("NRRD, a 0 in its header", "v.nrrd", nrrd("kinds", std::string("ki\0ds", 5)),
@@ -146,12 +172,52 @@ class Volumes : public QObject
             "v.nrrd: header: \"sizes\" twice; expected each field once");
         row("NRRD, a pattern", "v.nrrd", nrrd("endian: little", "endian: little\ndata file: %s%n 1 9 0"),
             "v.nrrd: header: data file: \"%s%n 1 9 0\"; expected the name of one file");
+        row("NRRD, the name of a data file twice", "v.nrrd",
+            nrrd("endian: little", "endian: little\ndata file: a\ndatafile: b"),
+            "v.nrrd: header: \"data file\" and \"datafile\"; expected one of them");
+        row("NRRD, an empty list", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\n"),
+            "v.nhdr: header: the file of its voxels: an empty LIST");
+        row("NRRD, a list of files that are not there", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\na\nb\n"),
+            "v.nhdr: header: the file of its voxels: no file \"a\"; expected one beside the header");
+        row("NRRD, a list of compressed files", "v.nhdr", test::nrrdHeader("gzip", "data file: LIST\na\nb\n"),
+            "v.nhdr: header: the file of its voxels: a LIST of compressed files");
+        row("a file that is not there", "v.mhd", test::metaHeader("MET_FLOAT", "beside.raw"),
+            "v.mhd: header: the file of its voxels: no file \"beside.raw\"; expected one beside the header");
+        row("a pattern", "v.mhd", test::metaHeader("MET_FLOAT", "slice%d.raw 0 1 0"),
+            "v.mhd: header: the file of its voxels: \"slice%d.raw 0 1 0\"; expected the name of one file");
+        row("an empty line before the file", "v.mha", meta("ElementDataFile", "\nElementDataFile = z%d\n#"),
+            "v.mha: header: the file of its voxels: \"z%d\"");
+        row("NIfTI, a word of another header", "v.nii",
+            std::string(nifti(42, std::int16_t{8195})) + "\ndata file: a\n\n", "v.nii: 49,170 voxels declared");
+        row("VTI, an XML error of two lines", "v.vti", vti("<Piece", "<Pi\nece\n&#0;"), "v.vti: line ");
         row("NRRD, a word with a control character", "v.nrrd", nrrd("encoding: raw", "encoding: gzip\x02z"),
             "v.nrrd: ");
         row("NIfTI, a kind beyond the table", "v.nii", nifti(70, std::int16_t{16400}),
             "v.nii: header: voxels of kind 16400; expected one of NIfTI's kinds");
         row("NIfTI, packed, a kind beyond the table", "v.nii.gz", test::gzipped(nifti(70, std::int16_t{16400})),
             "v.nii.gz: header: voxels of kind 16400");
+        row("NIfTI, many numbers a voxel", "v.nii", test::niftiWideHeader(832586256) + floats,
+            "v.nii: 832586256 components a voxel; expected one number for each voxel");
+        const char* beyond = "v.vti: line 5: an array with more numbers than its file can hold; expected a "
+                             "NumberOfComponents and a NumberOfTuples that are there";
+        row("VTI, many numbers a voxel", "v.vti", vti("Name=", "NumberOfComponents=\"200000000\" Name="), beyond);
+        row("VTI, many numbers of each cell", "v.vti",
+            vti("</PointData>", "</PointData><CellData><DataArray type=\"Int8\" Name=\"t\" "
+                                "NumberOfComponents=\"200000000\"/></CellData>"),
+            beyond);
+        row("VTI, many numbers of a field", "v.vti",
+            vti("<PointData", "<FieldData><DataArray type=\"Int8\" Name=\"t\" NumberOfTuples=\"2000000000\"/>"
+                              "</FieldData><PointData"),
+            beyond);
+        row("VTI, less than no number", "v.vti", vti("Name=", "NumberOfComponents=\"-1\" Name="), beyond);
+        std::string arrays;
+        for (int n = 0; n < 200; ++n) {
+            arrays += "<DataArray type=\"Int8\" Name=\"t" + std::to_string(n) + "\" NumberOfComponents=\"1000\"/>";
+        }
+        row("VTI, many arrays", "v.vti", vti("</PointData>", arrays + "</PointData>"),
+            "v.vti: 72 voxels declared; expected as many as its ");
+        row("VTI, a document type", "v.vti", vti("<VTKFile", "<!DOCTYPE VTKFile>\n<VTKFile"),
+            "v.vti: line 2: a document type or an entity; expected none in a VTI file");
         row("VTI, fewer numbers than voxels", "v.vti", test::vtiText("1 2 3"), "v.vti: ");
         row("VTI, a vast extent", "v.vti", test::vtiText("1 2 3", "0 2000000000 0 2000000000 0 2000000000"),
             "v.vti: 1,000,000,000,000,000,000 voxels declared");

@@ -5,7 +5,7 @@
 #include "ImportServer.h"
 #include "NumericLocale.h"
 #include "OpenFile.h"
-#include "TextScan.h"
+#include "VolumeHeader.h"
 #include "VtkMessages.h"
 #include "VtkProgress.h"
 
@@ -25,20 +25,15 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtk_zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <locale>
-#include <map>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace palpate::meshio::internal {
@@ -50,98 +45,12 @@ using core::Status;
 using core::StatusCode;
 using core::Vec3;
 
-constexpr std::size_t kMostHeader = 65536; ///< of text [bytes]
-constexpr double kMostPacked = 1100.0;     ///< bytes that zlib can make of one
+constexpr double kMostPacked = 1100.0; ///< bytes that zlib can make of one
 
-/// The directions of a volume's axes that VTK's readers leave out, as its text header says them: MetaImage's
-/// `TransformMatrix`, NRRD's `space directions` and `space`.
-struct TextHeader
+bool hasTextHeader(const std::filesystem::path& path)
 {
-    Eigen::Matrix3d directions = Eigen::Matrix3d::Identity(); ///< a column each, unit, in the file's space
-    bool isRas = false;                                       ///< the file's space; else LPS
-    bool hasSpace = false;                                    ///< the file says it
-    bool isPacked = false;                                    ///< its voxels are compressed
-    bool isText = false;                                      ///< its voxels are written as text (NRRD)
-    bool isPlain = true;    ///< no byte of it is 0, which VTK's readers take for its end, or look for an end behind
-    int dimensions = 3;     ///< of MetaImage; 0: not said as one number
-    bool isEnded = false;   ///< by what must stand there: an empty line, ElementDataFile
-    std::uint64_t size = 0; ///< up to where its numbers can begin [bytes]
-    std::string dataFile;   ///< of its voxels, as it says it; empty: this file
-};
-
-std::optional<Eigen::Matrix3d> threeByThree(std::string text)
-{
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    Eigen::Matrix3d m;
-    for (int i = 0; i < 9; ++i) {
-        if (!(in >> m(i % 3, i / 3))) {
-            return std::nullopt;
-        }
-    }
-    m.colwise().normalize();
-    return std::abs(m.determinant()) > 1e-3 ? std::optional(m) : std::nullopt;
-}
-
-/// @return nothing where a direction is said that can't be read
-std::optional<TextHeader> textHeader(const std::filesystem::path& path)
-{
-    constexpr std::size_t kMostLines = 400;
-    const bool isMeta = path.extension() == ".mha" || path.extension() == ".mhd";
-    TextHeader axes;
-    std::ifstream in(path, std::ios::binary);
-    std::string line;
-    std::size_t read = 0;
-    for (std::size_t i = 0; i < kMostLines && read < kMostHeader && std::getline(in, line);
-         ++i, read += line.size() + 1) {
-        if (line.empty() || line == "\r") {
-            axes.isEnded = !in.eof();
-            axes.size = read + line.size() + 1;
-            break;
-        }
-        axes.isPlain = axes.isPlain && line.find('\0') == std::string::npos;
-        const auto valueAfter = [&line](std::string_view key) {
-            return line.rfind(key, 0) == 0 ? std::optional(line.substr(key.size())) : std::nullopt;
-        };
-        std::optional<std::string> directions = valueAfter("TransformMatrix =");
-        directions = directions ? directions : valueAfter("space directions:");
-        if (directions) {
-            const auto matrix = threeByThree(*directions);
-            if (!matrix) {
-                return std::nullopt;
-            }
-            axes.directions = *matrix;
-        }
-        if (const auto space = valueAfter("space:")) {
-            axes.hasSpace = true;
-            axes.isRas =
-                space->find("right-anterior-superior") != std::string::npos || space->find("RAS") != std::string::npos;
-        }
-        if (const auto dimensions = valueAfter("NDims =")) {
-            const std::string_view digits = trimmed(*dimensions);
-            axes.dimensions = digits.size() == 1 && digits[0] >= '0' && digits[0] <= '9' ? digits[0] - '0' : 0;
-        }
-        const auto packed = valueAfter("CompressedData =");
-        const auto encoding = valueAfter("encoding:");
-        axes.isPacked = axes.isPacked || (packed && packed->find("True") != std::string::npos) ||
-                        (encoding && encoding->find("raw") == std::string::npos);
-        axes.isText = axes.isText || (encoding && encoding->find("raw") == std::string::npos &&
-                                      encoding->find("gz") == std::string::npos);
-        const auto element = isMeta ? valueAfter("ElementDataFile =") : std::nullopt;
-        const auto data = element ? element : valueAfter("data file:");
-        axes.dataFile = data ? std::string(trimmed(*data)) : axes.dataFile;
-        if (element) {
-            axes.isEnded = !in.eof();
-            axes.size = read + line.size() + 1;
-            break;
-        }
-    }
-    if (axes.dataFile == "LOCAL") {
-        axes.dataFile.clear();
-    }
-    return axes;
+    const std::string ending = path.extension().string();
+    return ending == ".nrrd" || ending == ".nhdr" || ending == ".mha" || ending == ".mhd";
 }
 
 /// NIfTI says a matrix of its own, to RAS.
@@ -187,106 +96,11 @@ void place(Volume& volume, const std::optional<TextHeader>& header, const std::s
     }
 }
 
-/// Where a VTI ends before its last tag, VTK leaves what is not there of appended numbers as the memory was.
-bool isXmlEnded(const std::filesystem::path& path)
+Status oneNumber(int components, const std::string& file)
 {
-    constexpr std::streamoff kTail = 256;
-    std::ifstream in(path, std::ios::binary | std::ios::ate);
-    const std::streamoff size = in.tellg();
-    in.seekg(std::max<std::streamoff>(0, size - kTail));
-    const std::string tail{std::istreambuf_iterator<char>(in), {}};
-    return trimmed(tail).ends_with("</VTKFile>");
-}
-
-/// The file of the voxels where it is one beside the header. @return empty where it is not: lists of files, patterns
-std::filesystem::path dataFileOf(const std::filesystem::path& path, const TextHeader& header)
-{
-    std::error_code error;
-    const std::filesystem::path file = path.parent_path() / header.dataFile;
-    return !header.dataFile.empty() && std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
-}
-
-/// What NRRD's reader trusts: it takes what is no number for 0, a field that comes twice for both, and the name of a
-/// data file with numbers behind it for a pattern to print them with.
-Status checkNrrd(const std::filesystem::path& path)
-{
-    const std::string file = path.filename().string();
-    std::ifstream in(path, std::ios::binary);
-    std::string line;
-    std::map<std::string, std::string> fields;
-    std::getline(in, line);
-    for (std::size_t read = line.size(); read < kMostHeader && std::getline(in, line) && !line.empty() && line != "\r";
-         read += line.size() + 1) {
-        const std::size_t colon = line.find(": ");
-        if (line[0] == '#' || colon == std::string::npos) {
-            continue;
-        }
-        const std::string field = line.substr(0, colon);
-        if (!fields.emplace(field, trimmed(std::string_view(line).substr(colon + 2))).second) {
-            return fault(StatusCode::BadFormat, file, "header", inQuotes(field) + " twice", "each field once");
-        }
-        if (field == "sizes" && fields.count("dimension") == 0) {
-            return fault(StatusCode::BadFormat, file, "header: sizes", "no dimension before them", "a dimension");
-        }
-    }
-    const auto wordsOf = [&fields](const char* field) {
-        std::istringstream words(fields[field]);
-        return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
-    };
-    if (fields["dimension"] != "3") {
-        return fault(StatusCode::Unsupported, file, "header: dimension", inQuotes(fields["dimension"]), "3");
-    }
-    const std::vector<std::string> sizes = wordsOf("sizes");
-    constexpr std::size_t kMostDigits = 9;
-    if (sizes.size() != 3 || !std::all_of(sizes.begin(), sizes.end(), [](const std::string& size) {
-            return size.size() <= kMostDigits && size.find_first_not_of("0123456789") == std::string::npos;
-        })) {
-        return fault(StatusCode::BadFormat, file, "header: sizes", inQuotes(fields["sizes"]), "three counts of voxels");
-    }
-    for (const char* field : {"data file", "datafile"}) {
-        if (const auto words = wordsOf(field); words.size() > 1 && words.front() != "LIST") {
-            return fault(StatusCode::Unsupported, file, std::string("header: ") + field, inQuotes(fields[field]),
-                         "the name of one file");
-        }
-    }
-    return {};
-}
-
-/// What NIfTI's reader trusts: it takes the number of a kind for a place in a table.
-Status checkNifti(const std::filesystem::path& path)
-{
-    constexpr std::array<std::int16_t, 16> kKinds{2,   4,   8,    16,   32,   64,   128,  256,
-                                                  512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
-    constexpr std::int32_t kFirst = 348, kSecond = 540; // bytes of the header: NIfTI-1, NIfTI-2
-    const std::string file = path.filename().string();
-    std::array<unsigned char, kSecond> head{};
-    gzFile in = gzopen(path.c_str(), "rb"); // reads what is not packed as it is
-    const int read = in == nullptr ? 0 : gzread(in, head.data(), static_cast<unsigned>(head.size()));
-    if (in != nullptr) {
-        (void)gzclose(in);
-    }
-    const auto numberAt = [&head](std::size_t at, std::size_t bytes, bool isSwapped) {
-        std::int64_t number = 0;
-        for (std::size_t i = 0; i < bytes; ++i) {
-            number |= static_cast<std::int64_t>(head[at + (isSwapped ? bytes - 1 - i : i)]) << (8 * i);
-        }
-        return number;
-    };
-    const bool isSwapped = head[0] == 0;
-    const std::int64_t size = numberAt(0, 4, isSwapped);
-    if (read < kFirst || (size != kFirst && size != kSecond) || read < size) {
-        return fault(StatusCode::BadFormat, file, "header", "no header of NIfTI", "348 or 540 bytes of it");
-    }
-    const auto kind = static_cast<std::int16_t>(numberAt(size == kFirst ? 70 : 12, 2, isSwapped));
-    if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
-        return fault(StatusCode::BadFormat, file, "header", "voxels of kind " + std::to_string(kind),
-                     "one of NIfTI's kinds, as 16 for float");
-    }
-    const std::int64_t axes = numberAt(size == kFirst ? 40 : 16, size == kFirst ? 2 : 8, isSwapped);
-    if (axes < 1 || axes > 7) {
-        return fault(StatusCode::BadFormat, file, "header", std::to_string(axes) + " axes", "1 to 7");
-    }
-    return {};
+    return components == 1 ? Status()
+                           : fault(StatusCode::BadFormat, file, "", std::to_string(components) + " components a voxel",
+                                   "one number for each voxel");
 }
 
 /// What a header declares must be there before VTK asks for the memory.
@@ -303,13 +117,11 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
         voxels *= along;
     }
     constexpr std::uint64_t kNiftiHeader = 352; // the least
-    const bool isElsewhere = header && !header->dataFile.empty() && dataFileOf(path, *header).empty();
     const bool isNifti = file.ends_with(".nii");
-    const std::uint64_t head = isNifti ? kNiftiHeader : header && header->dataFile.empty() ? header->size : 0;
+    const std::uint64_t head = isNifti ? kNiftiHeader : header && header->dataFiles.empty() ? header->size : 0;
     const std::uint64_t all = volumeBytes(path);
     const auto bytes = static_cast<double>(all - std::min(all, head));
-    if (voxels > static_cast<double>(kMostVoxels) ||
-        (!isElsewhere && voxels * bytesOfOne > bytes * (isPacked ? kMostPacked : 1.0))) {
+    if (voxels > static_cast<double>(kMostVoxels) || voxels * bytesOfOne > bytes * (isPacked ? kMostPacked : 1.0)) {
         return fault(StatusCode::OutOfRange, file, "",
                      counted(static_cast<std::uint64_t>(std::min(voxels, 1e18)), "voxel") + " declared",
                      "as many as its " + counted(static_cast<std::uint64_t>(bytes), "byte") + " can hold");
@@ -320,16 +132,13 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
 /// MetaImage's reader takes what it can unpack for the whole and leaves the rest as the memory was.
 Status checkUnpacks(const std::filesystem::path& path, const TextHeader& header, const int* extent, int bytesOfOne)
 {
-    const std::filesystem::path data = dataFileOf(path, header);
-    if (!header.dataFile.empty() && data.empty()) {
-        return {}; // lists of files: VTK's matter
-    }
     std::uint64_t bytes = static_cast<std::uint64_t>(bytesOfOne);
     for (int axis = 0; axis < 3; ++axis) {
         bytes *= static_cast<std::uint64_t>(extent[2 * axis + 1] - extent[2 * axis] + 1);
     }
-    std::ifstream in(data.empty() ? path : data, std::ios::binary);
-    in.seekg(data.empty() ? static_cast<std::streamoff>(header.size) : 0);
+    const bool isHere = header.dataFiles.empty();
+    std::ifstream in(isHere ? path : path.parent_path() / header.dataFiles.front(), std::ios::binary);
+    in.seekg(isHere ? static_cast<std::streamoff>(header.size) : 0);
     std::string packed(4, '\0'); // Qt wants the size in front, big-endian; it is no more than a first guess
     for (std::size_t i = 0; i < 4; ++i) {
         packed[i] = static_cast<char>((std::min<std::uint64_t>(bytes, 0x7fffffffU) >> (24 - 8 * i)) & 0xffU);
@@ -369,24 +178,31 @@ Status readWithVtk(const std::filesystem::path& path, const std::optional<TextHe
         reader.SetFileName(path.c_str());
         reader.UpdateInformation();
         const bool isPacked = file.ends_with(".gz") || (header && header->isPacked);
-        status = checkHeld(reader.GetDataExtent(), vtkDataArray::GetDataTypeSize(reader.GetDataScalarType()), isPacked,
-                           path, header);
+        status = oneNumber(reader.GetNumberOfScalarComponents(), file);
+        status = !status.isOk()
+                     ? status
+                     : checkHeld(reader.GetDataExtent(), vtkDataArray::GetDataTypeSize(reader.GetDataScalarType()),
+                                 isPacked, path, header);
         if (status.isOk() && header && header->isPacked && (file.ends_with(".mha") || file.ends_with(".mhd"))) {
             status = checkUnpacks(path, *header, reader.GetDataExtent(),
-                                  vtkDataArray::GetDataTypeSize(reader.GetDataScalarType()) *
-                                      reader.GetNumberOfScalarComponents());
+                                  vtkDataArray::GetDataTypeSize(reader.GetDataScalarType()));
         }
         if (status.isOk()) {
             run(reader);
         }
     };
     if (file.ends_with(".vti")) {
+        const double most = std::min(kMostPacked * static_cast<double>(volumeBytes(path)), double{kMostVoxels});
+        const Result<std::uint64_t> numbers = checkVti(path, static_cast<std::uint64_t>(most));
+        if (!numbers.isOk()) {
+            return numbers.status();
+        }
         vtkNew<vtkXMLImageDataReader> reader;
         reader->SetFileName(path.c_str());
         reader->UpdateInformation();
         const int* extent = reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
         if (extent != nullptr) {
-            status = checkHeld(extent, 1.0, true, path, header);
+            status = checkHeld(extent, std::max(1.0, static_cast<double>(numbers.value())), true, path, header);
             if (status.isOk()) {
                 run(*reader);
             }
@@ -459,9 +275,15 @@ std::uint64_t volumeBytes(const std::filesystem::path& path)
         const std::uintmax_t size = std::filesystem::file_size(file, error);
         return error ? 0 : size;
     };
-    const std::optional<TextHeader> header = textHeader(path);
-    const std::filesystem::path data = header ? dataFileOf(path, *header) : std::filesystem::path();
-    return data.empty() ? sizeOf(path) : sizeOf(data);
+    const std::optional<TextHeader> header = hasTextHeader(path) ? textHeader(path) : std::nullopt;
+    if (!header || header->dataFiles.empty()) {
+        return sizeOf(path);
+    }
+    std::uint64_t all = 0;
+    for (const std::string& name : header->dataFiles) {
+        all += sizeOf(path.parent_path() / name);
+    }
+    return all;
 }
 
 Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFrame frame,
@@ -470,41 +292,14 @@ Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFr
     const std::string file = path.filename().string();
     const NumericLocale locale;
     const VtkMessages messages;
-    const std::optional<TextHeader> header = textHeader(path);
-    const bool hasText =
-        file.ends_with(".nrrd") || file.ends_with(".nhdr") || file.ends_with(".mha") || file.ends_with(".mhd");
-    if (file.ends_with(".vti") && !isXmlEnded(path)) {
-        return fault(StatusCode::BadFormat, file, "", "it does not end with its last tag", "`</VTKFile>` at the end");
-    }
-    if (hasText && !header) {
-        return fault(StatusCode::BadFormat, file, "header", "directions of its axes that can't be read",
-                     "three vectors that are not in a plane");
-    }
-    if (hasText && !header->isEnded) { // VTK's reader of NRRD looks for that end without one
-        return fault(StatusCode::BadFormat, file, "header", "it does not end",
-                     "a header that says where the voxels are");
-    }
-    if (hasText && !header->isPlain) {
-        return fault(StatusCode::BadFormat, file, "header", "a byte of 0 in its text", "a header of text alone");
-    }
-    if (hasText && (header->dimensions < 1 || header->dimensions > 4)) { // MetaImage's reader counts them all
-        return fault(StatusCode::BadFormat, file, "header: NDims",
-                     header->dimensions == 0 ? "what is not one number"
-                                             : counted(static_cast<std::uint64_t>(header->dimensions), "dimension"),
-                     "1 to 4");
-    }
-    if (file.ends_with(".nii") || file.ends_with(".nii.gz")) {
-        if (Status status = checkNifti(path); !status.isOk()) {
-            return status;
-        }
-    }
-    if (file.ends_with(".nrrd") || file.ends_with(".nhdr")) {
-        if (Status status = checkNrrd(path); !status.isOk()) {
-            return status;
-        }
-    }
-    if (hasText && header->isText) { // VTK 9.1 gives back the memory as it was
-        return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding", "`raw` or `gzip`");
+    const bool hasText = hasTextHeader(path);
+    const std::optional<TextHeader> header = hasText ? textHeader(path) : std::nullopt;
+    const bool isNifti = file.ends_with(".nii") || file.ends_with(".nii.gz");
+    if (Status status = hasText   ? checkTextHeader(path, header)
+                        : isNifti ? checkNifti(path)
+                                  : Status();
+        !status.isOk()) {
+        return status;
     }
     Volume volume;
     try {

@@ -229,7 +229,7 @@ Status HeaderReader::run(VtpHeader& header)
             m_array = nullptr;
             break;
         case QXmlStreamReader::Invalid:
-            return wrong(StatusCode::BadFormat, "the XML is broken: " + m_xml.errorString().toStdString(),
+            return wrong(StatusCode::BadFormat, "the XML is broken: " + inQuotes(m_xml.errorString().toStdString()),
                          "well-formed XML to the end");
         case QXmlStreamReader::EndDocument:
             return m_status;
