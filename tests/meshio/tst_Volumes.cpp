@@ -175,6 +175,11 @@ class Volumes : public QObject
         row("NRRD, the name of a data file twice", "v.nrrd",
             nrrd("endian: little", "endian: little\ndata file: a\ndatafile: b"),
             "v.nrrd: header: \"data file\" and \"datafile\"; expected one of them");
+        row("MetaImage, text", "v.mha", meta("BinaryData = True", "BinaryData = False"),
+            "v.mha: header: voxels in another encoding; expected `BinaryData = True`");
+        row("NRRD, a blank line that is not empty", "v.nrrd",
+            test::nrrdHeader("raw").substr(0, test::nrrdHeader("raw").size() - 1) + " \n" + floats.substr(0, 8),
+            "v.nrrd: header: it does not end");
         row("NRRD, an empty list", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\n"),
             "v.nhdr: header: the file of its voxels: an empty LIST");
         row("NRRD, a list of files that are not there", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\na\nb\n"),

@@ -56,6 +56,7 @@ bool isMetaImage(const std::filesystem::path& path)
 bool takeField(TextHeader& header, bool isMeta, std::string_view key, const std::string& value)
 {
     const auto has = [&value](std::string_view word) { return value.find(word) != std::string::npos; };
+    const bool isTrue = !value.empty() && std::string_view("Tt1").find(value[0]) != std::string_view::npos; // to MetaIO
     if (key == (isMeta ? "TransformMatrix" : "space directions")) {
         const auto matrix = threeByThree(value);
         header.directions = matrix.value_or(header.directions);
@@ -66,8 +67,10 @@ bool takeField(TextHeader& header, bool isMeta, std::string_view key, const std:
         header.isRas = has("right-anterior-superior") || has("RAS");
     } else if (key == "NDims") {
         header.dimensions = value.size() == 1 && value[0] >= '0' && value[0] <= '9' ? value[0] - '0' : 0;
-    } else if (key == "CompressedData") { // as MetaImage's reader takes it
-        header.isPacked = header.isPacked || value.starts_with('T') || value.starts_with('t') || value.starts_with('1');
+    } else if (key == "CompressedData") {
+        header.isPacked = header.isPacked || isTrue;
+    } else if (key == "BinaryData") {
+        header.isText = !isTrue;
     } else if (key == "encoding") {
         header.isPacked = header.isPacked || !has("raw");
         header.isText = header.isText || (!has("raw") && !has("gz"));
@@ -183,17 +186,22 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
     TextHeader header;
     std::ifstream in(path, std::ios::binary);
     std::string line;
+    bool wasCarriageReturn = false;
+    header.isText = isMeta; // unless it says otherwise
     while (header.size < kMostHeader && std::getline(in, line)) {
         header.size += line.size() + 1;
         header.isPlain = header.isPlain && line.find('\0') == std::string::npos;
         const std::string_view words = trimmed(line);
         const std::size_t separator = words.find_first_of(isMeta ? "=:" : ":");
+        if (!isMeta && (line.empty() || (line == "\r" && wasCarriageReturn))) { // as NRRD's reader looks for it
+            header.isEnded = !in.eof();
+            break;
+        }
+        wasCarriageReturn = line.ends_with('\r');
         if (words.empty()) {
-            header.isEnded = header.isEnded || (!isMeta && !in.eof());
-            if (!isMeta && header.isEnded) {
-                break;
-            }
-        } else if (header.isList) {
+            continue;
+        }
+        if (header.isList) {
             header.dataFiles.emplace_back(words);
         } else if (separator != std::string_view::npos) {
             const std::string_view key = trimmed(words.substr(0, separator));
@@ -235,8 +243,9 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
     if (Status status = isMetaImage(path) ? Status() : checkNrrd(path); !status.isOk()) {
         return status;
     }
-    if (header->isText) { // VTK 9.1 gives back the memory as it was
-        return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding", "`raw` or `gzip`");
+    if (header->isText) { // VTK 9.1 gives back the memory as it was (NRRD) or never ends (MetaImage)
+        return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding",
+                     isMetaImage(path) ? "`BinaryData = True`" : "`raw` or `gzip`");
     }
     return checkDataFiles(path, *header);
 }

@@ -21,7 +21,7 @@ struct TextHeader
     bool isRas = false;                                       ///< the file's space; else LPS
     bool hasSpace = false;                                    ///< the file says it
     bool isPacked = false;                                    ///< its voxels are compressed
-    bool isText = false;                                      ///< its voxels are written as text (NRRD)
+    bool isText = false;    ///< its voxels are written as text, or in what VTK can't read
     bool isPlain = true;    ///< no byte of it is 0, which VTK's readers take for its end, or look for an end behind
     int dimensions = 3;     ///< of MetaImage; 0: not said as one number
     bool isEnded = false;   ///< by what must stand there: an empty line, ElementDataFile
