@@ -177,6 +177,8 @@ class Volumes : public QObject
             "v.nrrd: header: \"data file\" and \"datafile\"; expected one of them");
         row("MetaImage, text", "v.mha", meta("BinaryData = True", "BinaryData = False"),
             "v.mha: header: voxels in another encoding; expected `BinaryData = True`");
+        row("MetaImage, a long word", "v.mha", meta("NDims", "NDims = 3\n" + std::string(300, 'x')),
+            "v.mha: header: a line of 304 characters; expected at most 254");
         row("NRRD, a blank line that is not empty", "v.nrrd",
             test::nrrdHeader("raw").substr(0, test::nrrdHeader("raw").size() - 1) + " \n" + floats.substr(0, 8),
             "v.nrrd: header: it does not end");

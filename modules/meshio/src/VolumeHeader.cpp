@@ -191,6 +191,7 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
     while (header.size < kMostHeader && std::getline(in, line)) {
         header.size += line.size() + 1;
         header.isPlain = header.isPlain && line.find('\0') == std::string::npos;
+        header.longest = std::max(header.longest, line.size());
         const std::string_view words = trimmed(line);
         const std::size_t separator = words.find_first_of(isMeta ? "=:" : ":");
         if (!isMeta && (line.empty() || (line == "\r" && wasCarriageReturn))) { // as NRRD's reader looks for it
@@ -239,6 +240,11 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
                      header->dimensions == 0 ? "what is not one number"
                                              : counted(static_cast<std::uint64_t>(header->dimensions), "dimension"),
                      "1 to 4");
+    }
+    constexpr std::size_t kLongest = 254; // which MetaIO has the memory for
+    if (isMetaImage(path) && header->longest > kLongest) {
+        return fault(StatusCode::BadFormat, file, "header", "a line of " + counted(header->longest, "character"),
+                     "at most 254");
     }
     if (Status status = isMetaImage(path) ? Status() : checkNrrd(path); !status.isOk()) {
         return status;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -21,12 +22,13 @@ struct TextHeader
     bool isRas = false;                                       ///< the file's space; else LPS
     bool hasSpace = false;                                    ///< the file says it
     bool isPacked = false;                                    ///< its voxels are compressed
-    bool isText = false;    ///< its voxels are written as text, or in what VTK can't read
-    bool isPlain = true;    ///< no byte of it is 0, which VTK's readers take for its end, or look for an end behind
-    int dimensions = 3;     ///< of MetaImage; 0: not said as one number
-    bool isEnded = false;   ///< by what must stand there: an empty line, ElementDataFile
-    std::uint64_t size = 0; ///< up to where its numbers can begin [bytes]
-    bool isList = false;    ///< it names a file for each slice
+    bool isText = false;     ///< its voxels are written as text, or in what VTK can't read
+    bool isPlain = true;     ///< no byte of it is 0, which VTK's readers take for its end, or look for an end behind
+    int dimensions = 3;      ///< of MetaImage; 0: not said as one number
+    std::size_t longest = 0; ///< of its lines [characters]
+    bool isEnded = false;    ///< by what must stand there: an empty line, ElementDataFile
+    std::uint64_t size = 0;  ///< up to where its numbers can begin [bytes]
+    bool isList = false;     ///< it names a file for each slice
     std::vector<std::string> dataFiles{}; ///< of its voxels, as it names them; empty: this file
 };
 
