@@ -15,6 +15,41 @@ core::ViewPose viewPose(VtkViewport& viewport)
     return {Vec3(camera.GetPosition()), Vec3(camera.GetFocalPoint()), Vec3(camera.GetViewUp()), camera.GetViewAngle()};
 }
 
+namespace {
+
+/// The share of the turn that takes `from` to `to`, both of length 1, about `up` where they are opposite: from the
+/// front to the back a patient passes by sideways.
+Eigen::Quaterniond partOfTurn(const Vec3& from, const Vec3& to, const Vec3& up, double share)
+{
+    constexpr double kOpposite_rad = 1e-6; // less, and rounding would choose the axis
+    Vec3 axis = from.cross(to);
+    const double angle_rad = std::atan2(axis.norm(), from.dot(to));
+    if (axis.norm() < kOpposite_rad) {
+        axis = up - up.dot(from) * from;
+    }
+    return Eigen::Quaterniond(Eigen::AngleAxisd(share * angle_rad, axis.normalized()));
+}
+
+} // namespace
+
+core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to, double share)
+{
+    const Vec3 back[2] = {from.position_W - from.focus_W, to.position_W - to.focus_W};
+    const double length[2] = {back[0].norm(), back[1].norm()};
+    if (!(length[0] > 0.0 && length[1] > 0.0)) {
+        return share < 1.0 ? from : to;
+    }
+    const auto part = partOfTurn(back[0] / length[0], back[1] / length[1], from.up_W, share);
+    core::ViewPose pose;
+    pose.focus_W = from.focus_W + share * (to.focus_W - from.focus_W);
+    pose.position_W =
+        pose.focus_W + part * (back[0] / length[0]) * (length[0] * std::pow(length[1] / length[0], share));
+    const Vec3 up = (1.0 - share) * (part * from.up_W) + share * to.up_W;
+    pose.up_W = up.norm() > 1e-6 ? up.normalized() : to.up_W;
+    pose.viewAngle_deg = from.viewAngle_deg + share * (to.viewAngle_deg - from.viewAngle_deg);
+    return pose;
+}
+
 CameraFlight::CameraFlight(VtkViewport& viewport, QObject* parent)
     : QObject(parent)
     , m_viewport(viewport)
@@ -24,7 +59,7 @@ CameraFlight::CameraFlight(VtkViewport& viewport, QObject* parent)
     m_clock.setDuration(kTime_ms);
     m_clock.setEasingCurve(QEasingCurve::InOutCubic);
     connect(&m_clock, &QVariantAnimation::valueChanged, this,
-            [this](const QVariant& share) { show(between(share.toDouble())); });
+            [this](const QVariant& share) { show(poseBetween(m_from, m_to, share.toDouble())); });
     connect(&m_clock, &QVariantAnimation::finished, this, [this] { show(m_to); });
 }
 
@@ -44,26 +79,6 @@ void CameraFlight::show(const core::ViewPose& pose)
     camera.SetViewUp(pose.up_W.data());
     camera.SetViewAngle(pose.viewAngle_deg);
     m_viewport.update();
-}
-
-/// Turns about the focus rather than straight through the anatomy.
-core::ViewPose CameraFlight::between(double share) const
-{
-    const Vec3 back[2] = {m_from.position_W - m_from.focus_W, m_to.position_W - m_to.focus_W};
-    const double length[2] = {back[0].norm(), back[1].norm()};
-    if (!(length[0] > 0.0 && length[1] > 0.0)) {
-        return share < 1.0 ? m_from : m_to;
-    }
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(back[0], back[1]);
-    const auto part = Eigen::Quaterniond::Identity().slerp(share, turn);
-    core::ViewPose pose;
-    pose.focus_W = m_from.focus_W + share * (m_to.focus_W - m_from.focus_W);
-    pose.position_W =
-        pose.focus_W + part * (back[0] / length[0]) * (length[0] * std::pow(length[1] / length[0], share));
-    const Vec3 up = (1.0 - share) * (part * m_from.up_W) + share * m_to.up_W;
-    pose.up_W = up.norm() > 1e-6 ? up.normalized() : m_to.up_W;
-    pose.viewAngle_deg = m_from.viewAngle_deg + share * (m_to.viewAngle_deg - m_from.viewAngle_deg);
-    return pose;
 }
 
 } // namespace palpate::ui

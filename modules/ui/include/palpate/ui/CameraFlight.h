@@ -12,6 +12,11 @@ namespace palpate::ui {
 /// @return where the view's camera stands.
 [[nodiscard]] core::ViewPose viewPose(VtkViewport& viewport);
 
+/// On the way from one place to another: turned about what is looked at, rather than straight through the anatomy, and
+/// about `from.up_W` where the two look from opposite sides.
+/// @param share  of the way, 0 to 1
+[[nodiscard]] core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to, double share);
+
 /// Moves the view's camera to another place in 0.3 s, and there exactly.
 class CameraFlight : public QObject
 {
@@ -25,7 +30,6 @@ class CameraFlight : public QObject
 
   private:
     void show(const core::ViewPose& pose);
-    [[nodiscard]] core::ViewPose between(double share) const;
 
     VtkViewport& m_viewport;
     QVariantAnimation m_clock;
