@@ -57,7 +57,7 @@ void SurfaceExamination::overlappingBallsCrossWhereBruteForceSays()
         const core::Vec3 a = surface->vertex(t[0]), b = surface->vertex(t[1]), c = surface->vertex(t[2]);
         Eigen::Matrix3d m;
         m << b - a, c - a, p - q;
-        const core::Vec3 x = m.fullPivLu().solve(core::Vec3(p - a));
+        const core::Vec3 x = m.inverse() * (p - a);
         return x[0] > 0.0 && x[1] > 0.0 && x[0] + x[1] < 1.0 && x[2] > 0.0 && x[2] < 1.0;
     };
     std::size_t expected = 0;

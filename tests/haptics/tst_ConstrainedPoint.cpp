@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -68,14 +69,16 @@ class ConstrainedPointTest : public QObject
             for (int i = 0; i < p.count; ++i) {
                 active.push_back(planes[p.active[static_cast<std::size_t>(i)]]);
             }
-            Eigen::MatrixXd normals(3, p.count);
-            for (int i = 0; i < p.count; ++i) {
-                normals.col(i) = active[static_cast<std::size_t>(i)].n;
+            Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+            for (const HalfSpace& plane : active) {
+                squares += plane.n * plane.n.transpose();
             }
             // The dense system is as badly conditioned as the square of its normals' smallest singular value.
-            const double smallest =
-                p.count == 0 ? 1.0 : Eigen::JacobiSVD<Eigen::MatrixXd>(normals).singularValues().minCoeff();
-            const double conditioned = 1e-14 / (smallest * smallest) * (wanted.norm() + p.u.norm());
+            // It is an eigenvalue of the normals' squares; the smaller ones, in directions of no normal, are 0.
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+            eigen.computeDirect(squares, Eigen::EigenvaluesOnly);
+            const double square = p.count == 0 ? 1.0 : std::max(eigen.eigenvalues()[3 - p.count], 1e-15);
+            const double conditioned = 1e-14 / square * (wanted.norm() + p.u.norm());
             QVERIFY((lagrange(wanted, active) - p.u).norm() < conditioned);
             withThree += p.count == 3 ? 1 : 0;
         }

@@ -87,7 +87,7 @@ V3 tipOf(const ArmUnit& unit, const V3& q)
 V3 forceOf(const ArmUnit& unit, const V3& q, const V3& amps)
 {
     const Matrix3d j = pointAt(vec(q), Vector3d::Zero(), unit.link_m[1], unit.link_m[2]).j;
-    return arr(j.transpose().fullPivLu().solve(jointTorques(unit, amps)));
+    return arr(j.transpose().inverse() * jointTorques(unit, amps));
 }
 
 std::array<double, 3> countsOf(const ArmUnit& unit, const V3& q)
@@ -166,7 +166,7 @@ void stepArm(Arm& arm, double dt_s)
         mass += arm.hand.mass_kg * tip.j.transpose() * tip.j;
         torque += tip.j.transpose() * (force - arm.hand.mass_kg * (tip.jDot * v));
     }
-    const Vector3d next = v + mass.llt().solve(torque) * dt_s;
+    const Vector3d next = v + mass.inverse() * torque * dt_s;
     arm.v = arr(next);
     arm.q = arr(q + next * dt_s);
 }

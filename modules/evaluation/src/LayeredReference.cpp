@@ -30,6 +30,12 @@ Eigen::Vector4d basis(double s, int derivative, double u)
     return {down, (s - derivative) * down, up, (s + derivative) * up};
 }
 
+/// By complete pivoting: no fewer than the digits that the equations have.
+Eigen::VectorXd solved(const Eigen::MatrixXd& equations, const Eigen::VectorXd& right)
+{
+    return equations.fullPivLu().solve(right);
+}
+
 } // namespace
 
 double layerCompliance(double u, double ratio)
@@ -43,12 +49,12 @@ double layerCompliance(double u, double ratio)
     // W(s), s = depth times wave number: the vertical displacement. No shear on top; displacements and tractions go on
     // into the half-space below, where W = (A + B s) e^-s; the normal traction on top is 1.
     const auto w = [u](double s, int derivative) { return basis(s, derivative, u); };
-    Eigen::Matrix4d equations;
+    Eigen::MatrixXd equations(4, 4);
     equations.row(0) = w(0.0, 2) + w(0.0, 0);
     equations.row(1) = w(u, 2) + w(u, 0) + 2.0 * ratio * w(u, 1);
     equations.row(2) = w(u, 3) - 3.0 * w(u, 1) - 2.0 * ratio * w(u, 0);
     equations.row(3) = w(0.0, 3) - 3.0 * w(0.0, 1);
-    return w(0.0, 0).dot(equations.fullPivLu().solve(Eigen::Vector4d(0.0, 0.0, 0.0, 2.0)));
+    return w(0.0, 0).dot(solved(equations, Eigen::Vector4d(0.0, 0.0, 0.0, 2.0)));
 }
 
 double layeredPunch(double thickness, double ratio)
@@ -72,7 +78,7 @@ double layeredPunch(double thickness, double ratio)
             equations.noalias() -= part * cosine * cosine.cwiseProduct(weight).transpose();
         }
     }
-    return weight.dot(equations.partialPivLu().solve(Eigen::VectorXd::Ones(kNodes)));
+    return weight.dot(solved(equations, Eigen::VectorXd::Ones(kNodes)));
 }
 
 } // namespace palpate::evaluation

@@ -34,7 +34,8 @@ struct Parabolas
     Eigen::Vector3d value, slope;
 };
 
-/// Of a cell of shear modulus 1. Its pressures are eliminated: they belong to no other cell.
+/// Of a cell of shear modulus 1. Products are lazy: so small, they are faster without Eigen's blocks. Its pressures are
+/// eliminated: they belong to no other cell.
 CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
 {
     static const Quadrature kRule = gaussLegendre(4, -1.0, 1.0);
@@ -56,8 +57,8 @@ CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
                 shape[i] = x.value[i % 3] * y.value[i / 3];
                 slope.col(i) << x.slope[i % 3] * y.value[i / 3], x.value[i % 3] * y.slope[i / 3];
             }
-            const Eigen::RowVector2d place = shape.transpose() * places;
-            const Eigen::Matrix2d jacobian = slope * places;
+            const Eigen::RowVector2d place = shape.transpose().lazyProduct(places);
+            const Eigen::Matrix2d jacobian = slope.lazyProduct(places);
             const double r = place[0];
             const double part =
                 std::abs(jacobian.determinant()) * kRule.weight[p] * kRule.weight[q] * 2.0 * std::numbers::pi * r;
@@ -70,14 +71,15 @@ CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
                 strain(2, 2 * i + 1) = strain(3, 2 * i) = slope(1, i);
             }
             const Eigen::Vector4d modulus(2.0, 2.0, 2.0, 1.0);
-            stiffness.noalias() += part * (strain.transpose() * modulus.asDiagonal() * strain);
+            stiffness += part * strain.transpose().lazyProduct(modulus.asDiagonal() * strain);
             const Eigen::Vector3d pressure(1.0, (r - middle[0]) / size, (place[1] - middle[1]) / size);
             const CellRow growth = strain.row(0) + strain.row(1) + strain.row(2);
             volume.noalias() += part * pressure * growth;
             mass.noalias() += part * pressure * pressure.transpose();
         }
     }
-    stiffness.noalias() += kBulkModulus * volume.transpose() * mass.ldlt().solve(volume);
+    const Eigen::Matrix<double, 3, kDofs> pressures = mass.inverse() * volume;
+    stiffness += kBulkModulus * volume.transpose().lazyProduct(pressures);
     return stiffness;
 }
 
@@ -243,7 +245,7 @@ LumpElements::Response LumpElements::press(Press how, double ratio) const
         for (int i = 0; i < kDofs; ++i) {
             own[i] = all[static_cast<Eigen::Index>(dofOf(m_parts->grid.cells[c], i))];
         }
-        const double part = m_parts->modulus(c, ratio) * own.dot(m_parts->matrices[c] * own);
+        const double part = m_parts->modulus(c, ratio) * own.dot(m_parts->matrices[c].lazyProduct(own));
         energy += part;
         inLump += m_parts->grid.isCellInLump[c] != 0 ? part : 0.0;
     }
