@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a target without libFuzzer: its seeds, then changes of them that are the same in every run.
 //
-//   fuzz_stl [--mutations N] [FILE …]     N changes of each seed (300 unless told); with files, those alone
+//   fuzz_meshio TARGET [--mutations N] [FILE …]     N changes of each seed; with files, those alone
 #include "Fuzz.h"
 
 #include <algorithm>
@@ -19,6 +19,7 @@ namespace {
 std::size_t g_seed = 0;
 std::size_t g_mutation = 0;
 std::string g_input;
+const palpate::fuzz::Target* g_target = nullptr;
 
 /// Leaves the input that did it, for a row of `seeds`.
 void found(int signal)
@@ -32,7 +33,7 @@ void found(int signal)
 void feed(std::string input)
 {
     g_input = std::move(input);
-    palpate::fuzz::tryInput(g_input);
+    g_target->tryInput(g_input);
 }
 
 /// Changes `text` in one to six places, as damage and malice do.
@@ -108,12 +109,13 @@ std::string changed(std::string text, const std::vector<std::string>& seeds, std
 
 int main(int argc, char** argv)
 {
-    std::size_t mutations = 300;
+    g_target = &palpate::fuzz::target(argc > 1 ? argv[1] : "");
+    std::size_t mutations = g_target->mutations;
     bool hasFile = false;
     for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
         (void)std::signal(signal, found);
     }
-    for (int i = 1; i < argc; ++i) {
+    for (int i = 2; i < argc; ++i) {
         if (std::string_view(argv[i]) == "--mutations" && i + 1 < argc) {
             mutations = std::strtoul(argv[++i], nullptr, 10);
             continue;
@@ -125,7 +127,7 @@ int main(int argc, char** argv)
     if (hasFile) {
         return 0;
     }
-    const std::vector<std::string> seeds = palpate::fuzz::seeds();
+    const std::vector<std::string> seeds = g_target->seeds();
     for (g_seed = 0; g_seed < seeds.size(); ++g_seed) {
         feed(seeds[g_seed]);
         for (g_mutation = 1; g_mutation <= mutations; ++g_mutation) {

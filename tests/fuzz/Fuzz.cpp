@@ -7,6 +7,21 @@
 
 namespace palpate::fuzz {
 
+const Target& target(std::string_view name)
+{
+    for (const Target* some : targets()) {
+        if (some->name == name) {
+            return *some;
+        }
+    }
+    std::fprintf(stderr, "found the target \"%s\", expected one of:", std::string(name).c_str());
+    for (const Target* some : targets()) {
+        std::fprintf(stderr, " %s", std::string(some->name).c_str());
+    }
+    std::fputs("\n", stderr);
+    std::exit(2);
+}
+
 void require(bool isTrue, const char* what)
 {
     if (!isTrue) {

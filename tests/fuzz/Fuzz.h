@@ -3,19 +3,32 @@
 
 #include <palpate/core/Status.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace palpate::fuzz {
 
-/// What a target gives: inputs to start from. What was once found to go wrong is among them and stays.
-std::vector<std::string> seeds();
+/// What inputs are made for.
+struct Target
+{
+    std::string_view name;
+    std::size_t mutations; ///< of each seed, where CTest tries it
+    /// Inputs to start from. What was once found to go wrong is among them and stays.
+    std::vector<std::string> (*seeds)();
+    /// Feeds one input. Whatever it is, it must end here: with a value that keeps its promises, or with an error of one
+    /// line.
+    void (*tryInput)(std::string_view bytes);
+};
 
-/// Feeds one input. Whatever it is, it must end here: with a value that keeps its promises, or with an error of one
-/// line.
-void tryInput(std::string_view bytes);
+/// Those of this program.
+std::span<const Target* const> targets();
+
+/// Its target of that name; without one the program says which there are and ends.
+const Target& target(std::string_view name);
 
 /// Ends the program, as a finding, unless `isTrue`.
 void require(bool isTrue, const char* what);

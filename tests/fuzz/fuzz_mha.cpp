@@ -3,6 +3,8 @@
 
 namespace palpate::fuzz {
 
+namespace mha {
+
 std::vector<std::string> seeds()
 {
     return volumeSeeds(".mha");
@@ -12,5 +14,9 @@ void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, "a.mha");
 }
+
+} // namespace mha
+
+extern const Target kMha{"mha", 200, mha::seeds, mha::tryInput};
 
 } // namespace palpate::fuzz

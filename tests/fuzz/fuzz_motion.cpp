@@ -7,6 +7,8 @@
 
 namespace palpate::fuzz {
 
+namespace motion {
+
 std::vector<std::string> seeds()
 {
     return {
@@ -33,5 +35,9 @@ void tryInput(std::string_view bytes)
         require(p.allFinite(), "its samples are numbers");
     }
 }
+
+} // namespace motion
+
+extern const Target kMotion{"motion", 2000, motion::seeds, motion::tryInput};
 
 } // namespace palpate::fuzz

@@ -3,6 +3,8 @@
 
 namespace palpate::fuzz {
 
+namespace nii {
+
 std::vector<std::string> seeds()
 {
     std::vector<std::string> seeds = volumeSeeds(".nii");
@@ -16,5 +18,9 @@ void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, bytes.starts_with("\x1f\x8b") ? "a.nii.gz" : "a.nii");
 }
+
+} // namespace nii
+
+extern const Target kNii{"nii", 200, nii::seeds, nii::tryInput};
 
 } // namespace palpate::fuzz

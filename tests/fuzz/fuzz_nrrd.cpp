@@ -3,6 +3,8 @@
 
 namespace palpate::fuzz {
 
+namespace nrrd {
+
 std::vector<std::string> seeds()
 {
     return volumeSeeds(".nrrd");
@@ -12,5 +14,9 @@ void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, "a.nrrd");
 }
+
+} // namespace nrrd
+
+extern const Target kNrrd{"nrrd", 200, nrrd::seeds, nrrd::tryInput};
 
 } // namespace palpate::fuzz

@@ -5,6 +5,8 @@
 
 namespace palpate::fuzz {
 
+namespace obj {
+
 std::vector<std::string> seeds()
 {
     std::vector<std::string> out;
@@ -20,5 +22,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kObj, "a.obj");
 }
+
+} // namespace obj
+
+extern const Target kObj{"obj", 200, obj::seeds, obj::tryInput};
 
 } // namespace palpate::fuzz

@@ -5,6 +5,8 @@
 
 namespace palpate::fuzz {
 
+namespace ply {
+
 std::vector<std::string> seeds()
 {
     std::vector<std::string> out;
@@ -20,5 +22,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kPly, "a.ply");
 }
+
+} // namespace ply
+
+extern const Target kPly{"ply", 200, ply::seeds, ply::tryInput};
 
 } // namespace palpate::fuzz

@@ -12,7 +12,7 @@
 
 namespace palpate::fuzz {
 
-namespace {
+namespace recording {
 
 std::string recording(std::int64_t ticks)
 {
@@ -67,8 +67,6 @@ void recover(const std::filesystem::path& path)
     require(reader.value()->verify().isOk(), "its checksums hold");
 }
 
-} // namespace
-
 std::vector<std::string> seeds()
 {
     return {recording(300),
@@ -108,5 +106,9 @@ void tryInput(std::string_view bytes)
         (void)r.embedded(hash);
     }
 }
+
+} // namespace recording
+
+extern const Target kRecording{"recording", 100, recording::seeds, recording::tryInput};
 
 } // namespace palpate::fuzz

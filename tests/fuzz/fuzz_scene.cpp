@@ -7,6 +7,8 @@
 
 namespace palpate::fuzz {
 
+namespace scene {
+
 std::vector<std::string> seeds()
 {
     return {
@@ -45,5 +47,9 @@ void tryInput(std::string_view bytes)
     require(back.value().structures.size() == scene.value().structures.size(), "no structure is lost");
     require(back.value().findings.size() == scene.value().findings.size(), "no finding is lost");
 }
+
+} // namespace scene
+
+extern const Target kScene{"scene", 300, scene::seeds, scene::tryInput};
 
 } // namespace palpate::fuzz

@@ -5,6 +5,8 @@
 
 namespace palpate::fuzz {
 
+namespace stl {
+
 std::vector<std::string> seeds()
 {
     const std::array<float, 9> facet{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0};
@@ -16,5 +18,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kStl, "a.stl");
 }
+
+} // namespace stl
+
+extern const Target kStl{"stl", 200, stl::seeds, stl::tryInput};
 
 } // namespace palpate::fuzz

@@ -5,6 +5,8 @@
 
 namespace palpate::fuzz {
 
+namespace stlascii {
+
 std::vector<std::string> seeds()
 {
     return {test::asciiStl(),
@@ -22,5 +24,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kStl, "a.stl");
 }
+
+} // namespace stlascii
+
+extern const Target kStlAscii{"stlascii", 200, stlascii::seeds, stlascii::tryInput};
 
 } // namespace palpate::fuzz

@@ -7,7 +7,7 @@
 
 namespace palpate::fuzz {
 
-namespace {
+namespace volumewire {
 
 std::string handedOver(core::Result<meshio::internal::VoxelGrid> outcome)
 {
@@ -21,8 +21,6 @@ std::string handedOver(core::Result<meshio::internal::VoxelGrid> outcome)
     return bytes;
 }
 
-} // namespace
-
 std::vector<std::string> seeds()
 {
     meshio::internal::VoxelGrid grid;
@@ -35,5 +33,9 @@ void tryInput(std::string_view bytes)
 {
     tryHandedBack(bytes);
 }
+
+} // namespace volumewire
+
+extern const Target kVolumeWire{"volumewire", 200, volumewire::seeds, volumewire::tryInput};
 
 } // namespace palpate::fuzz

@@ -3,6 +3,8 @@
 
 namespace palpate::fuzz {
 
+namespace vti {
+
 std::vector<std::string> seeds()
 {
     return volumeSeeds(".vti");
@@ -12,5 +14,9 @@ void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, "a.vti");
 }
+
+} // namespace vti
+
+extern const Target kVti{"vti", 200, vti::seeds, vti::tryInput};
 
 } // namespace palpate::fuzz

@@ -4,6 +4,8 @@
 
 namespace palpate::fuzz {
 
+namespace vtk {
+
 std::vector<std::string> seeds()
 {
     return {test::asciiVtk(), test::binaryVtk(),
@@ -19,5 +21,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kLegacyVtk, "a.vtk");
 }
+
+} // namespace vtk
+
+extern const Target kVtk{"vtk", 200, vtk::seeds, vtk::tryInput};
 
 } // namespace palpate::fuzz

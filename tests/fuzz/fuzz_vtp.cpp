@@ -5,6 +5,8 @@
 
 namespace palpate::fuzz {
 
+namespace vtp {
+
 std::vector<std::string> seeds()
 {
     const test::Folder folder; // binary, appended and compressed, as our writer does
@@ -27,5 +29,9 @@ void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kVtp, "a.vtp");
 }
+
+} // namespace vtp
+
+extern const Target kVtp{"vtp", 200, vtp::seeds, vtp::tryInput};
 
 } // namespace palpate::fuzz

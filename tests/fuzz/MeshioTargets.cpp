@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fuzz.h"
+
+namespace palpate::fuzz {
+
+extern const Target kMha, kNii, kNrrd, kObj, kPly, kScene, kStl, kStlAscii, kVolumeWire, kVti, kVtk, kVtp;
+
+std::span<const Target* const> targets()
+{
+    static const Target* const all[] = {&kMha, &kNii,      &kNrrd,       &kObj, &kPly, &kScene,
+                                        &kStl, &kStlAscii, &kVolumeWire, &kVti, &kVtk, &kVtp};
+    return all;
+}
+
+} // namespace palpate::fuzz
