@@ -38,12 +38,18 @@ function(palpate_moc target)
   set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc.sh)
 endfunction()
 
-# palpate_module(NAME SOURCES ... [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT] [O1])
+# palpate_module(NAME SOURCES ... [TIMED ...] [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT]
+#                [O1])
 # makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed, each as a component NAME
-# of find_package(Palpate); a module comes after those that it uses. O1: no servo tick waits for it (palpate_o1_flags).
+# of find_package(Palpate); a module comes after those that it uses. O1: no servo tick waits for it (palpate_o1_flags), but
+# for the TIMED sources, whose speed counts.
 function(palpate_module name)
-  cmake_parse_arguments(M "ENGINE;QT;O1" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
-  add_library(palpate_${name} STATIC ${M_SOURCES})
+  cmake_parse_arguments(M "ENGINE;QT;O1" "" "SOURCES;TIMED;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  set(timed ${M_TIMED})
+  if(M_TIMED AND CMAKE_UNITY_BUILD)
+    set(timed $<TARGET_OBJECTS:palpate_${name}_timed>)
+  endif()
+  add_library(palpate_${name} STATIC ${M_SOURCES} ${timed})
   add_library(palpate::${name} ALIAS palpate_${name})
   target_include_directories(palpate_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -51,6 +57,11 @@ function(palpate_module name)
   list(TRANSFORM M_USES PREPEND palpate::)
   target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:palpate_flags> ${M_PRIVATE_LIBRARIES})
+  if(M_TIMED AND CMAKE_UNITY_BUILD)
+    add_library(palpate_${name}_timed OBJECT ${M_TIMED})
+    target_include_directories(palpate_${name}_timed PRIVATE include src)
+    target_link_libraries(palpate_${name}_timed PRIVATE ${M_USES} ${M_LIBRARIES} ${M_PRIVATE_LIBRARIES} palpate_flags)
+  endif()
   if(M_O1)
     target_link_libraries(palpate_${name} PRIVATE $<BUILD_INTERFACE:palpate_o1_flags>)
   endif()
