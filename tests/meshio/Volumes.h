@@ -110,7 +110,7 @@ inline std::string niftiHeader()
 }
 
 /// The head of a NIfTI-2 file, whose counts have 64 bits.
-inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1)
+inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1, std::int64_t across = 12)
 {
     std::string out(544, '\0');
     const auto put = [&out](std::size_t at, auto value) { std::memcpy(&out[at], &value, sizeof(value)); };
@@ -118,7 +118,7 @@ inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1)
     put(4, std::array<char, 8>{'n', '+', '2', '\0', '\r', '\n', '\x1a', '\n'});
     put(12, std::int16_t{16}); // float
     put(14, std::int16_t{32});
-    put(16, std::array<std::int64_t, 8>{5, 12, 3, 2, 1, numbersOfOne, 1, 1});
+    put(16, std::array<std::int64_t, 8>{5, across, 3, 2, 1, numbersOfOne, 1, 1});
     put(104, std::array<double, 8>{1, 1, 2, 3, 1, 1, 1, 1});
     put(168, std::int64_t{544});
     put(348, std::int32_t{1});

@@ -205,6 +205,10 @@ class Volumes : public QObject
             "v.nii.gz: header: voxels of kind 16400");
         row("NIfTI, many numbers a voxel", "v.nii", test::niftiWideHeader(832586256) + floats,
             "v.nii: 832586256 components a voxel; expected one number for each voxel");
+        row("NIfTI-2, a count beyond 32 bits", "v.nii", test::niftiWideHeader(1, (std::int64_t{1} << 32) + 12) + floats,
+            "v.nii: header: 4294967308 voxels along axis 1; expected 1 to 2147483647");
+        row("NIfTI-2, less than none", "v.nii", test::niftiWideHeader(1, -12) + floats,
+            "v.nii: header: -12 voxels along axis 1; expected 1 to 2147483647");
         const char* beyond = "v.vti: line 5: an array with more numbers than its file can hold; expected a "
                              "NumberOfComponents and a NumberOfTuples that are there";
         row("VTI, many numbers a voxel", "v.vti", vti("Name=", "NumberOfComponents=\"200000000\" Name="), beyond);

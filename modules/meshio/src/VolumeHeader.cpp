@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <locale>
 #include <map>
 #include <sstream>
@@ -288,6 +289,14 @@ Status checkNifti(const std::filesystem::path& path)
     const std::int64_t axes = numberAt(size == kFirst ? 40 : 16, size == kFirst ? 2 : 8, isSwapped);
     if (axes < 1 || axes > 7) {
         return fault(StatusCode::BadFormat, file, "header", std::to_string(axes) + " axes", "1 to 7");
+    }
+    // NIfTI-2 has 64 bits for each; VTK's reader keeps 32 of them.
+    for (std::int64_t axis = 1; axis <= axes && size == kSecond; ++axis) {
+        const std::int64_t count = numberAt(static_cast<std::size_t>(16 + 8 * axis), 8, isSwapped);
+        if (count < 1 || count > std::numeric_limits<std::int32_t>::max()) {
+            return fault(StatusCode::BadFormat, file, "header",
+                         std::to_string(count) + " voxels along axis " + std::to_string(axis), "1 to 2147483647");
+        }
     }
     return {};
 }
