@@ -3,6 +3,7 @@
 
 #include <palpate/ui/CameraFlight.h>
 
+#include <cmath>
 #include <numbers>
 
 using namespace palpate;
@@ -51,6 +52,7 @@ class CameraFlight : public QObject
             QVERIFY(std::abs(pose.position_W.z()) < 1e-4); // neither over the head nor below the feet
             QVERIFY((pose.up_W - Vec3(0, 0, 1)).norm() < 1e-6);
         }
+        QVERIFY(std::abs(std::abs(ui::poseBetween(front, back, 0.5).position_W.x()) - 200.0) < 1e-6);
     }
 };
 
