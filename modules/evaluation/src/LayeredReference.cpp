@@ -30,7 +30,7 @@ Eigen::Vector4d basis(double s, int derivative, double u)
     return {down, (s - derivative) * down, up, (s + derivative) * up};
 }
 
-/// By complete pivoting: no fewer than the digits that the equations have.
+/// By complete pivoting, which loses no digits to the order of the equations.
 Eigen::VectorXd solved(const Eigen::MatrixXd& equations, const Eigen::VectorXd& right)
 {
     return equations.fullPivLu().solve(right);

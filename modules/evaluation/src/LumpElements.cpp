@@ -34,8 +34,8 @@ struct Parabolas
     Eigen::Vector3d value, slope;
 };
 
-/// Of a cell of shear modulus 1. Products are lazy: so small, they are faster without Eigen's blocks. Its pressures are
-/// eliminated: they belong to no other cell.
+/// Of a cell of shear modulus 1. Its pressures are eliminated: they belong to no other cell. Lazy products, as fast at
+/// this size, spare the compiler Eigen's blocked ones.
 CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
 {
     static const Quadrature kRule = gaussLegendre(4, -1.0, 1.0);
