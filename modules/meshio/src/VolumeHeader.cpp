@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QXmlStreamReader>
 
+#include <Eigen/LU>
+
 #include <vtk_zlib.h>
 
 #include <algorithm>
