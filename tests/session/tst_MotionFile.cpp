@@ -3,6 +3,8 @@
 
 #include <palpate/session/MotionFile.h>
 
+#include <QTemporaryDir>
+
 #include <clocale>
 #include <fstream>
 
@@ -82,6 +84,14 @@ class MotionFile : public QObject
             "m.csv: line 3, column time_s: found a time before the previous row's, expected ascending times");
         row("no time passes", "time_s,x,y,z\n1,1,2,3\n1,1,2,3\n",
             "m.csv: line 3, column time_s: found that no time passes, expected ascending times");
+        row("times of no servo", "time_s,x,y,z\n0,1,2,3\n1e300,1,2,3\n",
+            "m.csv: line 3, column time_s: found 1e+300 s between rows on average, expected 1e-05 to 1 s: one row a "
+            "servo tick");
+        row("steps of 10 s", "time_s,x,y,z\n0,1,2,3\n10,1,2,3\n20,1,2,3\n",
+            "m.csv: line 4, column time_s: found 10 s between rows on average, expected 1e-05 to 1 s: one row a servo "
+            "tick");
+        row("blanks, then a row", "x,y,z\n1,2,3\n \n\t\n1,2,3\n",
+            "m.csv: line 3: found 1 field, expected 3 as in the header");
         row("control characters", "x,y,z\n1,\x01\x02,3\n",
             "m.csv: line 2, column y: found \"\?\?\", expected a number");
     }
@@ -98,6 +108,34 @@ class MotionFile : public QObject
         const auto motion = session::readMotion("no-such-folder/m.csv");
         QCOMPARE(motion.status().code(), core::StatusCode::NotFound);
         QVERIFY(motion.status().message().starts_with("no-such-folder/m.csv: "));
+    }
+
+    /// The bytes come in blocks; a row may lie across the border of two.
+    void readsALongFileLikeItsText()
+    {
+        std::string text = "x,y,z\r\n";
+        for (int i = 0; i < 20'000; ++i) {
+            text += std::to_string(i) + ",-1.25," + std::to_string(0.001 * i) + "\r\n";
+        }
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString() + "/m.csv";
+        std::ofstream(path, std::ios::binary) << text;
+        const auto fromFile = session::readMotion(path), fromText = session::parseMotion(text, "m.csv");
+        QVERIFY2(fromFile.isOk() && fromText.isOk(), fromFile.status().message().c_str());
+        QCOMPARE(fromFile.value().p_WH.size(), std::size_t{20'000});
+        QVERIFY(fromFile.value().p_WH == fromText.value().p_WH);
+    }
+
+    void refusesEndlessAndUnreadableInputs()
+    {
+        const std::string zeros = session::readMotion("/dev/zero").status().message();
+        QCOMPARE(zeros, std::string("/dev/zero: line 1: found more than 1,000,000 bytes without a line end, expected a "
+                                    "CSV"));
+        QVERIFY(!session::readMotion("/dev/urandom").isOk());
+        const auto memory = session::readMotion("/proc/self/mem");
+        QVERIFY2(memory.status().message().starts_with("/proc/self/mem: cannot be read: "),
+                 memory.status().message().c_str());
+        QVERIFY(session::readMotion("/").status().message().find("directory") != std::string::npos);
     }
 
     void survivesAnyBytes()

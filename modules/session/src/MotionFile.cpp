@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
+#include <memory>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace palpate::session {
 
@@ -20,7 +23,10 @@ using core::StatusCode;
 
 constexpr std::array<std::string_view, 4> kColumns{"x", "y", "z", "time_s"};
 constexpr std::size_t kTimeColumn = 3;
-constexpr double kLargest_mm = 1e9; // beyond it the squares of distances lose what a hand can feel
+constexpr double kLargest_mm = 1e9;             // beyond it the squares of distances lose what a hand can feel
+constexpr std::size_t kLongestLine = 1'000'000; // bytes; a device or a binary file may have no line end at all
+constexpr std::size_t kMostRows = 86'400'000;   // a day at 1 kHz, 2 GB
+constexpr double kShortestPeriod_s = 1e-5, kLongestPeriod_s = 1.0; // as of a recording
 
 std::string_view trimmed(std::string_view text)
 {
@@ -52,31 +58,48 @@ std::size_t fieldCount(std::string_view line)
     return static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
 }
 
+/// Parses a motion line by line, so that a file of any length needs no more memory than its rows.
 class MotionParser
 {
   public:
-    MotionParser(std::string_view text, std::string_view name)
-        : m_rest(text)
-        , m_name(name)
+    explicit MotionParser(std::string_view name)
+        : m_name(name)
     {
     }
 
-    core::Result<Motion> parse()
+    /// Takes one line without its line feed.
+    Status add(std::string_view line)
     {
-        if (m_rest.starts_with("\xef\xbb\xbf")) {
-            m_rest.remove_prefix(3);
+        ++m_line;
+        if (m_line == 1) {
+            return readHeader(line.starts_with("\xef\xbb\xbf") ? line.substr(3) : line);
         }
-        const auto end = m_rest.find_last_not_of(" \t\r\n");
-        m_rest = m_rest.substr(0, end == std::string_view::npos ? 0 : end + 1);
-        if (Status status = readHeader(); !status.isOk()) {
-            return status;
+        if (trimmed(line).empty()) { // only an error when a row follows
+            m_firstBlank = m_firstBlank == 0 ? m_line : m_firstBlank;
+            return {};
         }
-        while (!m_rest.empty()) {
-            if (Status status = readRow(); !status.isOk()) {
-                return status;
-            }
+        if (m_firstBlank != 0) {
+            m_line = m_firstBlank;
+            return wrongFieldCount(1);
+        }
+        return readRow(line);
+    }
+
+    /// Refuses a line of which more than kLongestLine bytes are known.
+    Status refuseLongLine()
+    {
+        ++m_line;
+        return wrong(StatusCode::OutOfRange,
+                     "found more than " + core::grouped(kLongestLine) + " bytes without a line end, expected a CSV");
+    }
+
+    core::Result<Motion> finish()
+    {
+        if (m_line == 0) {
+            return add("");
         }
         if (m_motion.p_WH.empty()) {
+            m_line = 1;
             return wrong(StatusCode::Empty, "found no rows after the header, expected one a servo tick");
         }
         return finished();
@@ -92,10 +115,14 @@ class MotionParser
         return {code, message + ": " + what};
     }
 
-    Status readHeader()
+    Status wrongFieldCount(std::size_t fields) const
     {
-        ++m_line;
-        std::string_view header = take(m_rest, '\n');
+        return wrong(StatusCode::BadFormat, "found " + std::to_string(fields) + (fields == 1 ? " field" : " fields") +
+                                                ", expected " + std::to_string(m_fields) + " as in the header");
+    }
+
+    Status readHeader(std::string_view header)
+    {
         if (trimmed(header).empty()) {
             return wrong(StatusCode::Empty, "found an empty line, expected a header with x, y and z");
         }
@@ -123,14 +150,14 @@ class MotionParser
         return {};
     }
 
-    Status readRow()
+    Status readRow(std::string_view row)
     {
-        ++m_line;
-        std::string_view row = take(m_rest, '\n');
         if (const std::size_t fields = fieldCount(row); fields != m_fields) {
-            return wrong(StatusCode::BadFormat, "found " + std::to_string(fields) +
-                                                    (fields == 1 ? " field" : " fields") + ", expected " +
-                                                    std::to_string(m_fields) + " as in the header");
+            return wrongFieldCount(fields);
+        }
+        if (m_motion.p_WH.size() == kMostRows) {
+            return wrong(StatusCode::OutOfRange, "found more than " + core::grouped(kMostRows) +
+                                                     " rows, expected at most a day at 1 kHz: split the file");
         }
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < m_fields; ++i) {
@@ -174,8 +201,14 @@ class MotionParser
             if (std::abs(m_motion.dt_s - kNominalPeriod_s) < 1e-9 * kNominalPeriod_s) {
                 m_motion.dt_s = kNominalPeriod_s;
             }
-            if (!(m_motion.dt_s > 0.0) || !std::isfinite(m_motion.dt_s)) {
+            if (m_last_s == m_first_s) {
                 return wrong(StatusCode::BadFormat, "found that no time passes, expected ascending times",
+                             kColumns[kTimeColumn]);
+            }
+            if (!(m_motion.dt_s >= kShortestPeriod_s && m_motion.dt_s <= kLongestPeriod_s)) {
+                return wrong(StatusCode::OutOfRange,
+                             "found " + core::shortNumber(m_motion.dt_s) +
+                                 " s between rows on average, expected 1e-05 to 1 s: one row a servo tick",
                              kColumns[kTimeColumn]);
             }
         }
@@ -184,9 +217,9 @@ class MotionParser
 
     bool hasTime() const { return m_place[kTimeColumn] != m_fields; }
 
-    std::string_view m_rest;
     std::string_view m_name;
     std::size_t m_line = 0;
+    std::size_t m_firstBlank = 0; ///< line number after the header; 0: none so far
     std::size_t m_fields = 0;
     std::array<std::size_t, 4> m_place{}; ///< field of each known column, `m_fields` when absent
     double m_first_s = 0.0;
@@ -198,25 +231,62 @@ class MotionParser
 
 core::Result<Motion> parseMotion(std::string_view text, std::string_view name)
 {
-    return MotionParser(text, name).parse();
+    MotionParser parser(name);
+    while (!text.empty()) {
+        const std::string_view line = take(text, '\n');
+        if (Status status = line.size() > kLongestLine ? parser.refuseLongLine() : parser.add(line); !status.isOk()) {
+            return status;
+        }
+    }
+    return parser.finish();
 }
 
 core::Result<Motion> readMotion(const std::filesystem::path& path)
 {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        return Status(StatusCode::NotFound, path.string() + ": no such file, expected a motion CSV");
+    const std::string name = path.string();
+    const auto unreadable = [&name](int error) {
+        return Status(
+            error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable,
+            name + ": " +
+                (error == ENOENT ? "no such file" : "cannot be read: " + std::generic_category().message(error)) +
+                ", expected a motion CSV");
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        return Status(StatusCode::Unreadable, name + ": found a directory, expected a motion CSV");
     }
-    if (std::filesystem::is_directory(status)) {
-        return Status(StatusCode::Unreadable, path.string() + ": found a directory, expected a motion CSV");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+    if (file == nullptr) {
+        return unreadable(errno);
     }
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file.good() && !file.eof()) {
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be read");
+    MotionParser parser(name);
+    std::string pending; // the beginning of a line whose end has not been read
+    std::vector<char> block(1U << 16U);
+    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+        std::string_view rest(block.data(), count);
+        for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+            pending.append(rest.substr(0, end));
+            if (Status status = pending.size() > kLongestLine ? parser.refuseLongLine() : parser.add(pending);
+                !status.isOk()) {
+                return status;
+            }
+            pending.clear();
+            rest.remove_prefix(end + 1);
+        }
+        pending.append(rest);
+        if (pending.size() > kLongestLine) {
+            return parser.refuseLongLine();
+        }
     }
-    return parseMotion(text, path.string());
+    if (std::ferror(file.get()) != 0) {
+        return unreadable(errno);
+    }
+    if (!pending.empty()) {
+        if (Status status = parser.add(pending); !status.isOk()) {
+            return status;
+        }
+    }
+    return parser.finish();
 }
 
 } // namespace palpate::session

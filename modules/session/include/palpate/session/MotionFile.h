@@ -25,7 +25,8 @@ struct Motion
 
 /// Reads a CSV whose header names the columns `x`, `y`, `z` [mm] and optionally `time_s` [s], in any order; other
 /// columns are ignored. The numeric locale does not matter. A byte order mark, CRLF and blank lines at the end are
-/// fine.
+/// fine. The file may be a pipe. A line holds at most 1 MB and a motion at most a day at 1 kHz (86.4 million rows);
+/// rows are 1e-5 s to 1 s apart on average.
 /// @return one line such as `m.csv: line 7, column y: found "abc", expected a number`, if anything is wrong
 /// @par Thread Any; no shared state.
 [[nodiscard]] core::Result<Motion> readMotion(const std::filesystem::path& path);
