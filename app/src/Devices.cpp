@@ -25,12 +25,12 @@ std::unique_ptr<device::PluginHost> findPlugins(const std::vector<std::filesyste
 
 int probe(const char* file)
 {
-    const core::Status status = device::probePlugin(file);
+    const core::Status status = device::answerProbe(file);
     if (!status.isOk()) {
         printError(status.message());
         return kFailed;
     }
-    return device::kPluginIsFit;
+    return kDone;
 }
 
 core::Status checkPluginFolders(const std::vector<std::filesystem::path>& named)

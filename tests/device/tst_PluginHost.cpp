@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 using namespace palpate;
 
 class PluginHost : public QObject
@@ -97,6 +100,86 @@ class PluginHost : public QObject
         QCOMPARE(all.find("nobody").status().code(), core::StatusCode::NotFound);
     }
 
+    void skipsPluginsThatOthersCanReplace_data()
+    {
+        QTest::addColumn<int>("file");
+        QTest::addColumn<int>("folder");
+        QTest::addColumn<bool>("isFit");
+        QTest::newRow("sound") << 0644 << 0755 << true;
+        QTest::newRow("file open to all") << 0666 << 0755 << false;
+        QTest::newRow("file open to the group") << 0664 << 0755 << false;
+        QTest::newRow("folder open to all") << 0644 << 0777 << false;
+        QTest::newRow("sticky folder open to all") << 0644 << 01777 << false;
+        QTest::newRow("folder open to the group") << 0644 << 0775 << false;
+    }
+
+    void skipsPluginsThatOthersCanReplace()
+    {
+        QFETCH(const int, file);
+        QFETCH(const int, folder);
+        QFETCH(const bool, isFit);
+        QTemporaryDir temporary;
+        const auto plugins = std::filesystem::path(temporary.path().toStdString()) / "plugins";
+        std::filesystem::create_directory(plugins);
+        std::filesystem::copy_file(m_found / "working.so", plugins / "working.so");
+        QVERIFY(::chmod((plugins / "working.so").c_str(), static_cast<mode_t>(file)) == 0);
+        QVERIFY(::chmod(plugins.c_str(), static_cast<mode_t>(folder)) == 0);
+        auto all = host({plugins});
+        QCOMPARE(all.plugins().size(), std::size_t{1});
+        QCOMPARE(all.find("working").isOk(), isFit);
+        const std::string problem = problemOf(all, "working");
+        QVERIFY2(isFit == problem.empty(), problem.c_str());
+        QVERIFY2(isFit || problem.find("others may write to " + plugins.string()) != std::string::npos,
+                 problem.c_str());
+        // A link into such a folder leads to the same file.
+        const auto links = std::filesystem::path(temporary.path().toStdString()) / "links";
+        std::filesystem::create_directory(links);
+        std::filesystem::create_symlink(plugins / "working.so", links / "working.so");
+        QCOMPARE(host({links}).find("working").isOk(), isFit);
+    }
+
+    void skipsPluginsOfOtherUsers()
+    {
+        QTemporaryDir temporary;
+        const std::filesystem::path copy = temporary.path().toStdString() + "/working.so";
+        std::filesystem::copy_file(m_found / "working.so", copy);
+        if (::chown(copy.c_str(), 65534, 65534) != 0) {
+            QSKIP("only root can give a file away");
+        }
+        auto all = host({copy.parent_path()});
+        QVERIFY(!all.find("working").isOk());
+        QVERIFY2(problemOf(all, "working").find("belongs to another user") != std::string::npos,
+                 problemOf(all, "working").c_str());
+    }
+
+    /// The environment is often set by scripts; a relative folder would be looked for below the working folder.
+    void looksOnlyInAbsoluteFolders()
+    {
+        const auto all = [] {
+            std::vector<std::filesystem::path> folders = device::pluginFolders({}, "/program");
+            const auto settings = device::deviceSettingsFolders();
+            folders.insert(folders.end(), settings.begin(), settings.end());
+            return folders;
+        };
+        const QByteArray home = qgetenv("HOME"), data = qgetenv("XDG_DATA_HOME"), config = qgetenv("XDG_CONFIG_HOME");
+        qputenv("XDG_DATA_HOME", ".local/share");
+        qputenv("XDG_CONFIG_HOME", ".config");
+        qputenv("HOME", ".");
+        const auto relative = all();
+        qputenv("HOME", "/home/somebody");
+        qputenv("XDG_DATA_HOME", "/data");
+        qunsetenv("XDG_CONFIG_HOME");
+        const auto absolute = all();
+        home.isNull() ? qunsetenv("HOME") : qputenv("HOME", home);
+        data.isNull() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", data);
+        config.isNull() ? qunsetenv("XDG_CONFIG_HOME") : qputenv("XDG_CONFIG_HOME", config);
+        for (const std::filesystem::path& folder : relative) {
+            QVERIFY2(folder.is_absolute(), folder.c_str());
+        }
+        QVERIFY(std::find(absolute.begin(), absolute.end(), "/data/Palpate/plugins") != absolute.end());
+        QCOMPARE(absolute.size(), relative.size() + 3);
+    }
+
     void survivesPluginsThatDoNot_data()
     {
         QTest::addColumn<QString>("id");
@@ -105,8 +188,8 @@ class PluginHost : public QObject
                                  << "crashed";
         QTest::newRow("throws") << "throwing"
                                 << "no bus today";
-        QTest::newRow("ends the process") << "leaving"
-                                          << "ended the process";
+        QTest::newRow("ends the process as if all were well") << "leaving"
+                                                              << "ended the process";
     }
 
     void survivesPluginsThatDoNot()

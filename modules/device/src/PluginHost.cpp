@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <system_error>
 #include <utility>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace palpate::device {
 
@@ -31,6 +35,40 @@ bool isPlainId(const std::string& id)
     return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
 }
 
+/// Says how others than root and the user could put code of theirs in the place of a file or folder.
+/// @param mayShare  others may write when the sticky bit keeps them from renaming what is not theirs, as in /tmp
+std::optional<std::string> exposure(const std::filesystem::path& path, bool mayShare)
+{
+    struct stat found
+    {
+    };
+    if (::stat(path.c_str(), &found) != 0) {
+        return std::nullopt; // a broken link, for example: not loaded either
+    }
+    if (found.st_uid != 0 && found.st_uid != ::geteuid()) {
+        return path.string() + " belongs to another user; expected it to belong to you or to root";
+    }
+    const bool isShared = mayShare && (found.st_mode & S_ISVTX) != 0;
+    if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0 && !isShared) {
+        return "others may write to " + path.string() + "; take that right away with: chmod go-w '" + path.string() +
+               "'";
+    }
+    return std::nullopt;
+}
+
+/// The same for a plugin's file and each folder on its way. @param file  canonical
+std::optional<std::string> exposureOf(const std::filesystem::path& file)
+{
+    std::optional<std::string> found = exposure(file, false);
+    for (std::filesystem::path folder = file.parent_path(); !found; folder = folder.parent_path()) {
+        found = exposure(folder, folder != file.parent_path());
+        if (folder == folder.root_path()) {
+            break;
+        }
+    }
+    return found;
+}
+
 PluginEntry readEntry(const std::filesystem::path& file)
 {
     PluginEntry entry;
@@ -39,6 +77,11 @@ PluginEntry readEntry(const std::filesystem::path& file)
         entry.status = Status(code, file.string() + ": skipped, " + why);
         return entry;
     };
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::canonical(file, error);
+    if (const auto exposed = exposureOf(error ? file : real)) {
+        return refuse(StatusCode::Unsupported, *exposed);
+    }
     // Reads a section of the file; no code of it runs.
     const QJsonObject all = QPluginLoader(QString::fromStdU16String(file.u16string())).metaData();
     if (all.isEmpty()) {
@@ -87,7 +130,7 @@ std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesyst
 {
     std::vector<std::filesystem::path> folders = named;
     const QString user = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-    if (!user.isEmpty()) {
+    if (toPath(user).is_absolute()) {
         folders.push_back(toPath(user) / "Palpate/plugins");
     }
     folders.push_back(program / "plugins");                    // in a build, or where someone put them
@@ -99,11 +142,11 @@ std::vector<std::filesystem::path> deviceSettingsFolders()
 {
     std::vector<std::filesystem::path> folders;
     const QString settings = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
-    if (!settings.isEmpty()) {
+    if (toPath(settings).is_absolute()) {
         folders.push_back(toPath(settings) / "Palpate");
     }
     const QString home = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
-    if (!home.isEmpty()) {
+    if (toPath(home).is_absolute()) {
         folders.push_back(toPath(home));
     }
     return folders;

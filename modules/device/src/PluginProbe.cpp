@@ -4,8 +4,12 @@
 #include <QObject>
 #include <QPluginLoader>
 #include <QProcess>
+#include <QRandomGenerator>
 
+#include <cstdio>
 #include <exception>
+#include <iostream>
+#include <string>
 #include <system_error>
 
 namespace palpate::device {
@@ -35,8 +39,11 @@ Status runProbe(const std::vector<std::string>& command, const std::filesystem::
         arguments << QString::fromStdString(command[i]);
     }
     arguments << QString::fromStdU16String(file.u16string());
+    const QByteArray word = QByteArray::number(QRandomGenerator::system()->generate64(), 16);
     QProcess process;
-    process.start(QString::fromStdString(command.front()), arguments, QIODevice::ReadOnly);
+    process.start(QString::fromStdString(command.front()), arguments, QIODevice::ReadWrite);
+    process.write(word + '\n');
+    process.closeWriteChannel();
     if (!process.waitForFinished(timeout_ms)) {
         const bool hasStarted = process.error() == QProcess::Timedout;
         process.kill();
@@ -49,7 +56,7 @@ Status runProbe(const std::vector<std::string>& command, const std::filesystem::
         return {StatusCode::Unsupported, file.string() + ": skipped, it crashed when it was started (signal " +
                                              std::to_string(process.exitCode()) + ')'};
     }
-    if (process.exitCode() != kPluginIsFit) {
+    if (process.exitCode() != 0 || !process.readAllStandardOutput().endsWith(word + '\n')) {
         const std::string said = process.readAllStandardError().trimmed().toStdString();
         return {StatusCode::Unsupported,
                 said.empty() ? file.string() + ": skipped, it ended the process when it was started" : said};
@@ -73,6 +80,18 @@ Status probePlugin(const std::filesystem::path& file)
         return {StatusCode::Unsupported, file.string() + ": skipped, it failed when it was started"};
     }
     return {};
+}
+
+Status answerProbe(const std::filesystem::path& file)
+{
+    std::string word;
+    std::getline(std::cin, word);
+    Status status = probePlugin(file);
+    if (status.isOk()) {
+        std::printf("%s\n", word.c_str());
+        std::fflush(stdout);
+    }
+    return status;
 }
 
 } // namespace palpate::device

@@ -9,7 +9,7 @@ namespace palpate::device {
 [[nodiscard]] core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file);
 
 /// Runs `command` with `file` appended and waits for its end.
-/// @return what it said was wrong, that it crashed, or that it hung
+/// @return ok when it answered as answerProbe does; else what it said was wrong, that it crashed, or that it hung
 [[nodiscard]] core::Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file,
                                     int timeout_ms);
 

@@ -6,8 +6,8 @@
 
 int main(int argc, char** argv)
 {
-    const auto status = argc == 2 ? palpate::device::probePlugin(argv[1])
+    const auto status = argc == 2 ? palpate::device::answerProbe(argv[1])
                                   : palpate::core::Status(palpate::core::StatusCode::BadCommandLine, "one file");
     std::fprintf(stderr, "%s", status.message().c_str());
-    return status.isOk() ? palpate::device::kPluginIsFit : 1;
+    return status.isOk() ? 0 : 1;
 }

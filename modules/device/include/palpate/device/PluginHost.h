@@ -27,11 +27,13 @@ struct PluginEntry
 };
 
 /// Where plugins are looked for, in this order: `named` (from the command line), the user's folder, beside the program.
+/// A user's folder that the environment gives as a relative path is ignored, as the XDG base directory specification
+/// asks: it would depend on the working folder.
 /// @param program  folder of the running program
 [[nodiscard]] std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesystem::path>& named,
                                                                const std::filesystem::path& program);
 
-/// Where the user's settings of devices are: the configuration folder's Palpate, then home.
+/// Where the user's settings of devices are: the configuration folder's Palpate, then home; absolute paths alone.
 [[nodiscard]] std::vector<std::filesystem::path> deviceSettingsFolders();
 
 /// Finds, checks and loads device plugins. A bad one never stops the program: it is named with the reason and skipped.
@@ -41,8 +43,9 @@ class PluginHost
 {
   public:
     /// Reads the metadata of every file in `folders` whose name ends in .so; loads nothing. Of two plugins with the
-    /// same id the first one counts.
-    /// @param probe  command to which a plugin's file is appended, and that runs `probePlugin` on it in a process of
+    /// same id the first one counts. A plugin is skipped when another user could replace it: the file, its folder and
+    /// the folders above must belong to root or to the user, and group and others may not write to the first two.
+    /// @param probe  command to which a plugin's file is appended, and that runs `answerProbe` on it in a process of
     ///               its own before it is loaded here; empty: no trial, a plugin that crashes takes the program down
     /// @param probeTimeout_ms  longer, and the plugin counts as hung; a healthy one takes a fraction of a second
     explicit PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe = {},
@@ -67,11 +70,14 @@ class PluginHost
     PluginServices m_services;
 };
 
-/// Exit code of a trial whose plugin is fit: not 0, which a plugin that ends the process itself may give.
-inline constexpr int kPluginIsFit = 42;
-
 /// Loads the plugin, asks it for its devices and returns; the trial that `PluginHost` runs in another process.
 /// @return what is wrong with the plugin, unless it ended the process
 [[nodiscard]] core::Status probePlugin(const std::filesystem::path& file);
+
+/// Runs such a trial for `PluginHost` and answers it: reads a random word from standard input before any code of the
+/// plugin runs, and writes it to standard output when the plugin is fit. An exit code alone would prove nothing, as a
+/// plugin may end the process with any.
+/// @return as probePlugin
+[[nodiscard]] core::Status answerProbe(const std::filesystem::path& file);
 
 } // namespace palpate::device
