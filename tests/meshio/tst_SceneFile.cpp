@@ -213,6 +213,27 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     finding(R"("marked_utc": "yesterday")", "marked_utc: found \"yesterday\", expected a time as 2026");
     finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
+    field(R"("name": "cut\u0000here")", "name: found \"cut?here\", expected a text without the character U+0000");
+    field(R"("opacity": 1, "opacity": 0.5)", "opacity: found twice, expected it once");
+    field(R"("friction": {"static": 0.1, "st\u0061tic": 0.2})", "friction.static: found twice, expected it once");
+    whole(R"({"version": 1, "x": [{"y": {}}, {"z": "}{,\"", "z": []}], "structures": []})",
+          "a.json: x[1].z: found twice, expected it once");
+    const auto lumps = [](const char* name, const char* structures, const char* message) {
+        QTest::newRow(name) << R"({"version": 1, "structures": [)" + std::string(structures) + "]}"
+                            << "a.json: structures[" + std::string(message);
+    };
+    lumps("a lump in nothing", R"({"mesh": "a.stl", "name": "a", "inside": "c"})",
+          "0].inside: found \"c\", expected the name of a structure of this scene");
+    lumps("two organs of one name",
+          R"({"mesh": "a.stl", "name": "a"}, {"mesh": "b.stl", "name": "a"}, {"mesh": "c.stl", "inside": "a"})",
+          "2].inside: found \"a\", the name of 2 structures, expected a name that one structure has");
+    lumps("lumps in a circle",
+          R"({"mesh": "a.stl", "name": "a", "inside": "b"}, {"mesh": "b.stl", "name": "b", "inside": "a"})",
+          "0].inside: found \"b\", which lies inside \"a\", expected the outermost structure around it");
+    lumps("a lump in a lump",
+          R"({"mesh": "a.stl", "name": "a", "inside": "b"}, {"mesh": "b.stl", "name": "b", "inside": "c"},
+             {"mesh": "c.stl", "name": "c"})",
+          "0].inside: found \"b\", which lies inside \"c\", expected the outermost structure around it");
     whole(R"({"version": 1, )", "a.json: byte ");
     whole("", "a.json: byte 0: the file is empty");
     whole("[1]", "a.json: byte 0: no JSON object");

@@ -74,7 +74,8 @@ Status death(int outcome, const std::string& file, const Budget& budget, const s
         return fault(code, file, "", found, expected);
     };
     if (outcome == -1) {
-        return refused(StatusCode::Internal, "the process to read it in could not be started", "a machine that can");
+        return refused(StatusCode::Internal, "the process to read it in could not be started",
+                       "room for one more process with some files and memory (ulimit -a lists the limits)");
     }
     if (WIFSIGNALED(outcome)) {
         switch (const int signal = WTERMSIG(outcome); signal) {
@@ -96,9 +97,18 @@ Status death(int outcome, const std::string& file, const Budget& budget, const s
                            "a file that can be read");
         }
     }
-    return refused(StatusCode::BadFormat,
-                   "the process that read it gave up (exit code " + std::to_string(WEXITSTATUS(outcome)) + ")",
-                   "a file that can be read");
+    switch (WEXITSTATUS(outcome)) {
+    case kNotConfined:
+        return refused(StatusCode::Internal, "the process that was to read it could not limit its own memory and time",
+                       "limits on this program that leave room for its own (ulimit -a lists them)");
+    case kNotHandedBack:
+        return refused(StatusCode::OutOfRange, "the process that read it had no room to hand the " + noun + " back",
+                       "enough memory and no lower limit on the size of files (ulimit -v, ulimit -f)");
+    default:
+        return refused(StatusCode::BadFormat,
+                       "the process that read it gave up (exit code " + std::to_string(WEXITSTATUS(outcome)) + ")",
+                       "a file that can be read");
+    }
 }
 
 enum class End : std::uint8_t
@@ -217,7 +227,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     const auto unstarted = [&name](int error) {
         return fault(StatusCode::Internal, name, "",
                      std::string("the process to read it in cannot be started: ") + std::strerror(error),
-                     "a machine that can");
+                     "room for one more process with some open files (ulimit -a lists the limits)");
     };
     std::array<int, 2> pipe = {-1, -1};
     if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) {

@@ -117,9 +117,8 @@ void prepareHeap(const ImportTask& task)
 /// The reader, from its first step to its last.
 [[noreturn]] void beReader(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
 {
-    constexpr int kBad = 2;
     if (!confine(task)) {
-        ::_exit(kBad);
+        ::_exit(kNotConfined);
     }
     prepareHeap(task);
     if (hook != nullptr) {
@@ -128,7 +127,7 @@ void prepareHeap(const ImportTask& task)
     const bool isWritten = task.kind == ImportKind::Volume ? writeVolume(ends.result, readVolumeFor(task, path, ends))
                                                            : writeOutcome(ends.result, readMeshFor(task, path, ends));
     if (!isWritten) {
-        ::_exit(kBad);
+        ::_exit(kNotHandedBack);
     }
     (void)!::write(ends.progress, &kDoneByte, 1);
     ::_exit(0); // nothing of this process is worth tidying up

@@ -46,6 +46,10 @@ struct ImportEnds
 inline constexpr std::uint8_t kDoneByte = 255;
 inline constexpr std::size_t kMostTask = 8192; ///< with its path [bytes]
 
+// Exit codes of a reader without an outcome.
+inline constexpr int kNotConfined = 2;   ///< it could not set its own limits
+inline constexpr int kNotHandedBack = 3; ///< it could not write the outcome
+
 /// Called in the reader before it reads, with the path: lets a test stand in for a reader that goes wrong.
 using ReaderHook = void (*)(const char* path);
 

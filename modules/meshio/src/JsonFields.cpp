@@ -93,7 +93,9 @@ QJsonValue JsonFields::take(const char* name)
 void JsonFields::read(const char* name, std::string& value)
 {
     const QJsonValue found = take(name);
-    if (found.isString()) {
+    if (found.isString() && found.toString().contains(QChar::Null)) {
+        failType(name, found, "a text without the character U+0000"); // where C's texts end
+    } else if (found.isString()) {
         value = found.toString().toStdString();
     } else if (!found.isUndefined()) {
         failType(name, found, "a text");

@@ -4,6 +4,7 @@
 #include "Fault.h"
 #include "FileImage.h"
 #include "JsonFields.h"
+#include "RepeatedField.h"
 #include "SceneLaw.h"
 #include "TextScan.h"
 
@@ -16,7 +17,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace palpate::meshio {
 
@@ -337,14 +341,31 @@ void readShownMap(JsonFields& fields, SceneFile& scene)
     }
 }
 
-/// What a lump lies in must be there.
+/// The organ of a lump must be one structure of the scene that lies in no other: a lump is felt through the outermost
+/// surface.
 void checkOrgans(const SceneFile& scene, JsonFields& fields)
 {
+    std::map<std::string_view, std::vector<const SceneStructure*>> named;
+    for (const SceneStructure& one : scene.structures) {
+        named[one.name].push_back(&one);
+    }
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const std::string& organ = scene.structures[i].inside;
-        if (!organ.empty() && !hasStructure(scene, organ)) {
-            fields.fail(("structures[" + std::to_string(i) + "].inside").c_str(), core::inQuotes(organ),
-                        "the name of a structure of this scene");
+        if (organ.empty()) {
+            continue;
+        }
+        const std::string field = "structures[" + std::to_string(i) + "].inside";
+        const std::vector<const SceneStructure*>& found = named[organ];
+        if (found.empty()) {
+            fields.fail(field.c_str(), core::inQuotes(organ), "the name of a structure of this scene");
+        } else if (found.size() > 1) {
+            fields.fail(field.c_str(),
+                        core::inQuotes(organ) + ", the name of " + std::to_string(found.size()) + " structures",
+                        "a name that one structure has: rename the others");
+        } else if (!found.front()->inside.empty()) {
+            fields.fail(field.c_str(),
+                        core::inQuotes(organ) + ", which lies inside " + core::inQuotes(found.front()->inside),
+                        "the outermost structure around it");
         }
     }
 }
@@ -383,6 +404,9 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     if (Status other = anotherPrograms(document.object(), file); !other.isOk()) {
         return other;
+    }
+    if (const auto field = internal::repeatedField(bytes)) {
+        return Status(StatusCode::BadFormat, file + ": " + *field + ": found twice, expected it once");
     }
     Status status;
     SceneFile scene;

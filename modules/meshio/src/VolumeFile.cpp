@@ -325,8 +325,13 @@ Result<VoxelGrid> readVolume(const std::filesystem::path& path, core::FileFrame 
 {
     const std::string file = path.filename().string();
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
         return fault(StatusCode::NotFound, file, "", "no such file", "a volume");
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        return fault(StatusCode::Unreadable, file, "",
+                     std::filesystem::is_directory(status) ? "is a folder" : "is not a regular file", "a volume");
     }
     try {
         if (!hasImportServer()) {
