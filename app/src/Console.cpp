@@ -2,6 +2,7 @@
 #include "Console.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/core/VisibleText.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,22 @@ using core::StatusCode;
 
 void printError(std::string_view message)
 {
-    std::string line = "palpate: " + std::string(message);
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    std::fprintf(stderr, "%s\n", line.c_str());
+    constexpr std::size_t kHead = 1200, kTail = 700; // the place stands first, what to do last
+    std::string line = core::visible(message);
+    if (line.size() > kHead + kTail) {
+        const auto isContinued = [&line](std::size_t i) {
+            return (static_cast<unsigned char>(line[i]) & 0xc0U) == 0x80U;
+        };
+        std::size_t from = kHead, to = line.size() - kTail;
+        while (isContinued(from)) {
+            --from;
+        }
+        while (to < line.size() && isContinued(to)) {
+            ++to;
+        }
+        line.replace(from, to - from, " … ");
+    }
+    std::fprintf(stderr, "palpate: %s\n", line.c_str());
 }
 
 int report(const Status& status)
@@ -45,13 +58,69 @@ int reportLosses(const std::vector<std::string>& losses)
     return losses.empty() ? kDone : kSomeLost;
 }
 
+namespace {
+
+/// Formats one conversion of printf, `spec`, with the arguments that it takes off `arguments`.
+void appendConversion(std::string& out, std::string spec, va_list& arguments)
+{
+    const auto add = [&out](const char* format, auto value) {
+        const int size = std::snprintf(nullptr, 0, format, value);
+        if (size > 0) {
+            std::string text(static_cast<std::size_t>(size) + 1, '\0');
+            std::snprintf(text.data(), text.size(), format, value);
+            text.pop_back();
+            out += text;
+        }
+    };
+    for (auto star = spec.find('*'); star != std::string::npos; star = spec.find('*')) {
+        spec.replace(star, 1, std::to_string(va_arg(arguments, int)));
+    }
+    const bool isLong = spec.find('l') != std::string::npos || spec.find('z') != std::string::npos;
+    switch (spec.back()) {
+    case 's':
+        add(spec.c_str(), core::visible(va_arg(arguments, const char*)).c_str());
+        break;
+    case 'e':
+    case 'f':
+    case 'g':
+        add(spec.c_str(), va_arg(arguments, double));
+        break;
+    default: // whole numbers; `long`, `long long` and `size_t` have one size here
+        static_assert(sizeof(long) == sizeof(long long) && sizeof(long) == sizeof(std::size_t));
+        isLong ? add(spec.c_str(), va_arg(arguments, long)) : add(spec.c_str(), va_arg(arguments, int));
+        break;
+    }
+}
+
+} // namespace
+
 void print(const char* format, ...)
 {
     // The program never calls setlocale before a subcommand ends, so that this is the C locale.
+    std::string out;
     va_list arguments;
     va_start(arguments, format);
-    std::vprintf(format, arguments);
+    for (std::string_view rest = format; !rest.empty();) {
+        const std::size_t plain = std::min(rest.find('%'), rest.size());
+        out += rest.substr(0, plain);
+        rest.remove_prefix(plain);
+        if (rest.starts_with("%%")) {
+            out += '%';
+            rest.remove_prefix(2);
+        } else if (!rest.empty()) {
+            const std::size_t end = rest.find_first_of("diufegsxc") + 1;
+            appendConversion(out, std::string(rest.substr(0, end)), arguments);
+            rest.remove_prefix(end);
+        }
+    }
     va_end(arguments);
+    std::fwrite(out.data(), 1, out.size(), stdout);
+}
+
+void printJson(std::string_view json)
+{
+    const std::string text = core::visibleJson(json);
+    std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 core::Result<double> numberOption(std::string_view option, const std::string& text, const NumberRange& range)

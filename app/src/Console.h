@@ -22,14 +22,19 @@ enum ExitCode : int
     kSomeLost = 3, ///< finished, but something was lost or skipped
 };
 
-/// Writes one line to stderr, whatever the message holds.
+/// Writes one line to stderr. Control and bidirectional characters in the message become visible (core::visible);
+/// of a message of more than 1,900 bytes, such as one with a path that long, the middle is left out.
 void printError(std::string_view message);
 /// Writes the status to stderr. @return the exit code that belongs to it
 [[nodiscard]] int report(const core::Status& status);
 /// Writes what was lost to stderr, a line each. @return the exit code for a run that was fine but for them
 [[nodiscard]] int reportLosses(const std::vector<std::string>& losses);
-/// Writes to stdout as printf does, always with a decimal point.
+/// Writes to stdout as printf does, always with a decimal point. Control and bidirectional characters in the texts for
+/// `%s` become visible (core::visible); those of `format` itself, such as its line ends, are kept.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
+
+/// Writes JSON text to stdout; characters that a terminal would act upon are escaped as JSON allows.
+void printJson(std::string_view json);
 
 using core::grouped;
 

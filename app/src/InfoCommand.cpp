@@ -105,7 +105,7 @@ int runMeshInfo(const InfoOptions& options)
         }
     }
     if (options.isJson) {
-        print("%s", QJsonDocument(all).toJson().constData());
+        printJson(QJsonDocument(all).toJson().toStdString());
     }
     return reportLosses(losses);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/VisibleText.h>
+
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -18,7 +20,7 @@ class ProgressLine
     {
         if (!m_isTerminal) {
             if (share >= m_nextTenth) {
-                std::fprintf(stderr, "%3.0f %%  %s\n", 100.0 * share, what.c_str());
+                std::fprintf(stderr, "%3.0f %%  %s\n", 100.0 * share, core::visible(what).c_str());
                 m_nextTenth = share + 0.1;
             }
             return true;
@@ -26,7 +28,7 @@ class ProgressLine
         const auto now = std::chrono::steady_clock::now();
         if (now - m_last >= std::chrono::milliseconds(100)) {
             m_last = now;
-            std::fprintf(stderr, "\r%3.0f %%  %-66.66s", 100.0 * share, what.c_str());
+            std::fprintf(stderr, "\r%3.0f %%  %-66.66s", 100.0 * share, core::visible(what).c_str());
             m_isShown = true;
         }
         return true;

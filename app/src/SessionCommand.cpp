@@ -161,7 +161,7 @@ int runMeasure(const SessionOptions& options)
         return report(measures.status());
     }
     if (isPiped) {
-        print("%s", study::measuresJson(measures.value()).c_str());
+        printJson(study::measuresJson(measures.value()));
     } else {
         printMeasures(measures.value());
     }

@@ -6,6 +6,7 @@
 #include "Language.h"
 #include "MainWindow.h"
 
+#include <palpate/core/VisibleText.h>
 #include <palpate/ui/Theme.h>
 
 #include <QApplication>
@@ -41,15 +42,15 @@ class ScreenshotRun : public QObject
         connect(&window, &MainWindow::ready, this,
                 [this] { QTimer::singleShot(kSettle_ms, this, [this] { touch(); }); });
         connect(&window, &MainWindow::openFailed, this, [](const QString& line) {
-            std::fprintf(stderr, "%s\n", line.toUtf8().constData());
+            std::fprintf(stderr, "%s\n", core::visible(line.toStdString()).c_str());
             QCoreApplication::exit(2);
         });
         connect(&window, &MainWindow::deviceRefused, this, [](const QString& line) {
-            std::fprintf(stderr, "%s\n", line.toUtf8().constData());
+            std::fprintf(stderr, "%s\n", core::visible(line.toStdString()).c_str());
             QCoreApplication::exit(2);
         });
         QTimer::singleShot(kGiveUp_ms, this, [] {
-            std::fprintf(stderr, "palpate: no picture after %d s\n", kGiveUp_ms / 1000);
+            printError("no picture after " + std::to_string(kGiveUp_ms / 1000) + " s");
             QCoreApplication::exit(1);
         });
     }
@@ -113,15 +114,15 @@ class ScreenshotRun : public QObject
         const QPixmap picture = m_window.grab();
         const view::TouchState& state = m_window.viewport().view().cursor().state();
         if (!picture.save(m_file, "PNG")) {
-            std::fprintf(stderr, "%s: the picture could not be written\n", m_file.toUtf8().constData());
+            printError(m_file.toStdString() + ": the picture could not be written");
             QCoreApplication::exit(1);
             return;
         }
         if (state.isInContact) {
-            std::printf("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
-                        picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
+            print("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
+                  picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
         } else {
-            std::printf("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
+            print("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
         }
         std::fflush(stdout);
         QCoreApplication::exit(0);

@@ -2,6 +2,7 @@
 #include "TestRunner.h"
 
 #include <palpate/core/Text.h>
+#include <palpate/core/VisibleText.h>
 
 #include <limits>
 
@@ -32,6 +33,35 @@ class Text : public QObject
         QCOMPARE(core::inQuotes("a\nb\x7f\tc"), std::string("\"a?b??c\""));
         QCOMPARE(core::inQuotes(std::string(40, 'x')), '"' + std::string(40, 'x') + '"');
         QCOMPARE(core::inQuotes(std::string(41, 'x')), '"' + std::string(40, 'x') + "…\"");
+    }
+
+    void showsWhatATerminalWouldActUpon()
+    {
+        QCOMPARE(core::visible("left lobe, Größe 5 mm"), std::string("left lobe, Größe 5 mm"));
+        QCOMPARE(core::visible("\x1b[2J\x07"), std::string("\\x1b[2J\\x07"));
+        QCOMPARE(core::visible("a\nb\rc\td\x7f"), std::string("a\\nb\\rc\\td\\x7f"));
+        QCOMPARE(core::visible("\u009b1m"), std::string("\\x9b1m")); // C1: the same as ESC [
+        QCOMPARE(core::visible("liver\u202egpj.exe"), std::string("liver\\u202egpj.exe"));
+        QCOMPARE(core::visible("\u2066a\u2069\u200f\u2028"), std::string("\\u2066a\\u2069\\u200f\\u2028"));
+        QCOMPARE(core::visible(std::string("a\0b", 3)), std::string("a\\x00b"));
+        QCOMPARE(core::visible("\U0001F9EC"), std::string("\U0001F9EC"));
+    }
+
+    void showsBytesThatAreNotUtf8()
+    {
+        QCOMPARE(core::visible("caf\xe9"), std::string("caf\\xe9")); // Latin-1
+        QCOMPARE(core::visible("\x9b"
+                               "2J"),
+                 std::string("\\x9b2J"));                                        // C1 as a single byte
+        QCOMPARE(core::visible("\xc0\xaf"), std::string("\\xc0\\xaf"));          // overlong "/"
+        QCOMPARE(core::visible("\xed\xa0\x80"), std::string("\\xed\\xa0\\x80")); // a surrogate
+        QCOMPARE(core::visible("\xe2\x82"), std::string("\\xe2\\x82"));          // cut off
+    }
+
+    void keepsJsonTheSame()
+    {
+        QCOMPARE(core::visibleJson("{\n \"a\": \"\\u001b\u202e\x7f\"\n}"),
+                 std::string("{\n \"a\": \"\\u001b\\u202e\\u007f\"\n}"));
     }
 
     void noCharacterIsCutInTwo()
