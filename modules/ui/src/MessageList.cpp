@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QKeyEvent>
+#include <QShowEvent>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -24,7 +26,27 @@ MessageList::MessageList(Messages& messages, QWidget* parent)
     auto* copy = new QAction(tr("Copy (Ctrl+C)"), this);
     connect(copy, &QAction::triggered, this, &MessageList::copySelection);
     addAction(copy);
-    connect(&messages, &QAbstractItemModel::rowsInserted, this, &QListView::scrollToBottom);
+    connect(&messages, &QAbstractItemModel::rowsInserted, this, &MessageList::scrollLater);
+}
+
+/// Scrolling lays out every row. Files bring hundreds of notes at once, so it waits for the last of them, and for the
+/// list to be shown.
+void MessageList::scrollLater()
+{
+    if (!isVisible() || m_isScrollPending) {
+        return;
+    }
+    m_isScrollPending = true;
+    QTimer::singleShot(0, this, [this] {
+        m_isScrollPending = false;
+        scrollToBottom();
+    });
+}
+
+void MessageList::showEvent(QShowEvent* event)
+{
+    QListView::showEvent(event);
+    scrollLater();
 }
 
 void MessageList::copySelection() const

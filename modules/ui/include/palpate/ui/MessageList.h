@@ -18,6 +18,12 @@ class MessageList : public QListView
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void scrollLater();
+
+    bool m_isScrollPending = false;
 };
 
 } // namespace palpate::ui
