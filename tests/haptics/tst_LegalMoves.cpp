@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The god-object against the definition itself, by brute force in long double: what no legal move can better, and what
 // never goes where no legal move leads.
+#include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
 #include <palpate/haptics/Palpator.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace palpate;
 using namespace palpate::test;
@@ -67,6 +73,53 @@ double winding(const RepairedMesh& r, const Vec3& p)
         angle += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
     }
     return angle / (4 * std::numbers::pi);
+}
+
+using Voxel = std::array<int, 3>;
+
+/// The surface of some voxels of 1 mm as a label map gives it: two triangles for each face that only one has.
+geometry::TriangleMesh voxels(const std::vector<Voxel>& all)
+{
+    geometry::TriangleMesh mesh;
+    std::map<Voxel, std::uint32_t> number;
+    for (const Voxel& voxel : all) {
+        for (std::size_t face = 0; face < 6; ++face) {
+            const std::size_t axis = face / 2;
+            const int side = static_cast<int>(face % 2);
+            Voxel beside = voxel;
+            beside[axis] += 2 * side - 1;
+            if (std::find(all.begin(), all.end(), beside) != all.end()) {
+                continue;
+            }
+            std::array<std::uint32_t, 4> corner{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                Voxel at = voxel;
+                at[axis] += side;
+                at[(axis + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
+                at[(axis + 2) % 3] += i >= 2 ? 1 : 0;
+                const auto [found, isNew] = number.try_emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+                if (isNew) {
+                    mesh.vertices.push_back(Vec3(at[0], at[1], at[2]));
+                }
+                corner[i] = found->second;
+            }
+            if (side == 0) {
+                std::swap(corner[1], corner[3]);
+            }
+            mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+            mesh.triangles.push_back({corner[0], corner[2], corner[3]});
+        }
+    }
+    return mesh;
+}
+
+/// Puts the one god-object to a place, in touch with nothing.
+void putTo(Palpator& palpator, const Vec3& p_WG)
+{
+    haptics::PalpatorState state;
+    state.layers[0].p_WG = p_WG;
+    state.layers[0].placed = 1;
+    palpator.restore(state);
 }
 
 } // namespace
@@ -186,6 +239,45 @@ class LegalMoves : public QObject
             }
         }
         QVERIFY(moves > 5000);
+    }
+
+    /// In the corner of a room, along one wall and nearly in its plane to another: where the other stops the move,
+    /// rounding could put it behind the first, and from there it could pass the floor beside its edge.
+    void aWallThatStopsAMoveLeavesNoWayPastAnother()
+    {
+        std::vector<Voxel> block;
+        for (int i = 0; i < 7; ++i) { // a cube of eight voxels without the last
+            block.push_back({(i & 1) - 1, (i >> 1 & 1) - 1, (i >> 2 & 1) - 1});
+        }
+        const geometry::TriangleMesh mesh = voxels(block);
+        std::mt19937 random(3);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> share;
+        const auto oneOf = [&](const std::array<double, 3>& values) { return values[random() % values.size()]; };
+        for (int room = 0; room < 150; ++room) {
+            const Eigen::Quaterniond turn =
+                Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+            const Vec3 shift = 100.0 * Vec3(normal(random), normal(random), normal(random));
+            const auto placed = [&](const Vec3& p) { return Vec3(turn * p + shift); };
+            const HapticScene scene({HapticStructure{"block", indexed(transformed(mesh, placed)), {}, 0}});
+            const double skin = scene.structures()[0].surface->skin_mm();
+            for (int way = 0; way < 200; ++way) {
+                Palpator palpator;
+                palpator.setScene(&scene);
+                putTo(palpator, placed(Vec3(share(random), skin * share(random), skin)));
+                const Vec3 hip(oneOf({-0.003, 0.0, -0.7}), skin * oneOf({-0.002, 0.0, 0.001}),
+                               oneOf({0.0, -1.0, -0.003}));
+                for (int i = 0; i < 3; ++i) {
+                    const Vec3 g = turn.conjugate() * (palpator.step(placed(hip), 1e-3).p_WG - shift);
+                    QVERIFY2(g.minCoeff() > -4.0 * skin, qPrintable(QString("room %1, way %2: at %3, %4, %5 mm")
+                                                                        .arg(room)
+                                                                        .arg(way)
+                                                                        .arg(g.x())
+                                                                        .arg(g.y())
+                                                                        .arg(g.z())));
+                }
+            }
+        }
     }
 
     void aSoupIsFeltLikeTheWeldedSurface()

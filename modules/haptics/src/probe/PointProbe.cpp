@@ -146,6 +146,59 @@ bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approac
     return true;
 }
 
+/// How a move that ends behind a facet's plane goes past the facet.
+enum class Passing : std::uint8_t
+{
+    Beside,
+    Through,
+    Later, ///< through it or beside it, but beyond the crossings that are of interest
+};
+
+/// Tests a move from a facet's front or plane to behind it. @param crossing  filled where it passes through
+Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach& approach, double limit,
+               Crossing& crossing) noexcept
+{
+    const auto [side, start, end] = approach;
+    const double onPlane = kOnPlane * facet.skin_mm;
+    const Vec3 d = y - x;
+    const double d2 = d.squaredNorm();
+    const double along = start > 0.0 ? start / (start - end) : 0.0;
+    const double slack = onPlane / (start - end); // rounding of that share
+    if (along - 2.0 * slack > limit && start > kTouching * facet.skin_mm) {
+        return Passing::Later; // its plate, too
+    }
+    const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
+    // Where the facets of a hollow edge meet, a point that was put on it is behind both by rounding, and would pass
+    // each beside the other.
+    const double around = start <= onPlane ? std::min(onPlane, roundingOf(facet, x)) : 0.0;
+    if (!isInsideEdge(d, d2, xa, xb, around) || !isInsideEdge(d, d2, xb, xc, around) ||
+        !isInsideEdge(d, d2, xc, xa, around)) {
+        return Passing::Beside;
+    }
+    const Part part = partInBox(facet, x, y, facet.skin_mm);
+    if (part.isEmpty() || along + slack < part.begin || along - slack > part.end) {
+        return Passing::Beside; // it is met beside the facet
+    }
+    if (start < onPlane && staysBeside(facet, x, y)) {
+        return Passing::Beside; // nor does it come to the facet in its plane, where rounding tells where it is met
+    }
+    const double place = std::clamp(along, part.begin, part.end);
+    const bool isTouched = touches(facet, start, place, d2);
+    // In the facet's plane, rounding tells where it is met: that is where the move comes to its edge.
+    const bool isBeside = !isTouched && start < onPlane;
+    const double entered = std::clamp(along - slack, part.begin, part.end); // where it comes into the facet's plate
+    crossing.key = isTouched ? 0.0 : isBeside ? std::min(place, shareBeside(facet, x, y, start, end)) : entered;
+    if (crossing.key > limit) {
+        return Passing::Later;
+    }
+    crossing.depth = -end;
+    crossing.stop =
+        isBeside ? crossing.key : std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
+    crossing.facet = facet;
+    crossing.side = 1;
+    return Passing::Through;
+}
+
 /// Around a facet without an inside there is a plate on both sides.
 bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
 {
@@ -177,52 +230,20 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
     if (facet.isTwoSided) {
         return blocksTwoSided(facet, x, y, limit, crossing);
     }
-    const double start = facet.n.dot(x - facet.a);
-    const double end = facet.n.dot(y - facet.a);
+    const Approach approach{1.0, facet.n.dot(x - facet.a), facet.n.dot(y - facet.a)};
     const double onPlane = kOnPlane * facet.skin_mm;
-    if (start < -onPlane) {
+    if (approach.start < -onPlane) {
         return false;
     }
-    if (end >= 0.0 || end >= start) {
-        // To its plane or along it, where rounding alone would tell whether the next move passes at an edge.
-        return end < onPlane && entersPlate(facet, x, y, {1.0, start, end}, onPlane, limit, crossing);
+    if (approach.end < 0.0 && approach.end < approach.start) {
+        const Passing passing = passes(facet, x, y, approach, limit, crossing);
+        if (passing != Passing::Beside) {
+            return passing == Passing::Through;
+        }
     }
-    const Vec3 d = y - x;
-    const double d2 = d.squaredNorm();
-    const double along = start > 0.0 ? start / (start - end) : 0.0;
-    const double slack = onPlane / (start - end); // rounding of that share
-    if (along - slack > limit && start > kTouching * facet.skin_mm) {
-        return false;
-    }
-    const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
-    // Where the facets of a hollow edge meet, a point that was put on it is behind both by rounding, and would pass
-    // each beside the other.
-    const double around = start <= onPlane ? std::min(onPlane, roundingOf(facet, x)) : 0.0;
-    if (!isInsideEdge(d, d2, xa, xb, around) || !isInsideEdge(d, d2, xb, xc, around) ||
-        !isInsideEdge(d, d2, xc, xa, around)) {
-        return false;
-    }
-    const Part part = partInBox(facet, x, y, facet.skin_mm);
-    if (part.isEmpty() || along + slack < part.begin || along - slack > part.end) {
-        return false; // it is met beside the facet
-    }
-    if (start < onPlane && staysBeside(facet, x, y)) {
-        return false; // nor does it come to the facet in its plane, where rounding tells where it is met
-    }
-    const double place = std::clamp(along, part.begin, part.end);
-    const bool isTouched = touches(facet, start, place, d2);
-    // In the facet's plane, rounding tells where it is met: that is where the move comes to its edge.
-    const bool isBeside = !isTouched && start < onPlane;
-    crossing.key = isTouched ? 0.0 : isBeside ? std::min(place, shareBeside(facet, x, y, start, end)) : place;
-    if (crossing.key > limit) {
-        return false;
-    }
-    crossing.depth = -end;
-    crossing.stop =
-        isBeside ? crossing.key : std::min(crossing.key, std::max(0.0, (start - facet.skin_mm) / (start - end)));
-    crossing.facet = facet;
-    crossing.side = 1;
-    return true;
+    // To its plane, along it or past its edge: where another facet ends the move in the plate, rounding alone would
+    // tell whether the next move passes at an edge.
+    return approach.end < onPlane && entersPlate(facet, x, y, approach, onPlane, limit, crossing);
 }
 
 Footing footingOn(const Facet& facet, int side, const Vec3& g, const Standing& standing) noexcept

@@ -29,7 +29,7 @@ struct Facet
 /// Where a move meets a facet that blocks it.
 struct Crossing
 {
-    double key; ///< order of crossings along the move: 0 when touched already, else the share where it meets the facet
+    double key; ///< order of crossings along the move: 0 when touched already, else the share where it enters the plate
     double depth; ///< how far behind the plane the move would end [mm]; the larger first when keys are equal
     double stop;  ///< share of the move that may be made, 0 … 1: there the gap is the skin
     Facet facet;
@@ -37,12 +37,12 @@ struct Crossing
 };
 
 /// Tests whether `facet` blocks the straight move x → y: it goes against the normal, starts on the front or on the
-/// plane, ends behind it and passes through the closed triangle. Around a facet without an inside it is the plate half
-/// a skin around the triangle that is not entered.
+/// plane, ends behind it and passes through the closed triangle, or it enters the plate around the triangle: half a
+/// skin thick on both sides of a facet without an inside, a sixteenth of a skin in front of any other.
 ///
-/// No facet is passed by a move that ends at the stop of the first crossing. A facet that is touched stops the move
-/// where it starts. Else the stop lies before the key, where the first facet's plane (its plate) is met, and no other
-/// facet is met before.
+/// No facet is passed by a move that ends at the stop of the first crossing, and no plate is entered. A facet that is
+/// touched stops the move where it starts. Else the stop lies before the key, where the first facet's plate is entered,
+/// and no other plate is entered before.
 ///
 /// The three edge tests are signs of the volumes spanned by the move and an edge. Two triangles that share an edge
 /// compute the same volume with the opposite sign, to the last bit, and volumes within their rounding bound count as
