@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The god-object against the definition itself, by brute force in long double: what no legal move can better, and what
 // never goes where no legal move leads.
-#include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -278,6 +277,45 @@ class LegalMoves : public QObject
                 }
             }
         }
+    }
+
+    /// Where many walls of voxels meet in a few planes, few ways out are to be tried: HIPs on the voxels' corners and
+    /// edges, the hardest for a point, are seldom too much for a tick.
+    void wallsOfVoxelsSeldomSpendATicksWork()
+    {
+        constexpr int kWide = 6;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> share;
+        int contacts = 0, atBound = 0;
+        for (int map = 0; map < 20; ++map) {
+            std::vector<Voxel> filled;
+            for (int i = 0; i < kWide * kWide * kWide; ++i) {
+                if (share(random) < (map % 2 == 0 ? 0.7 : 0.5)) {
+                    filled.push_back({i % kWide, i / kWide % kWide, i / kWide / kWide});
+                }
+            }
+            const HapticScene scene({HapticStructure{"map", indexed(voxels(filled)), {}, 0}});
+            Palpator palpator;
+            palpator.setScene(&scene);
+            for (int i = 0; i < 4000; ++i) {
+                if (i % 20 == 0) {
+                    palpator.reset();
+                    (void)palpator.step(Vec3(12.0 * share(random) - 3.0, -3.0, -3.0), 1e-3);
+                }
+                Vec3 hip;
+                for (double& coordinate : hip) {
+                    coordinate = std::floor(share(random) * (kWide + 1));
+                }
+                if (share(random) < 0.6) {
+                    hip[static_cast<int>(random() % 3)] += share(random);
+                }
+                const TickResult t = palpator.step(hip, 1e-3);
+                contacts += t.constraints > 0 ? 1 : 0;
+                atBound += t.status == TickStatus::IterationLimit ? 1 : 0;
+            }
+        }
+        QVERIFY(contacts > 60000);
+        QVERIFY2(atBound <= 20, qPrintable(QString("%1 of 80,000").arg(atBound)));
     }
 
     void aSoupIsFeltLikeTheWeldedSurface()

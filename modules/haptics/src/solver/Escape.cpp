@@ -7,24 +7,38 @@
 
 namespace palpate::haptics::internal {
 
-void Escape::addTouched(const Facet& facet, std::size_t held) noexcept
+namespace {
+
+constexpr double kSameNormal = 1e-12; // difference of unit normals that is rounding
+
+bool isSamePlane(const PointContact& p, const PointContact& q) noexcept
 {
-    const int side = facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1;
-    const double reach = kTouched * facet.skin_mm; // feet may lie so far beside a facet
-    if (footingOn(facet, side, m_god, {reach, reach, 0.0}) == Footing::Away) {
-        return;
-    }
-    for (std::size_t i = 0; i < held; ++i) {
-        if (m_touched[i].structure == facet.structure && m_touched[i].triangle == facet.triangle && m_side[i] == side) {
-            return;
-        }
-    }
+    return (p.normal() - q.normal()).squaredNorm() <= kSameNormal * kSameNormal &&
+           std::abs(p.gap(q.facet.a)) <= kOnPlane * std::min(p.facet.skin_mm, q.facet.skin_mm);
+}
+
+/// Two such planes hold a point no more than one of them does.
+bool areParallel(const PointContact& p, const PointContact& q) noexcept
+{
+    return p.facet.n.cross(q.facet.n).squaredNorm() <= kSameNormal * kSameNormal;
+}
+
+} // namespace
+
+/// Adds a facet that is touched, and its plane unless it is one of those added already: facets beside each other on a
+/// voxel's wall or a box's face lead the same way.
+void Escape::add(const PointContact& contact) noexcept
+{
+    m_largest_mm = std::max(m_largest_mm, contact.facet.skin_mm);
     if (m_count == m_touched.size()) {
         m_isRoom = false;
-        return;
+    } else {
+        m_touched[m_count++] = contact.facet;
     }
-    m_touched[m_count] = facet;
-    m_side[m_count++] = side;
+    const auto isSame = [&contact](const PointContact& plane) { return isSamePlane(plane, contact); };
+    if (m_planeCount < m_planes.size() && std::none_of(planes().begin(), planes().end(), isSame)) {
+        m_planes[m_planeCount++] = contact;
+    }
 }
 
 /// Collects the facets that are touched, the held ones first: they lead on more often.
@@ -32,21 +46,22 @@ void Escape::addTouched(const Facet& facet, std::size_t held) noexcept
 bool Escape::gather(const PointContacts& held) noexcept
 {
     for (const PointContact& contact : held) {
-        m_touched[m_count] = contact.facet;
-        m_side[m_count++] = contact.side;
+        add(contact);
     }
-    const std::size_t count = m_count;
-    return m_near.forEachNear(m_layer, m_god, kNearby * m_layer.skin_mm,
-                              [&](const Facet& facet) { addTouched(facet, count); });
+    return m_near.forEachNear(m_layer, m_god, kNearby * m_layer.skin_mm, [&](const Facet& facet) {
+        const PointContact contact{facet, facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1};
+        const double reach = kTouched * facet.skin_mm; // feet may lie so far beside a facet
+        if (footingOn(facet, contact.side, m_god, {reach, reach, 0.0}) != Footing::Away &&
+            std::none_of(held.begin(), held.end(), [&](const PointContact& c) { return c.isSame(contact); })) {
+            add(contact);
+        }
+    });
 }
 
 bool Escape::find(const PointContacts& held, End& end) noexcept
 {
     const bool isKnown = gather(held);
-    double skin = m_skin_mm;
-    for (std::size_t i = held.count(); i < m_count; ++i) {
-        skin = std::max(skin, m_touched[i].skin_mm);
-    }
+    const double skin = std::max(m_skin_mm, m_largest_mm);
     // Within the skin's thickness a facet's very edge may stand in the way of what is open beyond it: the ways are
     // tried from a little above, away from the HIP.
     const Vec3 wanted = m_hip - m_god;
@@ -67,15 +82,14 @@ bool Escape::find(const PointContacts& held, End& end) noexcept
     if (follow(from, {}, end)) {
         return true;
     }
-    const auto contact = [this](std::size_t i) { return PointContact{m_touched[i], m_side[i]}; };
-    for (std::size_t i = 0; i < m_count; ++i) {
-        if (follow(from, std::array{contact(i)}, end)) {
+    for (const PointContact& plane : planes()) {
+        if (follow(from, std::array{plane}, end)) {
             return true;
         }
     }
-    for (std::size_t i = 0; i < m_count; ++i) {
-        for (std::size_t j = i + 1; j < m_count; ++j) {
-            if (follow(from, std::array{contact(i), contact(j)}, end)) {
+    for (std::size_t i = 0; i < m_planeCount; ++i) {
+        for (std::size_t j = i + 1; j < m_planeCount; ++j) {
+            if (!areParallel(m_planes[i], m_planes[j]) && follow(from, std::array{m_planes[i], m_planes[j]}, end)) {
                 return true;
             }
         }

@@ -12,7 +12,7 @@ namespace palpate::haptics::internal {
 /// A way out of a corner whose planes leave no room: at a vertex the surface may fall away on one side although the
 /// planes around it hold the god-object, because the free space is not the intersection of their half-spaces there.
 ///
-/// Tried are the straight way to the HIP and those along each facet and each pair of facets that are touched.
+/// Tried are the straight way to the HIP and those along each plane and each pair of planes that are touched.
 /// @par Real-time Wait-free; bounded by the work of the tick that `near` has begun.
 class Escape
 {
@@ -42,15 +42,19 @@ class Escape
     [[nodiscard]] bool find(const PointContacts& held, End& end) noexcept PALPATE_NONBLOCKING;
 
   private:
-    static constexpr std::size_t kMostTouched = 16; // facets around a vertex
+    static constexpr std::size_t kMostTouched = 16; // facets around a vertex, and planes
 
     [[nodiscard]] bool gather(const PointContacts& held) noexcept;
-    void addTouched(const Facet& facet, std::size_t held) noexcept;
+    void add(const PointContact& contact) noexcept;
     [[nodiscard]] bool follow(Vec3 from, std::span<const PointContact> along, End& end) noexcept;
 
     [[nodiscard]] std::span<const Facet> touched() const noexcept
     {
         return std::span<const Facet>(m_touched).first(m_count);
+    }
+    [[nodiscard]] std::span<const PointContact> planes() const noexcept
+    {
+        return std::span<const PointContact>(m_planes).first(m_planeCount);
     }
 
     const Vec3& m_hip;
@@ -58,11 +62,13 @@ class Escape
     NearPoint& m_near;
     const Vec3& m_god;
     double m_skin_mm;
-    double m_most_mm = 0.0; ///< from the HIP, at the end of a way that is worth a move
+    double m_largest_mm = 0.0; ///< skin of those touched
+    double m_most_mm = 0.0;    ///< from the HIP, at the end of a way that is worth a move
     std::array<Facet, kMostTouched> m_touched;
-    std::array<int, kMostTouched> m_side{};
     std::size_t m_count = 0;
-    bool m_isRoom = true; ///< for all that are touched
+    bool m_isRoom = true;                            ///< for all that are touched
+    std::array<PointContact, kMostTouched> m_planes; ///< of those and of the rest, each once
+    std::size_t m_planeCount = 0;
 };
 
 } // namespace palpate::haptics::internal
