@@ -22,6 +22,9 @@
 // moves tried; limit, the share of ticks that ended at a bound; hash of all god-objects: when it changes, so has the
 // answer. Pin one core for numbers worth comparing:
 // taskset -c 1 bench_touch
+//
+// PALPATE_BENCH_TICKS=N in the environment: N ticks of each row. count_instructions.sh beside this file counts what N
+// ticks execute, which a busy machine does not change.
 #include "Shapes.h"
 
 #include <palpate/core/Clock.h>
@@ -84,10 +87,28 @@ Vec3 direction(double arc)
     return Vec3(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc), std::sin(0.37 * arc));
 }
 
-/// What the ticks of one row took and led to.
+// Between these two count_instructions.sh counts what Palpator::step executes.
+extern "C" [[gnu::noinline]] void beginRow()
+{
+    benchmark::ClobberMemory();
+}
+extern "C" [[gnu::noinline]] void endRow()
+{
+    benchmark::ClobberMemory();
+}
+
+/// @return how many ticks a row has: `usual`, or as many as the environment asks for
+int ticksOf(int usual)
+{
+    const char* asked = std::getenv("PALPATE_BENCH_TICKS");
+    return asked != nullptr ? std::max(1, std::atoi(asked)) : usual;
+}
+
+/// What the ticks of one row took and led to. Made when the ticks begin.
 class Ticks
 {
   public:
+    Ticks() { beginRow(); }
     void step(benchmark::State& state, haptics::Palpator& palpator, const Vec3& hip)
     {
         const std::int64_t start = core::monotonicNow_ns();
@@ -104,6 +125,7 @@ class Ticks
     }
     void report(benchmark::State& state)
     {
+        endRow();
         std::sort(m_ns.begin(), m_ns.end());
         const auto n = static_cast<double>(m_ns.size());
         const auto percentile = [&](double p) {
@@ -130,12 +152,12 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
     const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm, spheres);
     haptics::Palpator palpator;
     palpator.setScene(&sphere);
-    Ticks ticks;
     double arc = 0.0;
     for (int i = 0; i < 300; ++i) { // arrive
         const double share = std::min(1.0, i / 200.0);
         (void)palpator.step(direction(0.0) * (kRadius_mm + 10 + (distance_mm - 10) * share), 1e-3);
     }
+    Ticks ticks;
     for (auto _ : state) {
         arc += speed_mm_s * 1e-3 / kRadius_mm;
         const Vec3 hip = direction(arc) * (kRadius_mm + distance_mm);
@@ -154,7 +176,7 @@ void add(const char* name, int n, double bump, double distance_mm, double speed_
     benchmark::RegisterBenchmark(
         (std::string(name) + "/" + std::to_string(20 * n * n)).c_str(),
         [=](benchmark::State& state) { slide(state, n, bump, distance_mm, speed_mm_s, isCold, fingertip_mm, spheres); })
-        ->Iterations(ticks)
+        ->Iterations(ticksOf(ticks))
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
 }
@@ -218,7 +240,7 @@ void addTissue(const std::string& what, double fingertip_mm)
         ("tissue/" + what + "/" + std::to_string(static_cast<int>(fingertip_mm)) + "/" + std::to_string(20 * kN * kN))
             .c_str(),
         run)
-        ->Iterations(fingertip_mm > 0.0 ? 20'000 : 100'000)
+        ->Iterations(ticksOf(fingertip_mm > 0.0 ? 20'000 : 100'000))
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
 }
@@ -291,7 +313,7 @@ void addWorst(const std::string& name, double fingertip_mm)
         ticks.report(state);
     };
     benchmark::RegisterBenchmark(("worst/" + name + "/" + std::to_string(static_cast<int>(fingertip_mm))).c_str(), run)
-        ->Iterations(3'000)
+        ->Iterations(ticksOf(3'000))
         ->UseManualTime()
         ->Unit(benchmark::kNanosecond);
 }
