@@ -12,14 +12,19 @@ namespace {
 // Normals nearer to dependence than this have lost half of their digits to rounding: the set is left out.
 constexpr double kIndependent = 1.5e-8;
 
+/// Planes by their numbers. Their count is known when it is compiled, so that nothing is left of the loops over them:
+/// one plane and two are closed forms.
+template<std::size_t k>
+using PlaneSet = std::array<std::uint8_t, k>;
+
 /// Solves with equality on `set`. @return false when the normals are dependent or a multiplier is not positive.
-bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set, Vec3& u,
-             std::array<double, 3>& lambda) noexcept
+template<std::size_t k>
+PALPATE_ALWAYS_INLINE bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, const PlaneSet<k>& set,
+                                   Vec3& u, std::array<double, 3>& lambda) noexcept
 {
-    std::array<Vec3, 3> e; // orthonormal directions: planes[set[i]].n = sum over j <= i of l[i][j] e[j]
-    std::array<std::array<double, 3>, 3> l{};
-    std::array<double, 3> mu{}; // u = wanted + sum of mu[j] e[j]
-    const std::size_t k = set.size();
+    std::array<Vec3, k> e; // orthonormal directions: planes[set[i]].n = sum over j <= i of l[i][j] e[j]
+    std::array<std::array<double, k>, k> l{};
+    std::array<double, k> mu; // u = wanted + sum of mu[j] e[j]
     u = wanted;
     for (std::size_t i = 0; i < k; ++i) {
         const Vec3& n = planes[set[i]].n;
@@ -55,7 +60,8 @@ bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, std::span<co
     return true;
 }
 
-double worstViolation(const Vec3& u, std::span<const HalfSpace> planes, std::span<const std::uint8_t> set) noexcept
+template<std::size_t k>
+double worstViolation(const Vec3& u, std::span<const HalfSpace> planes, const PlaneSet<k>& set) noexcept
 {
     double worst = 0.0;
     for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -82,12 +88,12 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
         }
         return best;
     }
-    double least = worstViolation(wanted, halfSpaces, {});
+    double least = worstViolation(wanted, halfSpaces, PlaneSet<0>{});
     if (least <= allowance_mm) {
         return best;
     }
     const auto n = static_cast<std::uint8_t>(halfSpaces.size());
-    const auto attempt = [&](std::span<const std::uint8_t> set) {
+    const auto attempt = [&]<std::size_t k>(const PlaneSet<k>& set) {
         Vec3 u;
         std::array<double, 3> lambda;
         if (!solveOn(wanted, halfSpaces, set, u, lambda)) {
@@ -104,13 +110,13 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
         return violation <= allowance_mm;
     };
     for (std::uint8_t i = 0; i < n; ++i) {
-        if (attempt(std::array{i})) {
+        if (attempt(PlaneSet<1>{i})) {
             return best;
         }
     }
     for (std::uint8_t i = 0; i < n; ++i) {
         for (auto j = static_cast<std::uint8_t>(i + 1); j < n; ++j) {
-            if (attempt(std::array{i, j})) {
+            if (attempt(PlaneSet<2>{i, j})) {
                 return best;
             }
         }
@@ -118,7 +124,7 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
     for (std::uint8_t i = 0; i < n; ++i) {
         for (auto j = static_cast<std::uint8_t>(i + 1); j < n; ++j) {
             for (auto k = static_cast<std::uint8_t>(j + 1); k < n; ++k) {
-                if (attempt(std::array{i, j, k})) {
+                if (attempt(PlaneSet<3>{i, j, k})) {
                     return best;
                 }
             }
