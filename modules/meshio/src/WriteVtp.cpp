@@ -70,14 +70,20 @@ void fill(vtkPolyData& data, const VtpFile& content)
     vtkNew<vtkPoints> points;
     points->SetData(arrayOf(content.points));
     data.SetPoints(points);
+    vtkNew<vtkCellArray> vertices;
     vtkNew<vtkCellArray> lines;
     vtkIdType first = 0;
     for (const std::size_t end : content.lineEnds) {
-        lines->InsertNextCell(static_cast<int>(end - static_cast<std::size_t>(first)));
-        for (; first < static_cast<vtkIdType>(end); ++first) {
-            lines->InsertCellPoint(first);
+        const auto count = static_cast<vtkIdType>(end) - first;
+        if (count > 0) {
+            vtkCellArray& cells = count == 1 ? *vertices : *lines; // VTK crashes on a line of one point
+            cells.InsertNextCell(static_cast<int>(count));
+            for (; first < static_cast<vtkIdType>(end); ++first) {
+                cells.InsertCellPoint(first);
+            }
         }
     }
+    data.SetVerts(vertices);
     data.SetLines(lines);
     vtkNew<vtkCellArray> polys;
     for (const geometry::Triangle& t : content.triangles) {

@@ -24,10 +24,12 @@ struct VtpArray
 struct VtpFile
 {
     std::vector<core::Vec3> points;
-    std::vector<std::size_t> lineEnds; ///< lines through the points in their order: where each ends and the next begins
+    /// Lines through the points in their order: where each ends and the next begins, ascending. A line of one point is
+    /// written as a vertex, one of none is left out.
+    std::vector<std::size_t> lineEnds;
     std::vector<geometry::Triangle> triangles;
     std::vector<VtpArray> pointArrays;        ///< one value a point each; the first is what a viewer shows
-    std::vector<VtpArray> cellArrays;         ///< one value a line or triangle each
+    std::vector<VtpArray> cellArrays;         ///< one value a triangle each; only where there are no lines
     std::vector<std::string> structureNames;  ///< field array `StructureNames`, where there are some
     std::vector<core::Vec3> structureColours; ///< field array `StructureColours`, likewise: red, green, blue in 0 … 1
 };
