@@ -70,6 +70,9 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
         return app::report(status);
     }
     if (!line.screenshot.empty()) {
+        if (const core::Status status = app::checkOutputs(line.options.files, {line.screenshot}); !status.isOk()) {
+            return app::report(status);
+        }
         line.options.screenshot = line.screenshot;
     }
     if (!line.size.empty()) {

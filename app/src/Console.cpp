@@ -3,11 +3,14 @@
 
 #include <palpate/core/Numbers.h>
 #include <palpate/core/VisibleText.h>
+#include <palpate/study/InputFiles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+
+#include <sys/stat.h>
 
 namespace palpate::app {
 
@@ -163,21 +166,52 @@ core::Result<core::FileFrame> frameOption(const std::string& text)
     return Status(StatusCode::BadCommandLine, "--frame: found \"" + text + "\", expected LPS, RAS or Y-up");
 }
 
+namespace {
+
+/// Where a path leads to, as far as that exists.
+std::filesystem::path placeOf(const std::filesystem::path& path)
+{
+    std::error_code error;
+    std::filesystem::path place = std::filesystem::weakly_canonical(path, error);
+    return error ? std::filesystem::absolute(path, error).lexically_normal() : place;
+}
+
+/// Whether to write an output would replace a file that was read. Another name of it (a hard link) is replaced without
+/// harm to it.
+bool wouldReplace(const std::filesystem::path& output, const std::filesystem::path& read)
+{
+    struct stat a
+    {
+    };
+    struct stat b
+    {
+    };
+    return ::stat(output.c_str(), &a) == 0 && ::stat(read.c_str(), &b) == 0 && S_ISREG(a.st_mode) &&
+           a.st_dev == b.st_dev && a.st_ino == b.st_ino && (a.st_nlink == 1 || placeOf(output) == placeOf(read));
+}
+
+} // namespace
+
 Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs)
 {
-    const auto isSame = [](const std::filesystem::path& a, const std::filesystem::path& b) {
-        std::error_code error;
-        return !a.empty() && std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
-    };
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (const auto& input : inputs) {
-            if (isSame(outputs[i], input)) {
-                return {StatusCode::BadCommandLine, outputs[i].string() + ": found it as input and output, "
-                                                                          "expected another name for the output"};
+    const bool isAny = std::any_of(outputs.begin(), outputs.end(), [](const auto& output) { return !output.empty(); });
+    for (std::size_t k = 0; isAny && k < inputs.size(); ++k) {
+        for (const std::filesystem::path& file : study::filesOf(inputs[k])) {
+            for (const std::filesystem::path& output : outputs) {
+                if (!wouldReplace(output, file)) {
+                    continue;
+                }
+                const bool isNamed = wouldReplace(output, inputs[k]);
+                return {StatusCode::BadCommandLine,
+                        output.string() + ": found it as " +
+                            (isNamed ? std::string("input and output") : "output and a file of " + inputs[k].string()) +
+                            ", expected another name for the output"};
             }
         }
+    }
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            if (isSame(outputs[i], outputs[k])) {
+            if (!outputs[i].empty() && placeOf(outputs[i]) == placeOf(outputs[k])) {
                 return {StatusCode::BadCommandLine,
                         outputs[i].string() + ": found it as two outputs, expected a name for each"};
             }

@@ -57,7 +57,7 @@ inline constexpr const char* kFrameHelp =
 /// @return millimetres of one unit called `text`.
 [[nodiscard]] core::Result<double> unitOption(const std::string& text);
 
-/// @return an error when an output is also an input or another output; an empty path is none
+/// @return an error when an output is an input or belongs to one (study::filesOf), or another output; empty: left out
 [[nodiscard]] core::Status checkOutputs(const std::vector<std::filesystem::path>& inputs,
                                         const std::vector<std::filesystem::path>& outputs);
 

@@ -245,6 +245,11 @@ int runEvaluate(EvaluateOptions options)
     if (const Status status = chooseScene(options); !status.isOk()) {
         return report(status);
     }
+    std::vector<fs::path> inputs = options.scenes;
+    inputs.push_back(options.motion);
+    if (const Status status = checkOutputs(inputs, evaluation::reportFiles(options.out)); !status.isOk()) {
+        return report(status);
+    }
     std::vector<evaluation::HandMotion> motions;
     if (!options.motion.empty()) {
         auto loaded = loadMotion(options.motion);

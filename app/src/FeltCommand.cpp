@@ -3,8 +3,8 @@
 #include "Console.h"
 #include "ProgressLine.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/core/Numbers.h>
-#include <palpate/session/AtomicFile.h>
 #include <palpate/study/FeltFile.h>
 #include <palpate/study/RecordedScene.h>
 
@@ -125,14 +125,13 @@ int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& 
     }
     if (!options.vtp.empty()) {
         const auto bytes = study::feltVtp(felt);
-        const Status status = bytes.isOk() ? session::writeAtomically(options.vtp, bytes.value()) : bytes.status();
+        const Status status = bytes.isOk() ? core::writeAtomically(options.vtp, bytes.value()) : bytes.status();
         if (!status.isOk()) {
             return report(status);
         }
     }
     if (!options.json.empty()) {
-        if (const Status status = session::writeAtomically(options.json, study::feltJson(scene, felt));
-            !status.isOk()) {
+        if (const Status status = core::writeAtomically(options.json, study::feltJson(scene, felt)); !status.isOk()) {
             return report(status);
         }
     }

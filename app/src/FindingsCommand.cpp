@@ -2,8 +2,8 @@
 #include "Commands.h"
 #include "Console.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/SceneFile.h>
-#include <palpate/session/AtomicFile.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/FindingsFile.h>
 
@@ -49,7 +49,7 @@ Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file)
 Status writeTo(const std::filesystem::path& path, const std::string& text)
 {
     if (path != kStdout) {
-        return session::writeAtomically(path, text);
+        return core::writeAtomically(path, text);
     }
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size()
                ? Status()

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FindingsDesk.h"
 
+#include "Console.h"
 #include "Paths.h"
 
-#include <palpate/session/AtomicFile.h>
+#include <palpate/core/AtomicFile.h>
 #include <palpate/session/Findings.h>
 #include <palpate/study/FindingsFile.h>
 #include <palpate/ui/EngineTexts.h>
@@ -180,8 +181,10 @@ void FindingsDesk::exportTo(const std::filesystem::path& path)
 {
     const bool isTable = path.extension() == ".csv";
     const std::vector<core::Finding>& all = m_parts.document.findings();
-    const core::Status status =
-        session::writeAtomically(path, isTable ? study::findingsCsv(all) : study::findingsMarkups(all));
+    core::Status status = app::checkOutputs({m_parts.document.file()}, {path});
+    if (status.isOk()) {
+        status = core::writeAtomically(path, isTable ? study::findingsCsv(all) : study::findingsMarkups(all));
+    }
     if (status.isOk()) {
         Q_EMIT said(tr("%n finding(s) written to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
     } else {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuresDialog.h"
 
+#include "Console.h"
 #include "Paths.h"
 
-#include <palpate/session/AtomicFile.h>
+#include <palpate/core/AtomicFile.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
@@ -267,12 +268,21 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
                 .arg(toText(path.filename()), found, tr(kind.title), ending));
         return;
     }
+    const std::filesystem::path surface = what == Export::Vtp ? study::surfaceFileOf(path) : std::filesystem::path();
+    core::Status allowed = app::checkOutputs({m_recording}, {path, surface});
+    if (allowed.isOk() && !surface.empty()) {
+        allowed = study::checkSurfaceFile(surface);
+    }
+    if (!allowed.isOk()) {
+        say(lineOf(allowed));
+        return;
+    }
     const auto written = [path](const core::Status& status) {
         return status.isOk() ? tr("Written to %1.").arg(toText(path)) : lineOf(status);
     };
     run([=, measures = m_measures, recording = m_recording](const std::function<bool(double)>& progress) {
         if (what == Export::Json) {
-            return written(session::writeAtomically(path, study::measuresJson(*measures)));
+            return written(core::writeAtomically(path, study::measuresJson(*measures)));
         }
         const auto reader = session::RecordingReader::open(recording);
         if (!reader.isOk()) {
@@ -284,7 +294,6 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
         if (const core::Status status = study::exportPath(*reader.value(), path, progress); !status.isOk()) {
             return lineOf(status);
         }
-        const std::filesystem::path surface = study::surfaceFileOf(path);
         const core::Status status = study::exportSurface(*measures, surface);
         return status.isOk() ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
                              : tr("The path is written to %1; the map is not: %2").arg(toText(path), lineOf(status));

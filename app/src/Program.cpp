@@ -2,6 +2,7 @@
 #include "Program.h"
 #include "Console.h"
 
+#include <palpate/core/Scratch.h>
 #include <palpate/meshio/ImportServer.h>
 #include <palpate/session/Recording.h>
 
@@ -11,14 +12,34 @@
 #include <exception>
 #include <new>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace palpate::app {
+
+namespace {
+
+/// Where standard input, output or error are closed, no other file may get their number: its reader would get the text.
+/// What is written there fails.
+void holdStandardStreams()
+{
+    for (int number = 0; number <= STDERR_FILENO; ++number) {
+        if (::fcntl(number, F_GETFD) < 0) {
+            (void)::open("/dev/null", O_RDONLY); // takes the lowest number that is free
+        }
+    }
+}
+
+} // namespace
 
 int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
 {
+    holdStandardStreams();
     // First, while there is one thread and nothing is open. Without a server files are read here.
     if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
         printError(server.message() + "; meshes are read in this process");
     }
+    core::removeScratchOnSignals();
     int code = kFailed;
     try {
         code = run(argc, argv);
@@ -29,7 +50,8 @@ int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
     } catch (...) {
         printError("stopped by an unknown error");
     }
-    if (std::fflush(stdout) != 0 && code == kDone) {
+    const bool isFlushed = std::fflush(stdout) == 0;
+    if ((!isFlushed || std::ferror(stdout) != 0) && code == kDone) {
         printError("the output could not be written");
         code = kFailed;
     }

@@ -35,7 +35,8 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
     command->add_option("--layers", options->layers, kLayersHelp);
     command->add_option("--json", options->json, "Write the summary as JSON");
-    command->add_option("--record", options->record, "Write a recording (*.palpate)");
+    command->add_option("--record", options->record,
+                        "Write a recording (*.palpate); a file of this name is replaced with --force only");
     command->add_flag("--embed", options->embeds, "Put the surfaces into the recording, so that one file is all")
         ->needs("--record");
     command->add_flag("--live", options->isLive, "In real time, through the servo thread and the safety gate");
@@ -53,7 +54,8 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--plugin-path", options->pluginFolders, "Folder to look for device plugins in first")
         ->allow_extra_args(false);
     command->add_flag("--force", options->isForced,
-                      "Replay a recording's motion on another scene than it was made on, without comparing");
+                      "Replay a recording's motion on another scene than it was made on, without comparing; with "
+                      "--record, replace an older file once the new one is complete");
     command->callback([options, &chosen] { chosen = [options] { return ReplayRun(*options).run(); }; });
 }
 

@@ -29,6 +29,13 @@ double seconds(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
+ReplayRun::~ReplayRun()
+{
+    if (m_writer) {
+        m_writer->discard(); // no part of a recording stands for the whole
+    }
+}
+
 int ReplayRun::run()
 {
     for (const auto step : {&ReplayRun::checkOptions, &ReplayRun::openOutputs, &ReplayRun::loadMotion,
@@ -114,14 +121,32 @@ Status ReplayRun::openOutputs()
         m_csv = std::move(csv).value();
     }
     if (!m_options.json.empty()) {
-        auto file = session::AtomicFile::create(m_options.json);
+        auto file = core::AtomicFile::create(m_options.json);
         if (!file.isOk()) {
             return file.status();
         }
         m_json = std::move(file).value();
     }
     // A recording is made once the scene is known; whether it can be is said before the work.
-    return m_options.record.empty() ? Status() : session::AtomicFile::create(m_options.record).status();
+    return m_options.record.empty() ? Status() : checkRecord();
+}
+
+Status ReplayRun::checkRecord() const
+{
+    std::error_code error;
+    const auto kind = fs::symlink_status(m_options.record, error).type();
+    if (kind == fs::file_type::not_found) {
+        return core::AtomicFile::create(m_options.record, core::AtomicFile::Onto::Nothing).status();
+    }
+    if (kind != fs::file_type::regular && kind != fs::file_type::symlink) {
+        return {StatusCode::BadCommandLine,
+                m_options.record.string() + ": cannot be written: not a file; a recording is one, expected its name"};
+    }
+    return m_options.isForced
+               ? Status()
+               : Status(StatusCode::BadCommandLine, m_options.record.string() +
+                                                        ": found a file of this name, expected a new one for "
+                                                        "the recording, or --force to replace it");
 }
 
 Status ReplayRun::loadMotion()
@@ -196,11 +221,14 @@ Status ReplayRun::startRecording(const session::RecordingInfo& info)
     }
     const auto sync =
         m_options.isLive ? session::RecordingWriter::Sync::EachCommit : session::RecordingWriter::Sync::AtEnd;
-    auto writer = session::RecordingWriter::create(m_options.record, info, sync);
+    std::error_code error;
+    const bool replaces = m_options.isForced && fs::exists(fs::symlink_status(m_options.record, error));
+    auto writer =
+        session::RecordingWriter::create(m_options.record, info, sync, session::RecordingWriter::Events::Derived,
+                                         replaces ? core::OldFile::Replace : core::OldFile::Refuse);
     if (!writer.isOk()) {
         return writer.status();
     }
-    m_recordGuard.watch(m_options.record);
     m_writer = std::move(writer).value();
     return m_writer->addScene(session::describeScene(1, *m_scene, m_sources));
 }
@@ -356,7 +384,6 @@ Status ReplayRun::finish()
             return status;
         }
         m_writer.reset();
-        m_recordGuard.keep();
     }
     if (m_csv) {
         if (Status status = m_csv->finish(); !status.isOk()) {

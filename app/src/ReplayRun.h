@@ -4,10 +4,10 @@
 #include "LiveReplay.h"
 #include "ReplaySummary.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/core/Status.h>
 #include <palpate/device/PluginHost.h>
 #include <palpate/haptics/HapticScene.h>
-#include <palpate/session/AtomicFile.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Replay.h>
@@ -38,24 +38,6 @@ struct ReplayOptions
     bool embeds = false;
 };
 
-/// Deletes a file unless told that it is whole.
-class FileGuard
-{
-  public:
-    void watch(const std::filesystem::path& path) { m_path = path; }
-    void keep() { m_path.clear(); }
-    ~FileGuard()
-    {
-        std::error_code ignored;
-        if (!m_path.empty()) {
-            std::filesystem::remove(m_path, ignored);
-        }
-    }
-
-  private:
-    std::filesystem::path m_path;
-};
-
 /// One replay, from the command line to its outputs.
 class ReplayRun
 {
@@ -64,6 +46,9 @@ class ReplayRun
         : m_options(options)
     {
     }
+    ~ReplayRun();
+    ReplayRun(const ReplayRun&) = delete;
+    ReplayRun& operator=(const ReplayRun&) = delete;
 
     /// @return the exit code
     int run();
@@ -71,6 +56,7 @@ class ReplayRun
   private:
     core::Status checkOptions();
     core::Status openOutputs();
+    core::Status checkRecord() const;
     core::Status loadMotion();
     core::Status loadScene();
     core::Status feel();
@@ -101,9 +87,8 @@ class ReplayRun
     core::Status m_writeStatus;
     std::unique_ptr<device::PluginHost> m_plugins; ///< when the hand's device is one's
     std::optional<session::TickCsv> m_csv;
-    std::optional<session::AtomicFile> m_json;
-    FileGuard m_recordGuard; // before the writer: it must be closed first
-    std::unique_ptr<session::RecordingWriter> m_writer;
+    std::optional<core::AtomicFile> m_json;
+    std::unique_ptr<session::RecordingWriter> m_writer; ///< until it has finished
 };
 
 } // namespace palpate::app

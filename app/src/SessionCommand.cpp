@@ -4,7 +4,7 @@
 #include "MeasuresReport.h"
 #include "SessionReport.h"
 
-#include <palpate/session/AtomicFile.h>
+#include <palpate/core/AtomicFile.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
@@ -30,7 +30,8 @@ namespace {
 struct SessionOptions
 {
     std::filesystem::path file, scene, csv, vtp, json, out;
-    std::string distance; ///< empty: as the fingertip was
+    std::string distance;  ///< empty: as the fingertip was
+    bool isForced = false; ///< may replace a file
 };
 
 int runInfo(const SessionOptions& options)
@@ -84,6 +85,15 @@ int runRecover(const SessionOptions& options)
 {
     if (const Status status = checkOutputs({options.file}, {options.out}); !status.isOk()) {
         return report(status);
+    }
+    std::error_code error;
+    const bool isThere = std::filesystem::is_regular_file(std::filesystem::symlink_status(options.out, error));
+    if (isThere && !options.isForced && std::filesystem::file_size(options.out, error) > 0 &&
+        !session::isRecordingFile(options.out)) {
+        return report(
+            {StatusCode::BadCommandLine, options.out.string() +
+                                             ": found a file that is no recording, expected another name for the copy, "
+                                             "or --force to replace it"});
     }
     const auto recovered = session::recoverRecording(options.file, options.out);
     if (!recovered.isOk()) {
@@ -147,9 +157,9 @@ int runMeasure(const SessionOptions& options)
     if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !isPiped && !status.isOk()) {
         return report(status);
     }
-    std::optional<session::AtomicFile> json;
+    std::optional<core::AtomicFile> json;
     if (!options.json.empty() && !isPiped) {
-        auto file = session::AtomicFile::create(options.json);
+        auto file = core::AtomicFile::create(options.json);
         if (!file.isOk()) {
             return report(file.status());
         }
@@ -195,6 +205,11 @@ int runExport(const SessionOptions& options)
     if (const Status status = checkOutputs({options.file, options.scene}, outputs); !status.isOk()) {
         return report(status);
     }
+    if (!options.vtp.empty()) {
+        if (const Status status = study::checkSurfaceFile(surface); !status.isOk()) {
+            return report(status);
+        }
+    }
     if (!options.csv.empty()) {
         if (const Status status = study::exportTicks(*opened.value(), options.csv); !status.isOk()) {
             return report(status);
@@ -232,9 +247,9 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     add("info", "Say what it holds", runInfo);
     add("verify", "Check every bit, then compute it again and compare", runVerify)
         ->add_option("--scene", options->scene, "Where the scene is that it was made on");
-    add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover)
-        ->add_option("--out", options->out, "Where the copy goes")
-        ->required();
+    CLI::App* recover = add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover);
+    recover->add_option("--out", options->out, "Where the copy goes; an older recording there is replaced")->required();
+    recover->add_flag("--force", options->isForced, "Replace a file that is no recording, too");
     const auto addSurfaceOptions = [&](CLI::App* sub) {
         sub->add_option("--scene", options->scene, "Where the scene is that it was made on");
         sub->add_option("--distance", options->distance,

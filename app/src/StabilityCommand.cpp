@@ -88,6 +88,9 @@ int runStability(const StabilityOptions& options)
     if (!presets.isOk()) {
         return report(presets.status());
     }
+    if (const Status status = checkOutputs({options.scene}, stability::reportFiles(options.out)); !status.isOk()) {
+        return report(status);
+    }
     std::error_code error;
     fs::create_directories(options.out, error);
     if (!fs::is_directory(options.out)) {

@@ -147,7 +147,8 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
     info.firstGeneration = kGeneration;
     info.start = servo.palpatorState();
     core::Result<std::unique_ptr<session::RecordingWriter>> writer =
-        session::RecordingWriter::create(path, info, session::RecordingWriter::Sync::AtEnd);
+        session::RecordingWriter::create(path, info, session::RecordingWriter::Sync::AtEnd,
+                                         session::RecordingWriter::Events::Derived, core::OldFile::Replace);
     if (!writer.isOk()) {
         return writer.status();
     }

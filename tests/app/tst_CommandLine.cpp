@@ -501,7 +501,9 @@ class CommandLine : public QObject
         QCOMPARE(json["lost_ticks"].toInt(-1), 0);
         QCOMPARE(json["coverage_distance_mm"].toDouble(), 5.0);
         QVERIFY(!QFile::exists(file("-")));
-        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate", "--radius", "2"}).exitCode, 0);
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate", "--radius", "2", "--force"})
+                     .exitCode,
+                 0);
         const Outcome ball = run({"session", "measure", "r.palpate", "--json", "-"});
         QCOMPARE(QJsonDocument::fromJson(ball.out).object()["coverage_distance_mm"].toDouble(), 2.0);
     }

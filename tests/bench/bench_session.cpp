@@ -80,6 +80,8 @@ bool writeSession(const std::filesystem::path& file, const haptics::HapticScene&
     }
     session::RecordingInfo info;
     info.firstGeneration = 1;
+    std::error_code none;
+    std::filesystem::remove(file, none);
     auto writer = session::RecordingWriter::create(file, info);
     if (said(writer.status())) {
         return false;

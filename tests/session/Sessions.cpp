@@ -90,6 +90,8 @@ bool writeRecording(const std::filesystem::path& path, const std::vector<servo::
     info.device.id = "test";
     info.firstTick = ticks.empty() ? 0 : ticks.front().tick;
     info.firstGeneration = 1;
+    std::error_code none;
+    std::filesystem::remove(path, none); // of an earlier row
     auto writer = session::RecordingWriter::create(path, info);
     core::Status status = writer.status();
     for (const auto& scene : palpationScenes()) {

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
@@ -33,6 +34,17 @@ class Recording : public QObject
             return true;
         });
         return status.isOk() ? ticks : std::vector<servo::TickRecord>();
+    }
+
+    core::Result<std::unique_ptr<session::RecordingWriter>> create(const char* name, core::OldFile old) const
+    {
+        return session::RecordingWriter::create(path(name), {}, session::RecordingWriter::Sync::AtEnd,
+                                                session::RecordingWriter::Events::AsGiven, old);
+    }
+    /// All that there is of that name, and scratch.
+    QStringList left(const char* name) const
+    {
+        return QDir(m_folder.path()).entryList({name, ".palpate-*"}, QDir::AllEntries | QDir::Hidden);
     }
 
   private Q_SLOTS:
@@ -324,18 +336,96 @@ class Recording : public QObject
         QCOMPARE(RecordingReader::open(path("nowhere.palpate")).status().code(), core::StatusCode::NotFound);
     }
 
-    void replacesAnOldFileAndItsJournal()
+    /// Nothing that is there is replaced or removed, whatever it is called.
+    void refusesANameThatIsTaken()
     {
         QVERIFY(test::writeRecording(path("k.palpate"), test::palpationTicks(300)));
-        QFile journal(m_folder.filePath("k.palpate-journal"));
-        QVERIFY(journal.open(QIODevice::WriteOnly));
-        journal.write("left by a crash");
-        journal.close();
-        QVERIFY(test::writeRecording(path("k.palpate"), test::palpationTicks(20)));
-        const auto reader = RecordingReader::open(path("k.palpate"));
-        QCOMPARE(reader.value()->extent().ticks, std::int64_t{20});
+        QVERIFY(!session::RecordingWriter::create(path("k.palpate"), {}).isOk());
+        QCOMPARE(RecordingReader::open(path("k.palpate")).value()->extent().ticks, std::int64_t{300});
+        QVERIFY(QFile::link("nowhere.palpate", m_folder.filePath("link.palpate")));
+        QVERIFY(!session::RecordingWriter::create(path("link.palpate"), {}).isOk());
         QVERIFY(!session::RecordingWriter::create(path("no-such-folder/k.palpate"), {}).isOk());
         QVERIFY(!session::RecordingWriter::create(m_folder.path().toStdString(), {}).isOk());
+        for (const auto old : {core::OldFile::Refuse, core::OldFile::Replace}) {
+            for (const char* suffix : {"-journal", "-wal", "-shm"}) {
+                const QString side = m_folder.filePath("s.palpate") + suffix;
+                QFile file(side);
+                QVERIFY(file.open(QIODevice::WriteOnly) && file.write("theirs") == 6);
+                file.close();
+                const auto made = create("s.palpate", old);
+                QVERIFY(!made.isOk());
+                QVERIFY2(made.status().message().find(std::string("s.palpate") + suffix) != std::string::npos,
+                         made.status().message().c_str());
+                QCOMPARE(QFileInfo(side).size(), qint64{6});
+                QVERIFY(QFile::remove(side));
+            }
+        }
+        QVERIFY(!QFile::exists(m_folder.filePath("s.palpate")));
+    }
+
+    void replacesAnOldFileWhenItIsComplete()
+    {
+        QVERIFY(test::writeRecording(path("o.palpate"), test::palpationTicks(300)));
+        QVERIFY(QFile::setPermissions(m_folder.filePath("o.palpate"), QFile::ReadOwner | QFile::WriteOwner));
+        const auto ticks = [this] { return RecordingReader::open(path("o.palpate")).value()->extent().ticks; };
+        {
+            auto writer = create("o.palpate", core::OldFile::Replace);
+            QVERIFY2(writer.isOk(), writer.status().message().c_str());
+            servo::TickRecord tick;
+            QVERIFY(writer.value()->append(tick).isOk());
+            QVERIFY(writer.value()->commit().isOk());
+        } // given up
+        QCOMPARE(ticks(), std::int64_t{300});
+        auto writer = create("o.palpate", core::OldFile::Replace);
+        const auto second = create("o.palpate", core::OldFile::Replace);
+        QVERIFY(second.status().message().find("another program is recording into it") != std::string::npos);
+        servo::TickRecord tick;
+        QVERIFY(writer.value()->append(tick).isOk());
+        QCOMPARE(ticks(), std::int64_t{300});
+        QVERIFY(writer.value()->finish().isOk());
+        QCOMPARE(ticks(), std::int64_t{1});
+        QCOMPARE(QFileInfo(m_folder.filePath("o.palpate")).permissions() & (QFile::ReadGroup | QFile::ReadOther),
+                 QFile::Permissions());
+        QCOMPARE(left("o.palpate*"), QStringList{"o.palpate"});
+    }
+
+    /// Another process, or another writer of this one: who came first goes on.
+    void aSecondWriterIsRefused()
+    {
+        auto first = create("t.palpate", core::OldFile::Refuse);
+        servo::TickRecord tick;
+        QVERIFY(first.value()->append(tick).isOk());
+        for (const auto old : {core::OldFile::Refuse, core::OldFile::Replace}) {
+            QVERIFY(!create("t.palpate", old).isOk());
+        }
+        tick.tick = 1;
+        QVERIFY(first.value()->append(tick).isOk());
+        QVERIFY(first.value()->finish().isOk());
+        first = core::Status(core::StatusCode::Internal, "");
+        QCOMPARE(RecordingReader::open(path("t.palpate")).value()->extent().ticks, std::int64_t{2});
+    }
+
+    void neverRemovesOrReplacesAnothersFile()
+    {
+        const auto put = [this](const char* name) {
+            (void)QFile::remove(m_folder.filePath(name));
+            QFile file(m_folder.filePath(name));
+            return file.open(QIODevice::WriteOnly) && file.write("theirs") == 6;
+        };
+        auto writer = create("u.palpate", core::OldFile::Refuse);
+        QVERIFY(put("u.palpate"));
+        writer.value()->discard();
+        QCOMPARE(QFileInfo(m_folder.filePath("u.palpate")).size(), qint64{6});
+        auto own = create("v.palpate", core::OldFile::Refuse);
+        own.value()->discard();
+        QCOMPARE(left("v.palpate*"), QStringList());
+
+        auto late = create("w.palpate", core::OldFile::Replace); // nothing there when it began
+        QVERIFY(put("w.palpate"));
+        const core::Status kept = late.value()->finish();
+        QVERIFY2(kept.message().ends_with("kept as w (2).palpate"), kept.message().c_str());
+        QCOMPARE(QFileInfo(m_folder.filePath("w.palpate")).size(), qint64{6});
+        QVERIFY(RecordingReader::open(path("w (2).palpate")).isOk());
     }
 
     void refusesTicksThatDoNotAscend()

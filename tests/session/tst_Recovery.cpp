@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
+#include "FileLimits.h"
+#include "RecordingCopy.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 
@@ -8,13 +10,18 @@
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Recovery.h>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <csignal>
 #include <limits>
 #include <map>
+
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace palpate;
 using session::RecordingReader;
@@ -38,6 +45,19 @@ class Recovery : public QObject
         QFile file(m_folder.filePath(name));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(content);
+    }
+
+    static QByteArray read(const std::filesystem::path& name)
+    {
+        QFile file(QString::fromStdString(name.string()));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    /// What a recovery makes for itself.
+    QStringList scratch() const
+    {
+        return QDir(m_folder.path())
+            .entryList({".palpate-*", "*-part*", "*-source*", "*-pages*"},
+                       QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoSymLinks);
     }
 
     static bool says(const session::Recovery& recovery, const char* text)
@@ -160,7 +180,7 @@ class Recovery : public QObject
             saved += result.value().ticks;
             least = std::min(least, result.value().ticks);
         }
-        QCOMPARE(QDir(m_folder.path()).entryList({"*-part*", "*-source*", "*-pages*"}, QDir::Files).size(), 0);
+        QCOMPARE(scratch(), QStringList());
         qInfo("%d pages damaged one by one: %.1f %% of the ticks saved, at least %lld of 1500", pages,
               100.0 * double(saved) / (1500.0 * pages), static_cast<long long>(least));
         QVERIFY(least >= 1000); // a page's ticks lie in one or two blocks of 250
@@ -204,6 +224,94 @@ class Recovery : public QObject
         const auto recovered = session::recoverRecording(path("e.palpate"), path("pipe"));
         QVERIFY(recovered.status().message().ends_with("pipe: cannot be written: not a file"));
         QVERIFY(std::filesystem::is_fifo(path("pipe")));
+    }
+
+    /// Names in the folder of the copy may be anybody's.
+    void followsNoLink()
+    {
+        QVERIFY(test::writeRecording(path("q.palpate"), test::palpationTicks(300)));
+        write("precious", "theirs");
+        const QString pid = QString::number(QCoreApplication::applicationPid());
+        for (const QString& name : {"r.palpate-source" + pid, "r.palpate-pages" + pid, "r.palpate-part" + pid,
+                                    "." + pid + ".part", QString("r.palpate")}) {
+            QVERIFY(QFile::link("precious", m_folder.filePath(name)));
+        }
+        QVERIFY(session::recoverRecording(path("q.palpate"), path("r.palpate")).isOk());
+        QCOMPARE(bytes("precious"), QByteArray("theirs"));
+        QVERIFY(!std::filesystem::is_symlink(path("r.palpate"))); // the link itself is replaced
+        QVERIFY(RecordingReader::open(path("r.palpate")).isOk());
+
+        QVERIFY(QFile::link("precious", m_folder.filePath("q.palpate-journal")));
+        QVERIFY(session::recoverRecording(path("q.palpate"), path("s.palpate")).isOk());
+        QCOMPARE(bytes("precious"), QByteArray("theirs"));
+        QVERIFY(QFile::remove(m_folder.filePath("q.palpate-journal")));
+        QCOMPARE(scratch(), QStringList());
+    }
+
+    /// A file that claims a terabyte costs no more than its pages.
+    void copiesOnlyWhatSqliteCounts()
+    {
+        QVERIFY(test::writeRecording(path("t.palpate"), test::palpationTicks(1000)));
+        const std::uintmax_t size = std::filesystem::file_size(path("t.palpate"));
+        std::filesystem::resize_file(path("t.palpate"), std::uintmax_t{1} << 40);
+        const auto recovered = session::recoverRecording(path("t.palpate"), path("u.palpate"));
+        QVERIFY2(recovered.isOk(), recovered.status().message().c_str());
+        QCOMPARE(recovered.value().ticks, std::int64_t{1000});
+        QVERIFY(std::filesystem::file_size(path("u.palpate")) < 2 * size);
+
+        const auto folder = core::Scratch::create(path("u.palpate"), core::Scratch::Kind::Folder);
+        QVERIFY(
+            session::internal::copyRecording(path("t.palpate"), *folder.value(), "counted", path("u.palpate")).isOk());
+        QCOMPARE(std::filesystem::file_size(folder.value()->path() / "counted"), size);
+        std::filesystem::resize_file(path("t.palpate"), size);
+        QCOMPARE(read(folder.value()->path() / "counted"), bytes("t.palpate"));
+        // Without a header that counts, all of it, with its holes.
+        write("v", QByteArray(5000, 'x'));
+        std::filesystem::resize_file(path("v"), std::uintmax_t{1} << 30);
+        QVERIFY(session::internal::copyRecording(path("v"), *folder.value(), "all", path("u.palpate")).isOk());
+        struct stat is
+        {
+        };
+        QCOMPARE(::stat((folder.value()->path() / "all").c_str(), &is), 0);
+        QCOMPARE(is.st_size, off_t{1} << 30);
+        QVERIFY2(is.st_blocks < 1000, qPrintable(QString::number(is.st_blocks)));
+        QVERIFY(!session::internal::copyRecording(path("v"), *folder.value(), "all", path("u.palpate")).isOk());
+    }
+
+    void aFullDiskLeavesNothing()
+    {
+        QVERIFY(test::writeRecording(path("w.palpate"), test::palpationTicks(1000)));
+        const auto size = static_cast<rlim_t>(std::filesystem::file_size(path("w.palpate")));
+        write("x.palpate", bytes("w.palpate").left(4096));
+        const QByteArray old = bytes("x.palpate");
+        for (rlim_t limit = 0; limit < size; limit += 3'001) {
+            const test::FileLimit full(limit);
+            const auto recovered = session::recoverRecording(path("w.palpate"), path("x.palpate"));
+            QVERIFY(!recovered.isOk());
+            QCOMPARE(bytes("x.palpate"), old);
+            QCOMPARE(scratch(), QStringList());
+        }
+    }
+
+    void aKilledOneLeavesNothing()
+    {
+        QVERIFY(test::writeRecording(path("y.palpate"), test::palpationTicks(30'000)));
+        int killed = 0;
+        for (const int signal : {SIGTERM, SIGHUP, SIGINT, SIGTERM}) {
+            const pid_t child = ::fork();
+            if (child == 0) {
+                (void)std::signal(signal, SIG_DFL); // Qt Test has its own
+                core::removeScratchOnSignals();
+                ::_exit(session::recoverRecording(path("y.palpate"), path("z.palpate")).isOk() ? 0 : 1);
+            }
+            QTRY_VERIFY_WITH_TIMEOUT(!scratch().isEmpty() || ::waitpid(child, nullptr, WNOHANG) != 0, 20000);
+            (void)::kill(child, signal);
+            int status = 0;
+            ::waitpid(child, &status, 0);
+            killed += WIFSIGNALED(status) && WTERMSIG(status) == signal ? 1 : 0;
+            QCOMPARE(scratch(), QStringList());
+        }
+        QVERIFY(killed > 0);
     }
 
     void keepsEmbeddedSurfaces()
@@ -258,7 +366,7 @@ class Recovery : public QObject
         auto scenes = test::palpationScenes();
         scenes[1].structures[0].palpable = false;
         scenes[1].structures[0].layer = 2;
-        auto writer = session::RecordingWriter::create(path("m.palpate"), {});
+        auto writer = session::RecordingWriter::create(path("late.palpate"), {});
         servo::TickRecord tick;
         for (tick.tick = 0; tick.tick < 6; ++tick.tick) {
             tick.scene = tick.tick < 3 ? 1 : 2;
@@ -269,7 +377,7 @@ class Recovery : public QObject
         QVERIFY(writer.value()->addScene(scenes[0]).isOk());
         QVERIFY(writer.value()->finish().isOk());
         QStringList kinds;
-        const auto late = RecordingReader::open(path("m.palpate"));
+        const auto late = RecordingReader::open(path("late.palpate"));
         for (const auto& event : late.value()->events()) {
             kinds << QString("%1@%2").arg(QString::fromStdString(event.kind)).arg(event.tick);
         }

@@ -2,8 +2,8 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/VtpFile.h>
-#include <palpate/session/AtomicFile.h>
 #include <palpate/session/Findings.h>
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Replay.h>
@@ -49,7 +49,7 @@ class RecordedScene : public QObject
             }
             file.pointArrays = {{"StiffnessScale", std::move(scale)}};
         }
-        QVERIFY(session::writeAtomically(path(name), meshio::vtpBytes(file).value()).isOk());
+        QVERIFY(core::writeAtomically(path(name), meshio::vtpBytes(file).value()).isOk());
     }
 
     void writeScene(const char* opacity) const
@@ -74,6 +74,7 @@ class RecordedScene : public QObject
         session::RecordingInfo info;
         info.firstGeneration = 1;
         study::nameScene(info, path("s.palpate.json"), path(name));
+        std::filesystem::remove(path(name)); // of an earlier test
         auto writer = session::RecordingWriter::create(path(name), info, session::RecordingWriter::Sync::AtEnd);
         QVERIFY(writer.isOk());
         QVERIFY(writer.value()

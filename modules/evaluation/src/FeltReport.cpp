@@ -4,8 +4,8 @@
 #include "SvgChart.h"
 #include "palpate/evaluation/FeltComparison.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/core/Numbers.h>
-#include <palpate/session/AtomicFile.h>
 
 #include <cmath>
 #include <cstdio>
@@ -242,7 +242,7 @@ core::Status writeReport(const std::filesystem::path& folder, const Comparison& 
                                                       {"felt-estimate.svg", asFile(estimateChart(comparison))},
                                                       {"felt.html", html(comparison)}};
     for (const auto& [name, content] : files) {
-        if (core::Status status = session::writeAtomically(folder / name, content); !status.isOk()) {
+        if (core::Status status = core::writeAtomically(folder / name, content); !status.isOk()) {
             return status;
         }
     }

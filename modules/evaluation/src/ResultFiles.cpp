@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/Report.h"
 
+#include <palpate/core/AtomicFile.h>
+#include <palpate/core/CsvCell.h>
 #include <palpate/core/Numbers.h>
-#include <palpate/session/AtomicFile.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -29,15 +30,6 @@ const char* nameOf(Knob knob)
         return "radius";
     }
     return "";
-}
-
-std::string quoted(const std::string& text)
-{
-    std::string out = "\"";
-    for (const char c : text) {
-        out += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return out + "\"";
 }
 
 QString text(const std::string& s)
@@ -143,11 +135,12 @@ std::string resultsCsv(const Evaluation& evaluation)
     }
     out += ",mesh_sha256,seed,cpu,compiler,build\n";
     const auto origin = [&evaluation](const std::string& hash) {
-        return ',' + hash + ',' + std::to_string(evaluation.seed) + ',' + quoted(evaluation.machine.cpu) + ',' +
-               quoted(evaluation.machine.compiler) + ',' + quoted(evaluation.machine.build) + '\n';
+        return ',' + hash + ',' + std::to_string(evaluation.seed) + ',' + core::csvCell(evaluation.machine.cpu) + ',' +
+               core::csvCell(evaluation.machine.compiler) + ',' + core::csvCell(evaluation.machine.build) + '\n';
     };
     for (const Trial& t : evaluation.trials) {
-        out += quoted(t.subject) + ',' + quoted(t.solver) + ',' + quoted(t.setting) + ',' + nameOf(t.knob) + ',';
+        out += core::csvCell(t.subject) + ',' + core::csvCell(t.solver) + ',' + core::csvCell(t.setting) + ',' +
+               nameOf(t.knob) + ',';
         core::appendNumber(out, t.knobValue);
         out += ',' + std::to_string(t.triangles) + ',';
         core::appendNumber(out, t.rate_Hz);
@@ -168,7 +161,7 @@ std::string resultsCsv(const Evaluation& evaluation)
         points.back().solver = "Palpate " + p.solver;
     }
     for (const SizePoint& p : points) {
-        out += "sphere," + quoted(p.solver) + ",,size," + std::to_string(p.triangles) + ',' +
+        out += "sphere," + core::csvCell(p.solver) + ",,size," + std::to_string(p.triangles) + ',' +
                std::to_string(p.triangles) + ",1000," + std::to_string(p.ticks) + ",,,,,";
         appendPercentiles(out, p.time_us);
         out += std::string(30, ',') + origin("");
@@ -181,7 +174,7 @@ std::string hardCasesCsv(const Evaluation& evaluation)
     std::string out = "case,required,measured,bound,passed,worst_tick,triangles,ticks\n";
     for (const HardCaseResult& r : evaluation.hardCases) {
         for (const HardCaseFigure& f : r.figures) {
-            out += quoted(r.name) + ',' + quoted(f.what) + ',';
+            out += core::csvCell(r.name) + ',' + core::csvCell(f.what) + ',';
             core::appendNumber(out, f.measured);
             out += ',';
             core::appendNumber(out, f.bound);
@@ -275,17 +268,20 @@ core::Status writeReport(const std::filesystem::path& folder, const Evaluation& 
     if (!std::filesystem::is_directory(folder)) {
         return {core::StatusCode::Unreadable, folder.string() + ": cannot be made: " + error.message()};
     }
-    const std::pair<const char*, std::string> files[]{{"results.csv", resultsCsv(evaluation)},
-                                                      {"hard_cases.csv", hardCasesCsv(evaluation)},
-                                                      {"results.json", resultsJson(evaluation)},
-                                                      {"chart.svg", chartSvg(evaluation)},
-                                                      {"report.html", reportHtml(evaluation)}};
-    for (const auto& [name, content] : files) {
-        if (core::Status status = session::writeAtomically(folder / name, content); !status.isOk()) {
+    const std::vector<std::filesystem::path> files = reportFiles(folder);
+    std::size_t next = 0;
+    for (const auto make : {resultsCsv, hardCasesCsv, resultsJson, chartSvg, reportHtml}) {
+        if (core::Status status = core::writeAtomically(files[next++], make(evaluation)); !status.isOk()) {
             return status;
         }
     }
     return {};
+}
+
+std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder)
+{
+    return {folder / "results.csv", folder / "hard_cases.csv", folder / "results.json", folder / "chart.svg",
+            folder / "report.html"};
 }
 
 } // namespace palpate::evaluation

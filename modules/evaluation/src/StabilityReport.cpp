@@ -3,8 +3,9 @@
 #include "SvgChart.h"
 #include "palpate/evaluation/Stability.h"
 
+#include <palpate/core/AtomicFile.h>
+#include <palpate/core/CsvCell.h>
 #include <palpate/core/Numbers.h>
-#include <palpate/session/AtomicFile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,7 +149,7 @@ std::string csv(const Result& result)
         out += '\n';
     };
     for (const Row& r : result.rows) {
-        out += "\"" + r.device + "\",\"" + r.shape + "\"";
+        out += core::csvCell(r.device) + ',' + core::csvCell(r.shape);
         add({result.rate_Hz, static_cast<double>(result.delayTicks), r.stated_N_per_mm, r.without_N_per_mm,
              r.with_N_per_mm, r.restless_mm, r.cost.mean_percent, r.cost.p99_percent, r.costSoft.mean_percent,
              r.costSoft.p99_percent});
@@ -156,7 +157,7 @@ std::string csv(const Result& result)
     out += "\ndevice,against,unit,x,held_without_n_per_mm,held_with_n_per_mm,passive_n_per_mm,window_n_per_mm\n";
     for (const Sweep& s : result.sweeps) {
         for (const SweepPoint& p : s.points) {
-            out += "\"" + s.device + "\",\"" + s.what + "\",\"" + s.unit + "\"";
+            out += core::csvCell(s.device) + ',' + core::csvCell(s.what) + ',' + core::csvCell(s.unit);
             add({p.x, p.without_N_per_mm, p.with_N_per_mm, p.passive_N_per_mm, p.held_N_per_mm});
         }
     }
@@ -165,13 +166,19 @@ std::string csv(const Result& result)
 
 core::Status writeReport(const std::filesystem::path& folder, const Result& result)
 {
-    const std::pair<const char*, std::string> files[]{{"stability.csv", csv(result)}, {"stability.html", html(result)}};
-    for (const auto& [name, content] : files) {
-        if (core::Status status = session::writeAtomically(folder / name, content); !status.isOk()) {
+    const std::vector<std::filesystem::path> files = reportFiles(folder);
+    std::size_t next = 0;
+    for (const auto make : {csv, html}) {
+        if (core::Status status = core::writeAtomically(files[next++], make(result)); !status.isOk()) {
             return status;
         }
     }
     return {};
+}
+
+std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder)
+{
+    return {folder / "stability.csv", folder / "stability.html"};
 }
 
 } // namespace palpate::evaluation::stability

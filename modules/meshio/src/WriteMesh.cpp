@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/MeshFile.h"
 
-#include "AtomicFile.h"
 #include "Fault.h"
 #include "TextScan.h"
 #include "palpate/meshio/VtpFile.h"
+
+#include <palpate/core/AtomicFile.h>
 
 #include <algorithm>
 #include <array>
@@ -102,11 +103,11 @@ core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshSt
     const std::string extension = path.extension().string();
     if (sameWord(extension, ".vtp")) {
         const Result<std::string> bytes = vtpBytes(merged(structures));
-        return bytes.isOk() ? writeAtomically(path, bytes.value())
+        return bytes.isOk() ? core::writeAtomically(path, bytes.value(), core::AtomicFile::Onto::File)
                             : fault(StatusCode::Internal, file, "", bytes.status().message(), "");
     }
     if (sameWord(extension, ".stl")) {
-        return writeAtomically(path, stlBytes(structures));
+        return core::writeAtomically(path, stlBytes(structures), core::AtomicFile::Onto::File);
     }
     return fault(StatusCode::BadCommandLine, file, "", "the extension " + inQuotes(extension), "\".vtp\" or \".stl\"");
 }

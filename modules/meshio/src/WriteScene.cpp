@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SceneFile.h"
 
-#include "AtomicFile.h"
 #include "SceneLaw.h"
+
+#include <palpate/core/AtomicFile.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -207,7 +208,8 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         findings.append(finding(one, folder));
     }
     out["findings"] = findings;
-    return internal::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString());
+    return core::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString(),
+                                 core::AtomicFile::Onto::File);
 }
 
 } // namespace palpate::meshio

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DiskReserve.h"
 
-#include <string>
+#include <palpate/core/Scratch.h>
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 namespace palpate::session::internal {
 
 DiskReserve::DiskReserve(const std::filesystem::path& beside, std::size_t bytes)
 {
-    std::string name = beside.string() + ".XXXXXX";
-    m_file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (const auto made = core::Scratch::create(beside, core::Scratch::Kind::File); made.isOk()) {
+        m_file = ::fcntl(made.value()->descriptor(), F_DUPFD_CLOEXEC, 0); // the name goes with the scratch
+    }
     if (m_file < 0) {
         return;
     }
-    (void)::unlink(name.c_str());
     if (::posix_fallocate(m_file, 0, static_cast<off_t>(bytes)) != 0) {
         release();
     }

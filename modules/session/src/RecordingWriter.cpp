@@ -3,21 +3,19 @@
 
 #include "DiskReserve.h"
 #include "MetaTable.h"
+#include "RecordingPlace.h"
 #include "RecordingStore.h"
 #include "SceneChanges.h"
 
 #include <QDateTime>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
-
-#include <unistd.h>
 
 namespace palpate::session {
 
@@ -31,24 +29,27 @@ constexpr double kKept_s = 60.0; // of ticks, while the disk cannot take them
 /// For the ticks of two commits, of two layers each, and for the journal of the pages that they change.
 constexpr std::size_t kReserve_bytes = 128 * 1024;
 
-void removeSideFiles(const std::filesystem::path& path)
+/// An error of SQLite's names the file where it is made; for a person it is the one that is asked for.
+Status named(const Status& status, const std::filesystem::path& made, const std::filesystem::path& path)
 {
-    for (const char* suffix : {"-journal", "-wal", "-shm"}) {
-        std::filesystem::path side = path;
-        side += suffix;
-        std::error_code ignored;
-        std::filesystem::remove(side, ignored);
+    std::string message = status.message();
+    if (const auto at = message.find(made.string()); at != std::string::npos) {
+        message.replace(at, made.string().size(), path.string());
     }
+    return {status.code(), message};
 }
 
 } // namespace
 
 struct RecordingWriter::Private
 {
+    Status begin(const internal::MetaTable& meta, Sync sync, core::OldFile old);
     Status store();
     void deriveEvents(const servo::TickRecord& tick);
     void findChanges();
 
+    std::filesystem::path path;                      ///< as it was given
+    std::unique_ptr<internal::RecordingPlace> place; ///< before `file`, which must be closed first
     std::unique_ptr<internal::RecordingStore> file;
     internal::RecordingBatch pending; ///< not yet committed
     std::size_t ticksPerCommit = 250;
@@ -105,10 +106,32 @@ void RecordingWriter::Private::findChanges()
     });
 }
 
+/// Makes the schema, gives a new file its name and opens it.
+Status RecordingWriter::Private::begin(const internal::MetaTable& meta, Sync sync, core::OldFile old)
+{
+    if (Status status = internal::RecordingStore::makeFile(place->file(), meta); !status.isOk()) {
+        return status;
+    }
+    if (old == core::OldFile::Refuse) {
+        if (Status status = place->settle(); !status.isOk()) {
+            return status;
+        }
+    }
+    auto opened = internal::RecordingStore::open(place->file(), meta, ticksPerCommit);
+    if (!opened.isOk()) {
+        return opened.status();
+    }
+    file = std::move(opened).value();
+    if (sync == Sync::EachCommit) {
+        reserve = std::make_unique<internal::DiskReserve>(path, kReserve_bytes);
+    }
+    return file->waitForDisk(sync == Sync::EachCommit);
+}
+
 Status RecordingWriter::Private::store()
 {
     findChanges();
-    const Status status = file->store(pending);
+    const Status status = named(file->store(pending), place->file(), path);
     if (status.isOk()) {
         if (!pending.ticks.empty()) {
             stored = pending.ticks.back();
@@ -130,61 +153,30 @@ RecordingWriter::~RecordingWriter()
     }
 }
 
-core::Result<std::unique_ptr<RecordingWriter>>
-RecordingWriter::create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync, Events events)
+core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& path,
+                                                                       const RecordingInfo& info, Sync sync,
+                                                                       Events events, core::OldFile old)
 {
-    std::error_code error;
-    const auto kind = std::filesystem::status(path, error);
-    if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be written: not a file");
-    }
-    if (std::filesystem::exists(kind) && ::access(path.c_str(), W_OK) != 0) {
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be written: " + std::strerror(errno));
-    }
     RecordingInfo filled = info;
     if (filled.startedUtc.empty()) {
         filled.startedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     }
-    const internal::MetaTable meta = internal::toMeta(filled);
-
-    // Made beside and renamed, so that the name never stands for a file without its schema.
-    std::filesystem::path temporary = path;
-    for (const std::string& part : {std::string("."), std::to_string(::getpid()), std::string(".part")}) {
-        temporary += part;
+    auto claimed = internal::RecordingPlace::claim(path, old);
+    if (!claimed.isOk()) {
+        return claimed.status();
     }
-    std::filesystem::remove(temporary, error);
-    if (const Status status = internal::RecordingStore::makeFile(temporary, meta); !status.isOk()) {
-        std::filesystem::remove(temporary, error);
-        removeSideFiles(temporary);
-        std::string message = status.message();
-        if (const auto at = message.find(temporary.string()); at != std::string::npos) {
-            message.replace(at, temporary.string().size(), path.string());
-        }
-        return Status(status.code(), message);
-    }
-    removeSideFiles(path); // an old journal would be rolled back into the new file
-    std::filesystem::rename(temporary, path, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be written: " + error.message());
-    }
-
     auto d = std::make_unique<Private>();
+    d->path = path;
+    d->place = std::move(claimed).value();
+    d->derive = events;
     d->ticksPerCommit = static_cast<std::size_t>(std::clamp(kCommitInterval_s * filled.rate_Hz, 1.0, 1e5));
     d->mostPending = static_cast<std::size_t>(std::clamp(kKept_s * filled.rate_Hz, 1e3, 1e6));
-    auto opened = internal::RecordingStore::open(path, meta, d->ticksPerCommit);
-    if (!opened.isOk()) {
-        return opened.status();
+    if (const Status status = d->begin(internal::toMeta(filled), sync, old); !status.isOk()) {
+        const Status said = named(status, d->place->file(), path);
+        d->file.reset();
+        d->place->discard();
+        return said;
     }
-    d->file = std::move(opened).value();
-    if (Status status = d->file->waitForDisk(sync == Sync::EachCommit); !status.isOk()) {
-        return status;
-    }
-    if (sync == Sync::EachCommit) {
-        d->reserve = std::make_unique<internal::DiskReserve>(path, kReserve_bytes);
-    }
-    d->derive = events;
     return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(d)));
 }
 
@@ -250,18 +242,29 @@ Status RecordingWriter::commit()
 Status RecordingWriter::finish(Ending ending)
 {
     Private& d = *m_d;
-    if (Status status = d.file->waitForDisk(true); !status.isOk()) {
-        return status;
+    if (d.file != nullptr) {
+        Status status = d.file->waitForDisk(true);
+        if (status.isOk()) {
+            status = commit();
+        }
+        if (status.isOk() && ending == Ending::Complete) {
+            status = d.file->markComplete();
+        }
+        if (!status.isOk()) {
+            return named(status, d.place->file(), d.path);
+        }
+        d.isFinished = true;
+        d.file.reset();
     }
-    if (Status status = commit(); !status.isOk()) {
-        return status;
-    }
-    Status status;
-    if (ending == Ending::Complete) {
-        status = d.file->markComplete();
-    }
-    d.isFinished = status.isOk();
-    return status;
+    return d.place->complete();
+}
+
+void RecordingWriter::discard()
+{
+    m_d->isFinished = true;
+    m_d->reserve.reset();
+    m_d->file.reset();
+    m_d->place->discard();
 }
 
 Status RecordingWriter::abandon(RecordingEvent why)

@@ -2,10 +2,13 @@
 #include "palpate/session/Recovery.h"
 
 #include "PageSalvage.h"
+#include "RecordingCopy.h"
 #include "RecordingSurvey.h"
 #include "Schema.h"
 #include "palpate/session/RecordingReader.h"
 #include "palpate/session/RecordingWriter.h"
+
+#include <palpate/core/Scratch.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,8 +18,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-
-#include <unistd.h>
 
 namespace palpate::session {
 
@@ -29,35 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kUnchecked = ": kept without a checksum to hold it against";
-
-fs::path with(const fs::path& path, const std::string& suffix)
-{
-    fs::path out = path;
-    out += suffix;
-    return out;
-}
-
-/// A file of our own beside the copy, with its journal; gone at the end.
-class WorkFile
-{
-  public:
-    WorkFile(const fs::path& beside, const std::string& what)
-        : m_path(with(beside, what + std::to_string(::getpid())))
-    {
-    }
-    ~WorkFile()
-    {
-        std::error_code ignored;
-        fs::remove(m_path, ignored);
-        fs::remove(with(m_path, "-journal"), ignored);
-    }
-    WorkFile(const WorkFile&) = delete;
-    WorkFile& operator=(const WorkFile&) = delete;
-    const fs::path& path() const { return m_path; }
-
-  private:
-    fs::path m_path;
-};
+constexpr const char* kSource = "source"; // in the scratch folder
 
 /// A database that rows can be read from, and what in it is as written.
 struct Source
@@ -110,9 +83,6 @@ class Rescue
     Rescue(const fs::path& from, const fs::path& to)
         : m_from(from)
         , m_to(to)
-        , m_source(to, "-source")
-        , m_pages(to, "-pages")
-        , m_copy(to, "-part")
     {
     }
 
@@ -135,8 +105,8 @@ class Rescue
     void lose(std::string line)
     {
         // SQLite names our own copies of the file.
-        for (const WorkFile* work : {&m_source, &m_pages}) {
-            const std::string own = work->path().string();
+        for (const fs::path& work : {source(), pages()}) {
+            const std::string own = work.string();
             for (auto at = line.find(own); at != std::string::npos; at = line.find(own)) {
                 line.replace(at, own.size(), m_from.filename().string());
             }
@@ -157,18 +127,12 @@ class Rescue
         if (const auto kind = fs::status(m_to, error); fs::exists(kind) && !fs::is_regular_file(kind)) {
             return wrong(StatusCode::Unreadable, m_to, "cannot be written: not a file"); // the copy would replace it
         }
-        error.clear();
-        fs::copy_file(m_from, m_source.path(), fs::copy_options::overwrite_existing, error);
-        const fs::path journal = with(m_from, "-journal");
-        std::error_code none;
-        if (!error && fs::exists(journal, none)) {
-            fs::copy_file(journal, with(m_source.path(), "-journal"), fs::copy_options::overwrite_existing, error);
+        auto scratch = core::Scratch::create(m_to, core::Scratch::Kind::Folder);
+        if (!scratch.isOk()) {
+            return scratch.status();
         }
-        if (error) {
-            return wrong(StatusCode::Unreadable, m_to, "cannot be written: " + error.message());
-        }
-        fs::permissions(m_source.path(), fs::perms::owner_read | fs::perms::owner_write, error);
-        return {};
+        m_scratch = std::move(scratch).value();
+        return internal::copyRecording(m_from, *m_scratch, kSource, m_to);
     }
 
     /// Reads the database as it is; where something in it is damaged, also what its pages hold without it, and goes on
@@ -177,15 +141,15 @@ class Rescue
     {
         Status direct(StatusCode::BadFormat, "found no SQLite database, expected a recording");
         if (isRecordingFile(m_from)) {
-            direct = open(m_source.path(), m_chosen);
+            direct = open(source(), m_chosen);
         }
         if (direct.code() == StatusCode::Mismatch) {
             return wrong(direct.code(), m_from, direct.message()); // a newer version's pages say something else
         }
         if (!direct.isOk() || !m_chosen->faults.empty()) {
-            const auto salvage = internal::salvagePages(m_source.path(), m_pages.path());
+            const auto salvage = internal::salvagePages(source(), pages());
             std::unique_ptr<Source> found;
-            if (salvage.isOk() && salvage.value().ticks > 0 && open(m_pages.path(), found).isOk() &&
+            if (salvage.isOk() && salvage.value().ticks > 0 && open(pages(), found).isOk() &&
                 (!direct.isOk() || found->worth() > m_chosen->worth())) {
                 m_chosen = std::move(found);
                 lose("its structure is damaged: " + std::to_string(salvage.value().rows) +
@@ -245,8 +209,8 @@ class Rescue
 
     Status makeCopy()
     {
-        auto made = RecordingWriter::create(m_copy.path(), m_info, RecordingWriter::Sync::AtEnd,
-                                            RecordingWriter::Events::AsGiven);
+        auto made = RecordingWriter::create(m_to, m_info, RecordingWriter::Sync::AtEnd,
+                                            RecordingWriter::Events::AsGiven, core::OldFile::Replace);
         if (!made.isOk()) {
             return made.status();
         }
@@ -355,23 +319,15 @@ class Rescue
             (void)m_writer->addEvent({std::max<std::int64_t>(m_last, 0), "recovered",
                                       QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()});
         }
-        const Status status =
-            m_writer->finish(isComplete ? RecordingWriter::Ending::Complete : RecordingWriter::Ending::CutOff);
-        if (!status.isOk()) {
-            return status;
-        }
-        m_writer.reset();
-        std::error_code error;
-        fs::remove(with(m_to, "-journal"), error); // an old one would be rolled back into the copy
-        fs::rename(m_copy.path(), m_to, error);
-        return error ? wrong(StatusCode::Unreadable, m_to, "cannot be written: " + error.message()) : Status();
+        return m_writer->finish(isComplete ? RecordingWriter::Ending::Complete : RecordingWriter::Ending::CutOff);
     }
+
+    fs::path source() const { return m_scratch->path() / kSource; }
+    fs::path pages() const { return m_scratch->path() / "pages"; }
 
     const fs::path m_from;
     const fs::path m_to;
-    const WorkFile m_source;
-    const WorkFile m_pages;
-    const WorkFile m_copy;
+    std::unique_ptr<core::Scratch> m_scratch; ///< holds the copy of the recording, and what its pages hold
     std::unique_ptr<Source> m_chosen;
     RecordingInfo m_info;
     std::unique_ptr<RecordingWriter> m_writer;

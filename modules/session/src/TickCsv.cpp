@@ -3,6 +3,7 @@
 
 #include "TickColumns.h"
 
+#include <palpate/core/CsvCell.h>
 #include <palpate/core/Numbers.h>
 
 #include <QJsonDocument>
@@ -17,19 +18,6 @@
 namespace palpate::session {
 
 namespace {
-
-void appendText(std::string& line, std::string_view text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-        line.append(text);
-        return;
-    }
-    line += '"';
-    for (const char c : text) {
-        line.append(c == '"' ? 2 : 1, c);
-    }
-    line += '"';
-}
 
 /// What the CSV shows, in its order.
 const std::vector<internal::TickColumn>& shownColumns()
@@ -81,15 +69,15 @@ const char* slides(haptics::Friction friction)
     return "";
 }
 
-/// Appends a text of a list within a cell. What would be read as a part of list or line, and '%' itself, stands as %
-/// and two hexadecimal digits, as in a URL.
-void appendEscaped(std::string& line, std::string_view text, std::string_view also = {})
+/// Appends a text of a list within a cell. What would be read as a part of list or line, '%' itself, and what would
+/// make the cell a formula at its start, stands as % and two hexadecimal digits, as in a URL.
+void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std::string_view also = {})
 {
     constexpr char kDigits[] = "0123456789ABCDEF";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < ' ' || std::string_view("%;=,\"").find(c) != std::string_view::npos ||
-            also.find(c) != std::string_view::npos) {
+        if (byte < ' ' || (std::exchange(isAtStart, false) && core::looksLikeFormula({&c, 1})) ||
+            std::string_view("%;=,\"").find(c) != std::string_view::npos || also.find(c) != std::string_view::npos) {
             line += {'%', kDigits[byte / 16], kDigits[byte % 16]};
         } else {
             line += c;
@@ -103,7 +91,7 @@ void appendLayers(std::string& line, const haptics::TickResult& felt, const Stru
     for (std::size_t i = 0; i < felt.contactCount; ++i) {
         const haptics::Contact& contact = felt.contacts[i];
         line += i > 0 ? ";" : "";
-        appendEscaped(line, names(contact.structure));
+        appendEscaped(line, names(contact.structure), i == 0);
         line += '=';
         core::appendNumber(line, contact.f_W.norm());
         line += '=';
@@ -128,11 +116,11 @@ void appendEvents(std::string& line, std::span<const RecordingEvent> events)
 {
     bool isFirst = true;
     for (const RecordingEvent& event : events) {
-        line += std::exchange(isFirst, false) ? "" : "|";
-        appendEscaped(line, event.kind, "|");
+        line += isFirst ? "" : "|";
+        appendEscaped(line, event.kind, std::exchange(isFirst, false), "|");
         if (const std::string subject = subjectOf(event); !subject.empty()) {
             line += '=';
-            appendEscaped(line, subject, "|");
+            appendEscaped(line, subject, false, "|");
         }
     }
 }
@@ -164,7 +152,7 @@ void appendCsvColumn(std::string& line, std::string_view column, const servo::Ti
 
 } // namespace
 
-TickCsv::TickCsv(AtomicFile file, Rows rows)
+TickCsv::TickCsv(core::AtomicFile file, Rows rows)
     : m_file(std::move(file))
     , m_rows(rows)
 {
@@ -172,7 +160,7 @@ TickCsv::TickCsv(AtomicFile file, Rows rows)
 
 core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows rows)
 {
-    auto file = AtomicFile::create(path);
+    auto file = core::AtomicFile::create(path);
     if (!file.isOk()) {
         return file.status();
     }
@@ -201,8 +189,8 @@ void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, 
         if (isEmpty && column.name != "tick") {
             m_line.append(internal::columnNames(column).size() - 1, ',');
         } else if (column.name == "structure") {
-            appendText(m_line, tick.felt.structure < 0 ? std::string_view()
-                                                       : names(static_cast<std::uint32_t>(tick.felt.structure)));
+            m_line += tick.felt.structure < 0 ? std::string()
+                                              : core::csvCell(names(static_cast<std::uint32_t>(tick.felt.structure)));
         } else {
             internal::useValue(column, tick, [this](const auto& value) { appendValue(m_line, value); });
         }

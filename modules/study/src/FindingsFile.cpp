@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/FindingsFile.h"
 
+#include <palpate/core/CsvCell.h>
 #include <palpate/session/Findings.h>
 
 #include <QByteArray>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <string_view>
 
 namespace palpate::study {
 
@@ -30,21 +30,6 @@ std::string digits(double value)
 std::string numberCell(const std::optional<double>& value)
 {
     return value ? digits(*value) : std::string();
-}
-
-std::string textCell(std::string_view text)
-{
-    std::string cell(text);
-    if (!cell.empty() && std::string_view("=+-@").find(cell.front()) != std::string_view::npos) {
-        cell.insert(0, 1, '\'');
-    }
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-        return cell;
-    }
-    for (std::size_t i = 0; (i = cell.find('"', i)) != std::string::npos; i += 2) {
-        cell.insert(i, 1, '"');
-    }
-    return '"' + cell + '"';
 }
 
 /// The note, and below it what was felt, for a reader of the list in another program.
@@ -116,8 +101,9 @@ std::string findingsCsv(const std::vector<Finding>& findings)
     std::size_t number = 0;
     for (const Finding& one : findings) {
         ++number;
-        std::vector<std::string> cells{textCell(one.id.empty() ? std::to_string(number) : one.id), textCell(one.name),
-                                       textCell(core::nameOf(one.type)), textCell(one.structure)};
+        std::vector<std::string> cells{core::csvCell(one.id.empty() ? std::to_string(number) : one.id),
+                                       core::csvCell(one.name), core::csvCell(core::nameOf(one.type)),
+                                       core::csvCell(one.structure)};
         for (int axis = 0; axis < 3; ++axis) {
             cells.push_back(one.hasPlace ? digits(one.p_W[axis]) : std::string());
         }
@@ -126,9 +112,9 @@ std::string findingsCsv(const std::vector<Finding>& findings)
             cells.push_back(numberCell(value));
         }
         cells.push_back(one.recording ? digits(one.recording->time_s) : std::string());
-        cells.push_back(one.recording ? textCell(std::filesystem::path(one.recording->file).filename().string())
+        cells.push_back(one.recording ? core::csvCell(std::filesystem::path(one.recording->file).filename().string())
                                       : std::string());
-        cells.push_back(textCell(one.note));
+        cells.push_back(core::csvCell(one.note));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             out += (i > 0 ? "," : "") + cells[i];
         }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/SessionExport.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/VtpFile.h>
-#include <palpate/session/AtomicFile.h>
 #include <palpate/session/TickCsv.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <span>
@@ -55,7 +56,7 @@ class Steps
 Status write(const std::filesystem::path& path, const meshio::VtpFile& file)
 {
     const auto bytes = meshio::vtpBytes(file);
-    return bytes.isOk() ? session::writeAtomically(path, bytes.value())
+    return bytes.isOk() ? core::writeAtomically(path, bytes.value())
                         : Status(bytes.status().code(), path.string() + ": " + bytes.status().message());
 }
 
@@ -171,6 +172,24 @@ std::filesystem::path surfaceFileOf(const std::filesystem::path& path)
 {
     std::filesystem::path surface = path;
     return surface.replace_filename(path.stem().string() + "-surface" + path.extension().string());
+}
+
+Status checkSurfaceFile(const std::filesystem::path& surface)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(surface, error))) {
+        return {};
+    }
+    std::string head;
+    if (std::filesystem::is_regular_file(surface, error)) {
+        head.resize(16384); // names of arrays come first
+        std::ifstream(surface, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    }
+    return head.find("Name=\"dwell_s\"") != std::string::npos
+               ? Status()
+               : Status(StatusCode::BadCommandLine,
+                        surface.string() + ": the touched surface goes there; found another file, expected "
+                                           "none or an older export. Choose another name");
 }
 
 } // namespace palpate::study

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace palpate::evaluation {
 
@@ -14,6 +15,8 @@ namespace palpate::evaluation {
 /// and `chart.svg` (speed against error on the first subject, as a picture) into a folder, which is made when it is
 /// missing; each file appears only when it is whole.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Evaluation& evaluation);
+/// @return the files that it writes
+[[nodiscard]] std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder);
 
 /// The same as text.
 [[nodiscard]] std::string reportHtml(const Evaluation& evaluation);

@@ -140,6 +140,8 @@ struct Options
 
 /// `stability.html` (self-contained) and `stability.csv` in a folder, each only when whole.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Result& result);
+/// @return these files
+[[nodiscard]] std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder);
 [[nodiscard]] std::string html(const Result& result);
 [[nodiscard]] std::string csv(const Result& result);
 

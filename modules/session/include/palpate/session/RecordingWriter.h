@@ -3,6 +3,7 @@
 
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Scratch.h>
 #include <palpate/core/Status.h>
 #include <palpate/servo/TickRecord.h>
 
@@ -39,12 +40,16 @@ class RecordingWriter
         CutOff,   ///< it went on, but this is all there is
     };
 
-    /// Makes the file, replacing what is there, with its schema and `info`.
+    /// Makes the file with its schema and `info`, and holds a lock on it: no two writers have one file. Beside it there
+    /// must be no file that SQLite would take for a part of it (-journal, -wal, -shm).
+    /// @param old  Refuse: there must be nothing of this name, and the file has it from now on. Replace: written
+    /// beside;
+    ///             `finish` gives it the name, until then an older file stays as it is. A file that another program is
+    ///             recording into is refused.
     /// @return one line that names the file when it cannot be written
-    [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& path,
-                                                                               const RecordingInfo& info,
-                                                                               Sync sync = Sync::EachCommit,
-                                                                               Events events = Events::Derived);
+    [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
+    create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit,
+           Events events = Events::Derived, core::OldFile old = core::OldFile::Refuse);
     ~RecordingWriter(); ///< commits what is left
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
@@ -58,8 +63,11 @@ class RecordingWriter
     core::Status addEvent(const RecordingEvent& event);
     /// Ends the transaction: what was added until now survives a crash. @return the disk's error; nothing is lost by it
     core::Status commit();
-    /// Commits and waits for the disk. Once; nothing may be added after it.
+    /// Commits, waits for the disk and closes the file. After an error it may be tried again; after it nothing may be
+    /// added.
     core::Status finish(Ending ending = Ending::Complete);
+    /// Removes the file instead, where it is still the one that was made.
+    void discard();
     /// Ends a recording that the disk takes no more of: gives up the room that was kept for this, then stores what is
     /// not yet committed and an event that says why it ends; where there is no room for all of that, events alone, and
     /// the ticks are lost. Once; nothing may be added after it.

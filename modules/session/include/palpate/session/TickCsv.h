@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/session/AtomicFile.h"
+#include "palpate/core/AtomicFile.h"
 #include "palpate/session/Recording.h"
 #include "palpate/session/StructureNames.h"
 
@@ -14,7 +14,7 @@
 namespace palpate::session {
 
 /// Writes ticks as CSV, the columns of session/src/TickColumns.h; with 17 significant digits, which give the same
-/// doubles back. Atomic as AtomicFile is.
+/// doubles back. Atomic as core::AtomicFile is.
 class TickCsv
 {
   public:
@@ -31,9 +31,9 @@ class TickCsv
     [[nodiscard]] core::Status finish();
 
   private:
-    TickCsv(AtomicFile file, Rows rows);
+    TickCsv(core::AtomicFile file, Rows rows);
 
-    AtomicFile m_file;
+    core::AtomicFile m_file;
     Rows m_rows = Rows::Ticks;
     std::string m_line;
 };

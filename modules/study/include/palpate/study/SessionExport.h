@@ -37,6 +37,10 @@ using ExportProgress = std::function<bool(double share)>;
 /// @return where the touched surface goes when the path goes to `path`: "P.vtp" gives "P-surface.vtp".
 [[nodiscard]] std::filesystem::path surfaceFileOf(const std::filesystem::path& path);
 
+/// A person names the path's file, not this one: it may be new or replace an older export, and no other file.
+/// @return BadCommandLine when there is another file
+[[nodiscard]] core::Status checkSurfaceFile(const std::filesystem::path& surface);
+
 /// All measures as one JSON document, see resources/docs/measures.md.
 [[nodiscard]] std::string measuresJson(const session::SessionMeasures& measures);
 /// The sums alone, as every JSON that the program writes says them.
