@@ -48,6 +48,7 @@ MainWindow::MainWindow()
     setCentralWidget(centre);
 
     m_document = new SceneDocument(m_model, this);
+    connect(m_document, &SceneDocument::copyFailed, this, &MainWindow::showError);
     makeActions();
     makeDocks();
     makeMenus();

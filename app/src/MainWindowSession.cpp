@@ -4,7 +4,10 @@
 #include "MeasuresDialog.h"
 #include "Paths.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/ui/EngineTexts.h>
+
+#include <QBuffer>
 
 #include <utility>
 
@@ -72,8 +75,11 @@ void MainWindow::saveSnapshot()
 {
     const std::filesystem::path file = newFile(QStandardPaths::PicturesLocation, QStringLiteral(".png"));
     m_viewport->refineNext();
-    if (m_viewport->grabFramebuffer().save(toText(file))) {
-        say(tr("Picture saved to %1").arg(toText(file)), 15000);
+    QBuffer bytes;
+    const bool isDrawn = m_viewport->grabFramebuffer().save(&bytes, "PNG");
+    const auto written = core::writeNew(file, {bytes.data().constData(), static_cast<std::size_t>(bytes.size())});
+    if (isDrawn && written.isOk()) {
+        say(tr("Picture saved to %1").arg(toText(written.value())), 15000);
     } else {
         showError(tr("%1: the picture could not be written. Is the folder writable and the disk not full?")
                       .arg(toText(file)));

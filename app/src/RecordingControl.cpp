@@ -3,15 +3,37 @@
 
 #include "Paths.h"
 
+#include <palpate/core/AtomicFile.h>
 #include <palpate/ui/EngineTexts.h>
 
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
+#include <iterator>
+#include <system_error>
 #include <utility>
 
 using namespace palpate;
 using namespace palpate::ui;
+
+namespace {
+
+constexpr int kMostOfOneName = 1000;
+constexpr const char* kSideFiles[] = {"", "-journal", "-wal", "-shm"};
+
+/// Whether nothing has the name of a recording, nor that of a file which SQLite would take for a part of it.
+bool isFree(const std::filesystem::path& recording)
+{
+    return std::none_of(std::begin(kSideFiles), std::end(kSideFiles), [&](const char* suffix) {
+        std::filesystem::path file = recording;
+        file += suffix;
+        std::error_code error;
+        return std::filesystem::exists(std::filesystem::symlink_status(file, error));
+    });
+}
+
+} // namespace
 
 RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& panel, QObject* parent)
     : QObject(parent)
@@ -27,12 +49,22 @@ RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& pa
 core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)
 {
     refresh(); // one that ended by itself just now is told of first
-    m_path = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
     m_failure.clear();
     m_told.clear();
     m_hasFailed = false;
-    const core::Status started = m_live.startRecording(m_path, scene, embeds);
-    m_isWatching = started.isOk();
+    // The second that the name tells may be that of an older recording, or of another window's.
+    const std::filesystem::path wanted = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
+    core::Status started;
+    bool isTaken = true;
+    for (int number = 1; isTaken && number <= kMostOfOneName; ++number) {
+        m_path = core::numbered(wanted, number);
+        if (!isFree(m_path)) {
+            continue;
+        }
+        started = m_live.startRecording(m_path, scene, embeds);
+        isTaken = !started.isOk() && !isFree(m_path);
+    }
+    m_isWatching = !isTaken && started.isOk();
     return started;
 }
 

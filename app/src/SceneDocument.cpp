@@ -3,9 +3,11 @@
 
 #include "Paths.h"
 
-#include <QCoreApplication>
+#include <palpate/ui/EngineTexts.h>
+
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QUuid>
 
 #include <algorithm>
 #include <map>
@@ -81,15 +83,16 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         m_rest.extra =
             extra.isEmpty() ? std::string() : QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
         m_model.undoStack().resetClean();
-        writeCopy();
-        if (m_copy != scene.files.front()) {
-            discardLeftover(scene.files.front());
-        } else { // of a program with the same number
+        const std::filesystem::path& leftover = scene.files.front();
+        if (writeCopy()) {
+            discardLeftover(leftover);
+        } else { // all there is of them
+            m_copy = leftover;
             m_lock = std::move(m_claim);
         }
     } else if (scene.isReopened) {
         m_model.undoStack().resetClean();
-        writeCopy();
+        (void)writeCopy();
     }
     m_claim.reset();
 }
@@ -204,24 +207,45 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     return saved;
 }
 
-void SceneDocument::writeCopy()
+/// Chooses a name that no copy has: the number of a process comes again, also in a container or on another machine that
+/// shares the folder.
+bool SceneDocument::beginCopy()
+{
+    QDir().mkpath(copyFolder());
+    const std::filesystem::path copy =
+        toPath(copyFolder() + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+               QStringLiteral(".palpate.json"));
+    auto lock = std::make_unique<QLockFile>(lockOf(copy));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock(0)) {
+        return false;
+    }
+    m_copy = copy;
+    m_lock = std::move(lock);
+    return true;
+}
+
+bool SceneDocument::writeCopy()
 {
     if (!isModified() || m_model.rows().empty()) {
-        return;
+        return false;
     }
-    if (m_copy.empty()) {
-        QDir().mkpath(copyFolder());
-        m_copy = toPath(copyFolder() + QStringLiteral("/%1.palpate.json").arg(QCoreApplication::applicationPid()));
-        m_lock = std::make_unique<QLockFile>(lockOf(m_copy));
-        m_lock->setStaleLockTime(0);
-        (void)m_lock->tryLock(0);
+    core::Status status;
+    if (m_copy.empty() && !beginCopy()) {
+        status = {core::StatusCode::Unreadable, copyFolder().toStdString() + ": cannot be written"};
+    } else {
+        meshio::SceneFile scene = content();
+        QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();
+        extra[QLatin1String(kCopyOf)] = toText(m_file);
+        extra[QLatin1String(kCopyOfHash)] = QString::fromStdString(m_rest.sha256);
+        scene.extra = QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
+        status = meshio::writeScene(m_copy, scene);
     }
-    meshio::SceneFile scene = content();
-    QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();
-    extra[QLatin1String(kCopyOf)] = toText(m_file);
-    extra[QLatin1String(kCopyOfHash)] = QString::fromStdString(m_rest.sha256);
-    scene.extra = QJsonDocument(extra).toJson(QJsonDocument::Compact).toStdString();
-    (void)meshio::writeScene(m_copy, scene); // a copy for bad days; the next edit tries again
+    if (!std::exchange(m_hasCopyFailed, !status.isOk()) && !status.isOk()) { // the next edit tries again
+        Q_EMIT copyFailed(
+            tr("Unsaved changes would be lost in a crash; save the scene. %1").arg(ui::engineText(status)));
+    }
+    return status.isOk();
 }
 
 void SceneDocument::dropCopy()

@@ -60,11 +60,14 @@ class SceneDocument : public QObject
     void findingsChanged();
     void marked(const palpate::core::Finding& finding);
     void unmarked(const palpate::core::Finding& finding);
+    /// The copy of unsaved changes could not be written; told once until it can. @param line  why
+    void copyFailed(const QString& line);
 
   private:
     [[nodiscard]] palpate::meshio::SceneFile content() const;
     void followName(int row, const QString& before, const QString& after);
-    void writeCopy();
+    bool writeCopy(); ///< @return false when there is none
+    [[nodiscard]] bool beginCopy();
     void dropCopy();
 
     palpate::ui::StructureModel& m_model;
@@ -74,6 +77,7 @@ class SceneDocument : public QObject
     std::vector<palpate::meshio::SceneStructure> m_unopened;
     QTimer m_copyTimer;
     std::filesystem::path m_copy;
+    bool m_hasCopyFailed = false;
     std::unique_ptr<QLockFile> m_lock;  ///< held as long as the copy is ours
     std::unique_ptr<QLockFile> m_claim; ///< of a copy that is being opened
 };

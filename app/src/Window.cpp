@@ -7,17 +7,22 @@
 #include "MainWindow.h"
 
 #include <palpate/core/VisibleText.h>
+#include <palpate/core/AtomicFile.h>
 #include <palpate/ui/Theme.h>
 
 #include <QApplication>
+#include <QBuffer>
 #include <QFileInfo>
 #include <QOpenGLContext>
 #include <QPainter>
+#include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include <clocale>
 #include <cstdio>
+#include <filesystem>
 #include <langinfo.h>
 #include <memory>
 #include <string_view>
@@ -113,9 +118,12 @@ class ScreenshotRun : public QObject
         m_window.viewport().refineNext();
         const QPixmap picture = m_window.grab();
         const view::TouchState& state = m_window.viewport().view().cursor().state();
-        if (!picture.save(m_file, "PNG")) {
-            printError(m_file.toStdString() + ": the picture could not be written");
-            QCoreApplication::exit(1);
+        QBuffer bytes;
+        (void)picture.save(&bytes, "PNG");
+        const core::Status written = core::writeAtomically(
+            m_file.toStdU16String(), {bytes.data().constData(), static_cast<std::size_t>(bytes.size())});
+        if (!written.isOk()) {
+            QCoreApplication::exit(app::report(written));
             return;
         }
         if (state.isInContact) {
@@ -149,6 +157,35 @@ class RuntimeFolder
         m_own = std::make_unique<QTemporaryDir>(); // for this user alone
         if (m_own->isValid()) {
             qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
+        }
+    }
+
+  private:
+    std::unique_ptr<QTemporaryDir> m_own;
+};
+
+/// Qt waits without end where its file of settings is a pipe, and writes to what a link leads to. Then the settings are
+/// those of a folder that goes with the object.
+class SettingsFolder
+{
+  public:
+    SettingsFolder()
+    {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
+        const QString own = QCoreApplication::organizationName();
+        for (const QString& file : {folder + QLatin1Char('/') + own + QStringLiteral(".conf"),
+                                    folder + QLatin1Char('/') + own + QLatin1Char('/') +
+                                        QCoreApplication::applicationName() + QStringLiteral(".conf")}) {
+            std::error_code error;
+            const auto kind = std::filesystem::symlink_status(file.toStdU16String(), error).type();
+            if (kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found) {
+                continue;
+            }
+            m_own = std::make_unique<QTemporaryDir>();
+            QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_own->path());
+            app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
+                                                 "settings; they are not kept. Remove it");
+            return;
         }
     }
 
@@ -202,6 +239,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QCoreApplication::setApplicationName(options.screenshot ? QStringLiteral("Palpate screenshot")
                                                             : QStringLiteral("Palpate"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
+    const SettingsFolder settingsFolder;
     app::speakChosenLanguage();
 
     MainWindow window;

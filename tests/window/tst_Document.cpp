@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FileLimits.h"
 #include "SceneDocument.h"
 #include "TestRunner.h"
 
@@ -7,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -23,6 +25,14 @@ class Document : public QObject
     static QString copies()
     {
         return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/unsaved";
+    }
+
+    static QStringList copyNames() { return QDir(copies()).entryList({"*.palpate.json"}, QDir::Files); }
+
+    static QByteArray bytes(const QString& name)
+    {
+        QFile file(name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("nothing");
     }
 
     /// A scene of one structure, as the window opens it.
@@ -144,6 +154,86 @@ class Document : public QObject
         QCOMPARE(json(path("c.palpate.json"))["structures"].toArray().at(0).toObject().value("mesh").toString(),
                  QString("a.stl"));
         QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty());
+    }
+
+    /// The disk is full: neither file nor copy gets worse, and the scene stays unsaved.
+    void aFailedSaveLosesNothing()
+    {
+        QVERIFY(QFile::copy(m_folder.filePath("a.palpate.json"), m_folder.filePath("f.palpate.json")));
+        const QByteArray old = bytes(m_folder.filePath("f.palpate.json"));
+        ui::StructureModel model;
+        SceneDocument document(model);
+        document.take(opened(model, path("f.palpate.json")));
+        QSignalSpy failed(&document, &SceneDocument::copyFailed);
+        document.addFinding({"unsaved", {7, 8, 9}, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(copyNames().size(), 1, 20000);
+        const QString copy = QDir(copies()).filePath(copyNames()[0]);
+        const QByteArray copied = bytes(copy);
+        {
+            const test::FileLimit full(100);
+            document.addFinding({"second", {7, 8, 9}, {}});
+            QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+            document.addFinding({"third", {7, 8, 9}, {}});
+            QTest::qWait(2000);          // longer than it waits after an edit
+            QCOMPARE(failed.count(), 1); // told once
+        }
+        QCOMPARE(bytes(copy), copied);
+        core::Status saved(core::StatusCode::Internal, "");
+        int failures = 0;
+        for (rlim_t limit = 0; !saved.isOk(); limit += 97) {
+            const test::FileLimit full(limit);
+            saved = document.save(path("f.palpate.json"), {});
+            if (!saved.isOk()) {
+                ++failures;
+                QCOMPARE(saved.code(), core::StatusCode::NoSpace);
+                QCOMPARE(bytes(m_folder.filePath("f.palpate.json")), old);
+                QCOMPARE(bytes(copy), copied);
+                QVERIFY(document.isModified());
+            }
+        }
+        QVERIFY2(failures > 5, qPrintable(QString::number(failures)));
+        QCOMPARE(json(path("f.palpate.json"))["findings"].toArray().size(), 4);
+        QVERIFY(!document.isModified());
+        QCOMPARE(copyNames(), QStringList());
+    }
+
+    /// Unsaved changes that come back on a full disk stay in the file that they were left in.
+    void aCopyIsKeptUntilThereIsAnother()
+    {
+        QVERIFY(QDir().mkpath(copies()));
+        QFile left(QDir(copies()).filePath("1.palpate.json"));
+        QVERIFY(left.open(QIODevice::WriteOnly));
+        left.write(R"({"version": 1, "copy_of": "a.palpate.json", "structures": [{"mesh": "a.stl"}],
+                       "findings": [{"name": "unsaved", "position": [1, 2, 3]}]})");
+        left.close();
+        const QByteArray before = bytes(left.fileName());
+        {
+            ui::StructureModel model;
+            SceneDocument document(model);
+            QVERIFY(document.claimLeftover(left.fileName().toStdString()));
+            {
+                const test::FileLimit full(0);
+                document.take(opened(model, left.fileName().toStdString()));
+            }
+            QCOMPARE(document.findings().size(), std::size_t{1});
+            QCOMPARE(bytes(left.fileName()), before);
+            QVERIFY(!SceneDocument::findLeftover()); // it is ours
+            document.addFinding({"second", {7, 8, 9}, {}});
+            QTRY_VERIFY_WITH_TIMEOUT(bytes(left.fileName()).contains("second"), 20000);
+        }
+        QCOMPARE(copyNames(), QStringList()); // an orderly end
+    }
+
+    /// Two programs may have the same number, in containers or on machines that share the folder.
+    void twoProgramsHaveTwoCopies()
+    {
+        ui::StructureModel models[2];
+        SceneDocument one(models[0]), two(models[1]);
+        for (SceneDocument* document : {&one, &two}) {
+            document->take(opened(models[document == &two ? 1 : 0], path("a.palpate.json")));
+            document->addFinding({"unsaved", {7, 8, 9}, {}});
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(copyNames().size(), 2, 20000);
     }
 };
 

@@ -10,8 +10,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QColorDialog>
+#include <QDateTime>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -199,6 +202,39 @@ class Records : public QObject
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QVERIFY2(message().text().contains(QStringLiteral("what was felt after is not in it")),
                  qPrintable(message().text()));
+    }
+
+    /// The name tells a second: an older recording of it stays, and so does a file that SQLite would take for a part.
+    void aSecondRecordingGetsANumber()
+    {
+        QVERIFY(m_desk->openPhantom());
+        const QString folder = QDir::homePath() + QStringLiteral("/Documents/Palpate");
+        QVERIFY(QDir().mkpath(folder));
+        const QDateTime now = QDateTime::currentDateTime();
+        QStringList taken;
+        for (int second = 0; second < 90; ++second) {
+            const QString name =
+                folder + QLatin1Char('/') + now.addSecs(second).toString(QStringLiteral("yyyy-MM-dd hh.mm.ss"));
+            for (const QString& file :
+                 {name + QStringLiteral(".palpate"), name + QStringLiteral(" (2).palpate-journal")}) {
+                QFile out(file);
+                QVERIFY(!out.exists() && out.open(QIODevice::WriteOnly) && out.write("older") == 5);
+                taken << file;
+            }
+        }
+        m_desk->command("record").trigger();
+        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        m_desk->command("record").trigger();
+        int numbered = 0;
+        for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("* (3).palpate")}, QDir::Files)) {
+            numbered += session::RecordingReader::open(file.filePath().toStdString()).isOk() ? 1 : 0;
+            taken << file.filePath();
+        }
+        QCOMPARE(numbered, 1);
+        for (const QString& name : taken) {
+            QVERIFY(name.contains(QStringLiteral("(3)")) || QFileInfo(name).size() == 5);
+            QVERIFY(QFile::remove(name));
+        }
     }
 
     void closingAsksWhileARecordingRuns()
