@@ -74,7 +74,8 @@ std::vector<Knot> exponential(const ForceLaw& law)
         return straight(steepest);
     }
     const double range = std::expm1(0.25 * beta * end_mm);
-    return sampled(curve, end_mm, end_mm / least, [&](double share) { return 4.0 / beta * std::log1p(range * share); });
+    return sampled(curve, end_mm, end_mm / least,
+                   [&, beta = beta](double share) { return 4.0 / beta * std::log1p(range * share); });
 }
 
 /// A ball on soft ground, evenly spaced in the root of the depth: the force is a polynomial in that.
