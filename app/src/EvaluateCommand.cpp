@@ -118,7 +118,13 @@ core::Result<evaluation::HandMotion> loadMotion(const fs::path& path)
         if (!recording.isOk()) {
             return recording.status();
         }
-        return recording.value()->motion();
+        auto recorded = recording.value()->motion();
+        if (const auto faults = recording.value()->faults(); recorded.isOk() && !faults.empty()) {
+            return Status(StatusCode::Mismatch, path.string() + ": " + faults.front() +
+                                                    "; expected a recording as it was written, or what session recover "
+                                                    "makes of it");
+        }
+        return recorded;
     }();
     if (!motion.isOk()) {
         return motion.status();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 #include "Console.h"
+#include "SessionReport.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/SceneFile.h>
@@ -28,12 +29,16 @@ struct FindingsOptions
 
 constexpr const char* kStdout = "-";
 
-Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file)
+/// @param damage  of a recording: what of it is not as it was written
+Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file, std::vector<std::string>& damage)
 {
     if (session::isRecordingFile(file)) {
         const auto reader = session::RecordingReader::open(file);
-        return reader.isOk() ? Result<std::vector<core::Finding>>(study::recordedFindings(*reader.value()))
-                             : Result<std::vector<core::Finding>>(reader.status());
+        if (!reader.isOk()) {
+            return reader.status();
+        }
+        damage = reader.value()->faults();
+        return study::recordedFindings(*reader.value());
     }
     if (!meshio::isSceneFile(file)) {
         return Status(StatusCode::BadFormat, file.filename().string() +
@@ -137,7 +142,8 @@ int runFindings(const FindingsOptions& options)
         }
         return runImport(options);
     }
-    const auto findings = findingsIn(options.file);
+    std::vector<std::string> damage;
+    const auto findings = findingsIn(options.file, damage);
     if (!findings.isOk()) {
         return report(findings.status());
     }
@@ -154,7 +160,7 @@ int runFindings(const FindingsOptions& options)
     if (options.csv != kStdout && options.markups != kStdout) {
         printFindings(findings.value());
     }
-    return kDone;
+    return reportDamage(options.file, damage, kDone);
 }
 
 } // namespace

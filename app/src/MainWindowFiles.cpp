@@ -195,6 +195,7 @@ void MainWindow::openRecording(const std::filesystem::path& path)
         return;
     }
     const QString losses = recording.value()->losses();
+    connect(recording.value().get(), &RecordedTouch::damageFound, this, &MainWindow::showError);
     m_palpateAction->setChecked(false);
     m_playback->setRecording(std::move(recording).value());
     remember(path);

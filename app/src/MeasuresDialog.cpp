@@ -9,6 +9,7 @@
 #include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
 #include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/RecordedTouch.h>
 
 #include <QAccessible>
 #include <QClipboard>
@@ -20,6 +21,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStringList>
 #include <QTextBrowser>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -188,6 +190,9 @@ void MeasuresDialog::present(core::Result<session::SessionMeasures> measured, bo
     m_tables = resultTables(*m_measures, isFingertip);
     m_text->setHtml(toHtml(m_tables));
     setBusy(m_isBusy);
+    if (!m_measures->damaged.empty()) {
+        say(ui::damageText(m_recording, m_measures->damaged.size()));
+    }
 }
 
 void MeasuresDialog::setBusy(bool isBusy)
@@ -288,15 +293,21 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
         if (!reader.isOk()) {
             return lineOf(reader.status());
         }
+        const auto withDamage = [&](const QString& line) {
+            return QStringList{line, ui::damageText(recording, reader.value()->faults().size())}
+                .join(QLatin1Char(' '))
+                .trimmed();
+        };
         if (what == Export::Csv) {
-            return written(study::exportTicks(*reader.value(), path, progress));
+            return withDamage(written(study::exportTicks(*reader.value(), path, progress)));
         }
         if (const core::Status status = study::exportPath(*reader.value(), path, progress); !status.isOk()) {
             return lineOf(status);
         }
         const core::Status status = study::exportSurface(*measures, surface);
-        return status.isOk() ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
-                             : tr("The path is written to %1; the map is not: %2").arg(toText(path), lineOf(status));
+        return withDamage(status.isOk()
+                              ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
+                              : tr("The path is written to %1; the map is not: %2").arg(toText(path), lineOf(status)));
     });
 }
 

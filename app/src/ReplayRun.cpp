@@ -45,12 +45,11 @@ int ReplayRun::run()
         }
     }
     m_summary->print();
-    if (m_resimulation) {
-        if (const int code = reportAgreement(m_options.motion, m_recording->info(), *m_resimulation); code != kDone) {
-            return code;
-        }
+    int code = m_resimulation ? reportAgreement(m_options.motion, m_recording->info(), *m_resimulation) : kDone;
+    if (const int losses = reportLosses(m_losses); code == kDone) {
+        code = losses;
     }
-    return reportLosses(m_losses);
+    return m_recording ? reportDamage(m_options.motion, m_recording->faults(), code) : code;
 }
 
 Status ReplayRun::checkOptions()

@@ -41,7 +41,7 @@ int runInfo(const SessionOptions& options)
         return report(reader.status());
     }
     printRecording(options.file, *reader.value());
-    return kDone;
+    return reportDamage(options.file, reader.value()->faults(), kDone);
 }
 
 int runVerify(const SessionOptions& options)
@@ -181,15 +181,11 @@ int runMeasure(const SessionOptions& options)
             return report(status);
         }
     }
-    return isWhole ? kDone : kSomeLost;
+    return reportDamage(options.file, measures.value().damaged, isWhole ? kDone : kSomeLost);
 }
 
-int runExport(const SessionOptions& options)
+int exportAll(const SessionOptions& options, const RecordingReader& reader)
 {
-    const auto opened = RecordingReader::open(options.file);
-    if (!opened.isOk()) {
-        return report(opened.status());
-    }
     if (options.csv.empty() && options.vtp.empty()) {
         return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
     }
@@ -211,24 +207,34 @@ int runExport(const SessionOptions& options)
         }
     }
     if (!options.csv.empty()) {
-        if (const Status status = study::exportTicks(*opened.value(), options.csv); !status.isOk()) {
+        if (const Status status = study::exportTicks(reader, options.csv); !status.isOk()) {
             return report(status);
         }
     }
     if (options.vtp.empty()) {
         return kDone;
     }
-    if (const Status status = study::exportPath(*opened.value(), options.vtp); !status.isOk()) {
+    if (const Status status = study::exportPath(reader, options.vtp); !status.isOk()) {
         return report(status);
     }
     bool isWhole = true;
-    const auto measures = measure(*opened.value(), options, isWhole);
+    const auto measures = measure(reader, options, isWhole);
     Status status = measures.isOk() ? study::exportSurface(measures.value(), surface) : measures.status();
     if (status.code() == StatusCode::Empty) {
         printError(status.message());
         return kSomeLost;
     }
     return !status.isOk() ? report(status) : isWhole ? kDone : kSomeLost;
+}
+
+int runExport(const SessionOptions& options)
+{
+    const auto opened = RecordingReader::open(options.file);
+    if (!opened.isOk()) {
+        return report(opened.status());
+    }
+    const int code = exportAll(options, *opened.value());
+    return reportDamage(options.file, opened.value()->faults(), code);
 }
 
 } // namespace

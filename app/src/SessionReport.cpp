@@ -47,6 +47,25 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     print("  events: %s\n", list.empty() ? "none" : list.c_str());
 }
 
+int reportDamage(const std::filesystem::path& file, const std::vector<std::string>& faults, int code)
+{
+    constexpr std::size_t kShown = 10;
+    if (faults.empty()) {
+        return code;
+    }
+    const std::string name = file.string() + ": ";
+    printError(name + "DAMAGED, or changed after it was recorded, in " + grouped(faults.size()) +
+               (faults.size() == 1 ? " place" : " places") +
+               ": ticks that do not match their checksum were left out, and figures are those of the rest");
+    for (std::size_t i = 0; i < std::min(kShown, faults.size()); ++i) {
+        printError(name + faults[i]);
+    }
+    if (faults.size() > kShown) {
+        printError(name + "and " + grouped(faults.size() - kShown) + " more");
+    }
+    return code == kDone ? kSomeLost : code;
+}
+
 int reportAgreement(const std::filesystem::path& file, const session::RecordingInfo& info,
                     const session::Resimulation& again)
 {

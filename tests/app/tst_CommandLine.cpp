@@ -205,6 +205,22 @@ class CommandLine : public QObject
         QVERIFY(writer.value()->finish().isOk());
     }
 
+    /// Turns the last bit of the HIP of tick 500 in r.palpate.
+    void changeTick500() const
+    {
+        QByteArray bytes = read("r.palpate");
+        const double x = 3.0 * 500 * 1e-3;
+        const QByteArray text = QByteArray::number(x, 'g', 17);
+        const double stored = text.toDouble();
+        QByteArray pattern(8, '\0'); // as SQLite keeps it: big-endian
+        std::memcpy(pattern.data(), &stored, 8);
+        std::reverse(pattern.begin(), pattern.end());
+        const qsizetype place = bytes.indexOf(pattern);
+        QVERIFY(place > 0);
+        bytes[place + 7] = static_cast<char>(bytes[place + 7] ^ 1);
+        write("r.palpate", bytes);
+    }
+
   private Q_SLOTS:
     void init()
     {
@@ -807,21 +823,36 @@ class CommandLine : public QObject
     void verifyNamesAChangedTick()
     {
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
-        QByteArray bytes = read("r.palpate");
-        // The HIP of tick 500 as SQLite keeps it: big-endian. Its last bit is turned.
-        const double x = 3.0 * 500 * 1e-3;
-        const QByteArray text = QByteArray::number(x, 'g', 17);
-        const double stored = text.toDouble();
-        QByteArray pattern(8, '\0');
-        std::memcpy(pattern.data(), &stored, 8);
-        std::reverse(pattern.begin(), pattern.end());
-        const qsizetype place = bytes.indexOf(pattern);
-        QVERIFY(place > 0);
-        bytes[place + 7] = static_cast<char>(bytes[place + 7] ^ 1);
-        write("r.palpate", bytes);
+        changeTick500();
         const Outcome outcome = run({"session", "verify", "r.palpate"});
         QCOMPARE(outcome.exitCode, 1);
         QVERIFY2(outcome.error.contains("r.palpate: ticks 500 to 749"), outcome.error.constData());
+    }
+
+    /// What does not match its checksum is left out, named, and exit code 3; and no command writes to the recording.
+    void damagedTicksAreLeftOutAndNamed()
+    {
+        QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
+        changeTick500();
+        const QByteArray before = read("r.palpate");
+        for (const QStringList& command : {QStringList{"session", "measure", "r.palpate", "--json", "m.json"},
+                                           QStringList{"session", "export", "r.palpate", "--csv", "t.csv"},
+                                           QStringList{"session", "export", "r.palpate", "--vtp", "p.vtp"},
+                                           QStringList{"replay", "box.stl", "--motion", "r.palpate"}}) {
+            const Outcome outcome = run(command);
+            QVERIFY2(outcome.exitCode == 3, outcome.error + outcome.out);
+            QVERIFY2(outcome.error.contains("r.palpate: DAMAGED, or changed after it was recorded, in 1 place"),
+                     outcome.error);
+            QVERIFY2(outcome.error.contains("r.palpate: ticks 500 to 749: found other bits"), outcome.error);
+            QVERIFY(!outcome.out.contains("nan") && !outcome.out.contains("inf"));
+            QCOMPARE(read("r.palpate"), before);
+        }
+        const QJsonObject measures = QJsonDocument::fromJson(read("m.json")).object();
+        QCOMPARE(measures["damaged"].toArray().size(), 1);
+        QCOMPARE(measures["duration_s"].toDouble(), 0.75);
+        QCOMPARE(read("t.csv").count('\n'), 751);
+        QCOMPARE(run({"session", "info", "r.palpate"}).exitCode, 0); // which reads no tick of them
+        QCOMPARE(QDir(m_folder->path()).entryList({"r.palpate*"}, QDir::Files), QStringList{"r.palpate"});
     }
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contacts.h"
 
+#include "Bounds.h"
 #include "Bytes.h"
 #include "Packing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace palpate::session::internal {
@@ -21,6 +23,12 @@ bool isSame(const Contact& a, const Contact& b)
     const core::Vec3 zero = core::Vec3::Zero();
     return a.structure == b.structure && a.triangle == b.triangle && a.layer == b.layer && a.friction == b.friction &&
            sameBits(a.p_WG, b.p_WG) && sameBits(a.n_W, b.n_W) && sameBits(a.f_W + zero, b.f_W + zero);
+}
+
+/// False for a NaN, too.
+bool isWithin(const core::Vec3& v, double most)
+{
+    return std::all_of(v.begin(), v.end(), [most](double value) { return std::abs(value) <= most; });
 }
 
 double depth(const Contact& contact, const servo::TickRecord& tick)
@@ -67,18 +75,22 @@ std::string packLayers(const servo::TickRecord& tick)
     return out;
 }
 
-void unpackLayers(std::string_view layers, servo::TickRecord& tick)
+bool unpackLayers(std::string_view layers, servo::TickRecord& tick)
 {
     haptics::TickResult& felt = tick.felt;
     felt.contactCount = 0;
     if (felt.structure < 0) {
-        return;
+        return layers.empty();
     }
     felt.contacts[felt.contactCount++] = ownContact(tick);
-    if (layers.empty() || layers.size() % kContactBytes != 0 || layers.size() / kContactBytes > felt.contacts.size()) {
-        return;
+    if (layers.size() % kContactBytes != 0 || layers.size() / kContactBytes > felt.contacts.size()) {
+        return false;
+    }
+    if (layers.empty()) {
+        return true;
     }
     felt.contactCount = static_cast<std::uint8_t>(layers.size() / kContactBytes);
+    bool isPossible = true;
     for (std::size_t i = 0; i < felt.contactCount; ++i) {
         Contact& contact = felt.contacts[i];
         std::uint32_t friction = 0;
@@ -92,7 +104,14 @@ void unpackLayers(std::string_view layers, servo::TickRecord& tick)
         contact.depth_mm = depth(contact, tick);
         contact.stiffnessScale = 1.0;
         contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
+        isPossible = isPossible && friction <= 2 && isWithin(contact.p_WG, kMostLength_mm) &&
+                     isWithin(contact.n_W, kMostNormal) && isWithin(contact.f_W, kMostForce_N);
     }
+    if (!isPossible) {
+        felt.contactCount = 1; // what its own columns say
+        felt.contacts[0] = ownContact(tick);
+    }
+    return isPossible;
 }
 
 bool sameContacts(const haptics::TickResult& a, const haptics::TickResult& b)

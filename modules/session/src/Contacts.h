@@ -18,8 +18,9 @@ namespace palpate::session::internal {
 [[nodiscard]] std::string packLayers(const servo::TickRecord& tick);
 
 /// Fills a tick's contacts from the column `layers` and its own columns; each depth is the length of its spring.
-/// @param layers  what packLayers made; of another form: as if empty, which a checksum then tells
-void unpackLayers(std::string_view layers, servo::TickRecord& tick);
+/// @param layers  what packLayers made
+/// @return false for another form, or numbers beyond Bounds.h; the contact is then what the tick's own columns say
+bool unpackLayers(std::string_view layers, servo::TickRecord& tick);
 
 /// @return true for the same contacts, bit for bit but for the sign of a zero in a share of the force: the sum over the
 /// layers, which a tick keeps, has none to give back. Depths follow from the rest.

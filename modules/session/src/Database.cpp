@@ -1,16 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Database.h"
 
+#include "JournalCheck.h"
+
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstddef>
+#include <fstream>
 #include <limits>
+
+#include <sys/stat.h>
 
 namespace palpate::session::internal {
 
 namespace {
 constexpr int kBusyTimeout_ms = 2000;
+
+// Of SQLite's virtual machine. A full scan takes about 40 steps a row, and no row has less than 40 bytes.
+constexpr std::int64_t kFreeSteps = 100'000'000;
+constexpr std::int64_t kStepsPerByte = 16;
+constexpr int kStepsPerCall = 10'000;
+
+/// @return bytes that a file has on the disk: of a sparse one what is there of it.
+std::int64_t bytesOnDisk(const std::filesystem::path& path)
+{
+    struct stat found
+    {
+    };
+    return ::stat(path.c_str(), &found) == 0 ? std::int64_t{found.st_blocks} * 512 : 0;
+}
+
+/// @return true for a database whose changes go to a write-ahead log, by its header.
+bool hasWriteAheadLog(const std::filesystem::path& path)
+{
+    constexpr std::size_t kWriteVersion = 18, kReadVersion = 19; // 1: rollback journal, 2: write-ahead log
+    std::array<char, kReadVersion + 1> head{};
+    std::ifstream file(path, std::ios::binary);
+    return file.read(head.data(), head.size()) && (head[kWriteVersion] == 2 || head[kReadVersion] == 2);
+}
+} // namespace
+
+struct Database::Work
+{
+    std::int64_t most = 0; ///< steps for the statements between two calls of startWork
+    std::int64_t left = 0;
+};
+
+void Database::FreeWork::operator()(Work* work) const
+{
+    delete work;
 }
 
 std::string oneLine(std::string_view text)
@@ -75,19 +116,33 @@ void Statement::reset()
     sqlite3_reset(m_statement.get());
 }
 
-bool Statement::isNull(int column) const
+Statement::Type Statement::type(int column) const
 {
-    return sqlite3_column_type(m_statement.get(), column) == SQLITE_NULL;
+    switch (sqlite3_column_type(m_statement.get(), column)) {
+    case SQLITE_INTEGER:
+        return Type::Integer;
+    case SQLITE_FLOAT:
+        return Type::Real;
+    case SQLITE_TEXT:
+        return Type::Text;
+    case SQLITE_BLOB:
+        return Type::Blob;
+    default:
+        return Type::Null;
+    }
 }
 
 std::int64_t Statement::integer(int column) const
 {
-    return sqlite3_column_int64(m_statement.get(), column);
+    const Type kind = type(column);
+    return kind == Type::Integer || kind == Type::Real ? sqlite3_column_int64(m_statement.get(), column) : 0;
 }
 
 double Statement::real(int column) const
 {
-    return isNull(column) ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(m_statement.get(), column);
+    const Type kind = type(column);
+    return kind == Type::Integer || kind == Type::Real ? sqlite3_column_double(m_statement.get(), column)
+                                                       : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string Statement::bytes(int column) const
@@ -107,11 +162,25 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
 {
     Database database;
     database.m_path = path;
+    int flags = SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0);
+    if (mode == Mode::Read) {
+        if (core::Status status = checkJournal(path); !status.isOk()) {
+            return status;
+        }
+        if (hasWriteAheadLog(path)) {
+            return core::Status(core::StatusCode::BadFormat,
+                                path.string() + ": found a database with a write-ahead log, expected one with a "
+                                                "rollback journal, as Palpate writes it: another program changed it");
+        }
+        database.m_files = std::make_unique<ReadOnlyVfs>();
+        struct stat found
+        {
+        };
+        database.m_fileSize = ::stat(path.c_str(), &found) == 0 ? std::int64_t{found.st_size} : 0;
+    }
     sqlite3* handle = nullptr;
-    const int flags = mode == Mode::Read        ? SQLITE_OPEN_READONLY
-                      : mode == Mode::ReadWrite ? SQLITE_OPEN_READWRITE
-                                                : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    const int code = sqlite3_open_v2(path.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+    const int code = sqlite3_open_v2(path.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX,
+                                     database.m_files == nullptr ? nullptr : database.m_files->name());
     database.m_database.reset(handle);
     if (code != SQLITE_OK) {
         return database.error(mode == Mode::Create ? "cannot be written" : "cannot be read");
@@ -121,7 +190,45 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
     // A damaged or hostile file must not run code of its own through views and triggers.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    if (mode == Mode::Read) {
+        database.limit();
+    }
     return database;
+}
+
+/// Bounds what a file of anyone's can make SQLite do.
+void Database::limit()
+{
+    constexpr std::int64_t kLeastLength = 1'000'000; // SQLite's own texts, of the schema and of errors
+    sqlite3* const handle = m_database.get();
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH,
+                  static_cast<int>(std::clamp<std::int64_t>(m_fileSize, kLeastLength, 1'000'000'000)));
+    sqlite3_limit(handle, SQLITE_LIMIT_SQL_LENGTH, 100'000);
+    sqlite3_limit(handle, SQLITE_LIMIT_COLUMN, 100);
+    sqlite3_limit(handle, SQLITE_LIMIT_EXPR_DEPTH, 50);
+    sqlite3_limit(handle, SQLITE_LIMIT_COMPOUND_SELECT, 2);
+    sqlite3_limit(handle, SQLITE_LIMIT_VDBE_OP, 10'000);
+    sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_limit(handle, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+    sqlite3_limit(handle, SQLITE_LIMIT_WORKER_THREADS, 0);
+    m_work.reset(new Work);
+    m_work->most = kFreeSteps + kStepsPerByte * bytesOnDisk(m_path);
+    startWork();
+    sqlite3_progress_handler(
+        handle, kStepsPerCall, [](void* work) { return (static_cast<Work*>(work)->left -= kStepsPerCall) < 0 ? 1 : 0; },
+        m_work.get());
+    // Nothing of it goes to a file, nor is a mapped file cut off under its reader.
+    sqlite3_exec(handle, "PRAGMA temp_store=MEMORY; PRAGMA mmap_size=0; PRAGMA cell_size_check=ON", nullptr, nullptr,
+                 nullptr);
+}
+
+void Database::startWork() const
+{
+    if (m_work != nullptr) {
+        m_work->left = m_work->most;
+    }
 }
 
 core::Status Database::execute(const std::string& sql)
@@ -134,6 +241,7 @@ core::Status Database::execute(const std::string& sql)
 Statement Database::prepare(const char* sql) const
 {
     sqlite3_stmt* statement = nullptr;
+    startWork();
     sqlite3_prepare_v3(m_database.get(), sql, -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
     return Statement(statement);
 }
@@ -146,7 +254,12 @@ std::int64_t Database::integer(const char* sql) const
 
 core::Status Database::error(std::string_view doing) const
 {
-    const char* const what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
+    std::string what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
+    if (m_files != nullptr && !m_files->refusal().empty()) {
+        what = m_files->refusal();
+    } else if (m_database && sqlite3_errcode(m_database.get()) == SQLITE_INTERRUPT) {
+        what = "its pages lead to more rows than a file of its size holds";
+    }
     if (isFull()) {
         return {core::StatusCode::NoSpace, m_path.string() + ": " + std::string(doing) + ": the disk is full"};
     }

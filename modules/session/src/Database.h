@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ReadOnlyVfs.h"
+
 #include <palpate/core/Status.h>
 
 #include <cstdint>
@@ -41,10 +43,20 @@ class Statement
     Step step();
     void reset();
 
-    [[nodiscard]] bool isNull(int column) const;
-    [[nodiscard]] std::int64_t integer(int column) const;
-    [[nodiscard]] double real(int column) const;       ///< NaN for NULL
-    [[nodiscard]] std::string bytes(int column) const; ///< of a text or blob
+    enum class Type : std::uint8_t
+    {
+        Null,
+        Integer,
+        Real,
+        Text,
+        Blob
+    };
+    [[nodiscard]] Type type(int column) const;
+    [[nodiscard]] bool isNull(int column) const { return type(column) == Type::Null; }
+    [[nodiscard]] bool isInteger(int column) const { return type(column) == Type::Integer; }
+    [[nodiscard]] std::int64_t integer(int column) const; ///< 0 for what is no number
+    [[nodiscard]] double real(int column) const;          ///< NaN for what is no number
+    [[nodiscard]] std::string bytes(int column) const;    ///< of a text or blob
     [[nodiscard]] bool isPrepared() const noexcept { return m_statement != nullptr; }
 
   private:
@@ -61,14 +73,21 @@ class Database
   public:
     enum class Mode
     {
-        Read,
-        ReadWrite,
+        Read,      ///< a file of anyone's: see ReadOnlyVfs
+        ReadWrite, ///< one that this process has made
         Create
     };
 
+    /// @return for Read also BadFormat, for a database with a write-ahead log or with a journal that checkJournal
+    ///         refuses
     [[nodiscard]] static core::Result<Database> open(const std::filesystem::path& path, Mode mode);
 
     core::Status execute(const std::string& sql);
+    /// Lets the coming statements take as many steps as any honest file of this size needs, and no more: pages that
+    /// lead to each other in circles are then an error rather than an endless scan. `prepare` does the same.
+    void startWork() const;
+    /// Bytes of the file when it was opened; 0 for one that is created.
+    [[nodiscard]] std::int64_t fileSize() const noexcept { return m_fileSize; }
     /// @return a statement that is not prepared after an error; see `error`.
     [[nodiscard]] Statement prepare(const char* sql) const;
     /// @return the first column of the first row, 0 without one
@@ -85,7 +104,17 @@ class Database
     {
         void operator()(sqlite3* database) const;
     };
+    struct Work;
+    struct FreeWork
+    {
+        void operator()(Work* work) const;
+    };
+    void limit();
+
     std::filesystem::path m_path;
+    std::int64_t m_fileSize = 0;
+    std::unique_ptr<ReadOnlyVfs> m_files; ///< of Mode::Read; outlives the connection
+    std::unique_ptr<Work, FreeWork> m_work;
     std::unique_ptr<sqlite3, Close> m_database;
 };
 

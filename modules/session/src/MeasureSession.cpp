@@ -214,6 +214,7 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     surfaces.finish(out);
     out.lostTicks = reader.extent().dropped;
     out.lateTicks = reader.extent().late;
+    out.damaged = reader.faults();
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MetaTable.h"
 
+#include "Bounds.h"
 #include "Packing.h"
 
 #include <palpate/core/Numbers.h>
@@ -49,25 +50,29 @@ class MetaReader
         return found->second;
     }
 
-    double number(const char* key, double least)
+    double number(const char* key, double least, double most)
     {
         const auto value = core::parseNumber(string(key));
-        if (!value || !std::isfinite(*value) || *value < least) {
-            complain(std::string("meta value \"") + key + "\" is not a valid number");
+        if (!value || !(*value >= least && *value <= most)) {
+            complain(std::string("meta value \"") + key + "\" is not a valid number, expected " +
+                     core::shortNumber(least) + " to " + core::shortNumber(most));
             return least;
         }
         return *value;
     }
 
-    std::int64_t integer(const char* key)
+    std::int64_t integer(const char* key, std::int64_t least, std::int64_t most)
     {
         const std::string& digits = string(key);
         std::int64_t value = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc{} || end != digits.data() + digits.size()) {
             complain(std::string("meta value \"") + key + "\" is not a whole number");
+        } else if (value < least || value > most) {
+            complain(std::string("meta value \"") + key + "\" is " + std::to_string(value) + ", expected " +
+                     std::to_string(least) + " to " + std::to_string(most));
         }
-        return value;
+        return std::clamp(value, least, most);
     }
 
     void complain(const std::string& what)
@@ -119,9 +124,15 @@ MetaTable toMeta(const RecordingInfo& info)
     return meta;
 }
 
+bool isPeriodOf(double dt_s, double rate_Hz)
+{
+    constexpr double kRounding = 1e-9; // of a quotient that was written with 17 digits
+    return dt_s >= kLeastPeriod_s && dt_s <= kMostPeriod_s && std::abs(dt_s * rate_Hz - 1.0) <= kRounding;
+}
+
 core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
 {
-    constexpr double kAboveZero = std::numeric_limits<double>::min();
+    constexpr std::int64_t kMostNumber = 1'000'000; // of a device's buttons or axes
     MetaReader in(meta);
     RecordingInfo info;
     info.palpate = in.string("palpate");
@@ -133,20 +144,24 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
             info.*member = found->second;
         }
     }
-    info.rate_Hz = in.number("rate_Hz", kAboveZero);
-    info.dt_s = in.number("dt_s", kAboveZero);
+    info.rate_Hz = in.number("rate_Hz", 1.0 / kMostPeriod_s, 1.0 / kLeastPeriod_s);
+    info.dt_s = in.number("dt_s", kLeastPeriod_s, kMostPeriod_s);
+    if (!isPeriodOf(info.dt_s, info.rate_Hz)) {
+        in.complain("meta value \"dt_s\" is not one period of \"rate_Hz\"");
+    }
     info.device.id = in.string("device_id");
     info.device.name = in.string("device_name");
-    info.device.buttons = static_cast<int>(in.integer("device_buttons"));
-    info.device.actuatedAxes = static_cast<int>(in.integer("device_actuated_axes"));
+    info.device.buttons = static_cast<int>(in.integer("device_buttons", 0, kMostNumber));
+    info.device.actuatedAxes = static_cast<int>(in.integer("device_actuated_axes", 0, kMostNumber));
     info.device.sensesOrientation = in.string("device_senses_orientation") == "1";
-    info.device.maxForce_N = in.number("device_max_force_N", 0.0);
-    info.device.maxStiffness_N_per_mm = in.number("device_max_stiffness_N_per_mm", 0.0);
-    info.device.maxDamping_Ns_per_mm = in.number("device_max_damping_Ns_per_mm", 0.0);
-    info.device.workspaceRadius_mm = in.number("device_workspace_radius_mm", 0.0);
-    info.device.rate_Hz = in.number("device_rate_Hz", 0.0);
-    info.firstTick = in.integer("first_tick");
-    info.firstGeneration = static_cast<std::uint32_t>(in.integer("first_generation"));
+    info.device.maxForce_N = in.number("device_max_force_N", 0.0, kMostOfDevice);
+    info.device.maxStiffness_N_per_mm = in.number("device_max_stiffness_N_per_mm", 0.0, kMostOfDevice);
+    info.device.maxDamping_Ns_per_mm = in.number("device_max_damping_Ns_per_mm", 0.0, kMostOfDevice);
+    info.device.workspaceRadius_mm = in.number("device_workspace_radius_mm", 0.0, kMostOfDevice);
+    info.device.rate_Hz = in.number("device_rate_Hz", 0.0, kMostOfDevice);
+    info.firstTick = in.integer("first_tick", -1, kMostTick);
+    info.firstGeneration =
+        static_cast<std::uint32_t>(in.integer("first_generation", 0, std::numeric_limits<std::uint32_t>::max()));
     if (const auto state = unpackState(in.string("start"))) {
         info.start = *state;
     } else {

@@ -20,6 +20,8 @@ using MetaTable = std::map<std::string, std::string>;
 inline constexpr const char* kComplete = "complete";
 
 [[nodiscard]] MetaTable toMeta(const RecordingInfo& info);
+/// @return true for a period that a recording may have, when it is that of the rate.
+[[nodiscard]] bool isPeriodOf(double dt_s, double rate_Hz);
 /// @return BadFormat with one line (without the file's name) for a value that is missing or wrong
 [[nodiscard]] core::Result<RecordingInfo> fromMeta(const MetaTable& meta);
 /// The pairs that the first check covers.

@@ -150,6 +150,9 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
     }
     take(bytes, state.p_WH);
     take(bytes, state.started);
+    if (!state.p_WH.allFinite()) {
+        return std::nullopt;
+    }
     return state;
 }
 

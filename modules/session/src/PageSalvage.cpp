@@ -359,8 +359,9 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
     const int version = versionOf(pages);
     // Thrown away in the end: nothing need survive a crash.
     if (Status status = database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id=" +
-                                         std::to_string(kRecordingApplicationId) + "; PRAGMA user_version=" +
-                                         std::to_string(version) + "; BEGIN;" + schema(version) + kCreateMaps);
+                                         std::to_string(kRecordingApplicationId) +
+                                         "; PRAGMA user_version=" + std::to_string(version) + "; BEGIN;" +
+                                         schema(version) + (version >= kMapsSince ? kCreateMaps : ""));
         !status.isOk()) {
         return status;
     }

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/RecordingReader.h"
 
+#include "Bounds.h"
+#include "CheckedLines.h"
 #include "Database.h"
 #include "MetaTable.h"
 #include "RecordingSurvey.h"
 #include "RecordingTables.h"
-#include "Schema.h"
+#include "SchemaCheck.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
-
-#include <sqlite3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -42,14 +43,22 @@ struct RecordingReader::Private
     {
     }
 
-    Status damaged() const { return database.error("cannot be read"); }
-    Status wrong(StatusCode code, const std::string& what) const { return {code, path.string() + ": " + what}; }
+    /// Under the file's name, unless it is there already.
+    Status named(const Status& status) const
+    {
+        return status.isOk() || status.message().starts_with(path.string())
+                   ? status
+                   : Status(status.code(), path.string() + ": " + status.message());
+    }
+    Status wrong(StatusCode code, const std::string& what) const { return named({code, what}); }
+    Status readAll();
     Status readHead();
     Status readMeta();
     Status readScenes();
     Status readEvents();
     void readEnding();
     Status readExtent();
+    std::optional<std::size_t> blockUpTo(std::int64_t tick) const;
 
     Database database;
     internal::RecordingTables tables{database};
@@ -58,19 +67,36 @@ struct RecordingReader::Private
     RecordingExtent extent;
     internal::MetaTable meta;
     std::vector<SceneRecord> scenes;
+    internal::Events eventRows;
     std::vector<RecordingEvent> events;
+    std::string eventsFault; ///< a row of events was left out
+    internal::CheckedLines lines{tables, meta, scenes, eventRows};
 };
+
+/// In one transaction, so that all is of one moment while another process records into the file.
+Status RecordingReader::Private::readAll()
+{
+    Status status = database.execute("BEGIN");
+    for (const auto read :
+         {&Private::readHead, &Private::readMeta, &Private::readScenes, &Private::readEvents, &Private::readExtent}) {
+        if (status.isOk()) {
+            status = (this->*read)();
+        }
+    }
+    const Status ended = database.execute("COMMIT");
+    return named(status.isOk() ? ended : status);
+}
 
 Status RecordingReader::Private::readHead()
 {
-    // The first read: it also finds a journal that a crash left and that only a writer may roll back.
+    // The first read: it also finds a journal that a crash left, and rolls it back in memory.
     Statement head = database.prepare("SELECT count(*) FROM sqlite_master");
     if (head.step() != Step::Row) {
-        return damaged();
+        return database.error("cannot be read");
     }
     head.reset();
     const Status status = tables.readVersion();
-    return status.isOk() ? status : wrong(status.code(), status.message());
+    return status.isOk() ? internal::checkSchema(database, tables.version()) : status;
 }
 
 Status RecordingReader::Private::readMeta()
@@ -80,7 +106,7 @@ Status RecordingReader::Private::readMeta()
     }
     auto read = internal::fromMeta(meta);
     if (!read.isOk()) {
-        return wrong(read.status().code(), read.status().message());
+        return read.status();
     }
     info = std::move(read).value();
     info.version = tables.version();
@@ -90,16 +116,18 @@ Status RecordingReader::Private::readMeta()
 
 Status RecordingReader::Private::readScenes()
 {
-    const Status status = tables.readScenes(scenes);
-    return status.code() == StatusCode::BadFormat ? wrong(status.code(), status.message()) : status;
+    return tables.readScenes(scenes);
 }
 
 Status RecordingReader::Private::readEvents()
 {
-    std::vector<std::pair<std::int64_t, RecordingEvent>> read;
-    const Status status = tables.readEvents(read);
-    for (auto& [id, event] : read) {
-        events.push_back(std::move(event));
+    const Status status = tables.readEvents(eventRows);
+    for (const auto& [id, event] : eventRows) {
+        events.push_back(event);
+    }
+    if (status.code() == StatusCode::BadFormat && status.message().starts_with("event ")) {
+        eventsFault = status.message();
+        return {};
     }
     return status;
 }
@@ -118,45 +146,44 @@ void RecordingReader::Private::readEnding()
             extent.end = json[QLatin1String("why")].toString() == QLatin1String("disk-full") ? RecordingEnd::DiskFull
                                                                                              : RecordingEnd::DiskFailed;
         } else if (const QJsonValue late = json[QLatin1String("late")]; late.isDouble()) {
-            extent.late = late.toInteger();
+            extent.late = std::clamp<std::int64_t>(late.toInteger(), 0, internal::kMostTick);
         }
     }
 }
 
+/// From the checks: counting the rows would read the whole file. The last block is held against its checksum, because
+/// the duration is its last tick's time.
 Status RecordingReader::Private::readExtent()
 {
     readEnding();
-    // From the checks: counting the rows would read the whole file.
-    std::vector<internal::Check> checks;
-    if (Status status = tables.readChecks(checks); !status.isOk()) {
+    if (Status status = lines.read(); !status.isOk()) {
         return status;
     }
-    std::erase_if(checks, [](const internal::Check& check) { return check.kind != internal::kTicksCheck; });
-    if (checks.empty()) {
+    const std::vector<internal::Check>& blocks = lines.blocks();
+    std::size_t count = blocks.size();
+    while (count > 0 && !lines.block(count - 1)->isRight) {
+        --count;
+    }
+    if (count == 0) {
         return {};
     }
-    extent.firstTick = checks.front().first;
-    extent.lastTick = checks.back().last;
-    for (const internal::Check& check : checks) {
-        extent.ticks += check.rows;
-    }
-    if (extent.lastTick < extent.firstTick || extent.firstTick < 0 || extent.ticks < 0) {
-        return wrong(StatusCode::BadFormat, "found checks of " +
-                                                internal::tickRange(extent.firstTick, extent.lastTick) +
-                                                ", expected an ascending range");
+    extent.firstTick = blocks.front().first;
+    extent.lastTick = blocks[count - 1].last;
+    for (std::size_t i = 0; i < count; ++i) {
+        extent.ticks += blocks[i].rows;
     }
     extent.dropped = std::max<std::int64_t>(0, extent.lastTick - extent.firstTick + 1 - extent.ticks);
-    Statement times = database.prepare("SELECT time_ns FROM ticks WHERE tick = ?");
-    if (!times.isPrepared()) {
-        return damaged();
-    }
-    times.bind(0, extent.lastTick);
-    if (const Step step = times.step(); step == Step::Row) {
-        extent.duration_s = static_cast<double>(times.integer(0)) * 1e-9 + info.dt_s;
-    } else if (step == Step::Failed) {
-        return damaged();
-    }
+    extent.duration_s = static_cast<double>(lines.block(count - 1)->ticks.back().time_ns) * 1e-9 + info.dt_s;
     return {};
+}
+
+/// @return the number of the last block that begins at or before `tick`; nothing before the first
+std::optional<std::size_t> RecordingReader::Private::blockUpTo(std::int64_t tick) const
+{
+    const std::vector<internal::Check>& blocks = lines.blocks();
+    const auto after = std::upper_bound(blocks.begin(), blocks.end(), tick,
+                                        [](std::int64_t t, const internal::Check& check) { return t < check.first; });
+    return after == blocks.begin() ? std::nullopt : std::optional(static_cast<std::size_t>(after - blocks.begin()) - 1);
 }
 
 RecordingReader::RecordingReader(std::unique_ptr<Private> d)
@@ -176,29 +203,15 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
     if (!isRecordingFile(path)) {
         return Status(StatusCode::BadFormat, path.string() + ": found no SQLite database, expected a recording");
     }
-    for (const auto mode : {Database::Mode::Read, Database::Mode::ReadWrite}) {
-        auto opened = Database::open(path, mode);
-        if (!opened.isOk()) {
-            return opened.status();
-        }
-        auto d = std::make_unique<Private>(std::move(opened).value(), path);
-        Status status = d->readHead();
-        const int code = d->database.errorCode();
-        if (!status.isOk() && mode == Database::Mode::Read &&
-            (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY || code == SQLITE_CANTOPEN)) {
-            continue; // a crash left a journal: opened for writing, SQLite rolls it back
-        }
-        for (const auto read : {&Private::readMeta, &Private::readScenes, &Private::readEvents, &Private::readExtent}) {
-            if (status.isOk()) {
-                status = (d.get()->*read)();
-            }
-        }
-        if (!status.isOk()) {
-            return status;
-        }
-        return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(d)));
+    auto opened = Database::open(path, Database::Mode::Read);
+    if (!opened.isOk()) {
+        return opened.status();
     }
-    return Status(StatusCode::Internal, path.string() + ": cannot be opened");
+    auto d = std::make_unique<Private>(std::move(opened).value(), path);
+    if (Status status = d->readAll(); !status.isOk()) {
+        return status;
+    }
+    return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(d)));
 }
 
 const std::filesystem::path& RecordingReader::path() const noexcept
@@ -250,12 +263,38 @@ std::string RecordingReader::structureName(const servo::TickRecord& tick) const
 Status RecordingReader::forEach(std::int64_t first, std::int64_t last,
                                 const std::function<bool(const servo::TickRecord&)>& sink) const
 {
-    return m_d->tables.readTicks(first, last, sink);
+    const std::size_t count = m_d->lines.blocks().size();
+    for (std::size_t i = m_d->blockUpTo(first).value_or(0); i < count && m_d->lines.blocks()[i].first <= last; ++i) {
+        const auto block = m_d->lines.block(i);
+        for (const servo::TickRecord& tick : block->ticks) {
+            if (tick.tick >= first && tick.tick <= last && !sink(tick)) {
+                return {};
+            }
+        }
+    }
+    return {};
 }
 
 std::optional<servo::TickRecord> RecordingReader::at(std::int64_t tick) const
 {
-    return m_d->tables.tickAt(tick);
+    for (auto number = m_d->blockUpTo(tick); number; number = *number > 0 ? std::optional(*number - 1) : std::nullopt) {
+        const auto& ticks = m_d->lines.block(*number)->ticks;
+        const auto after = std::upper_bound(ticks.begin(), ticks.end(), tick,
+                                            [](std::int64_t t, const servo::TickRecord& one) { return t < one.tick; });
+        if (after != ticks.begin()) {
+            return *std::prev(after);
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> RecordingReader::faults() const
+{
+    std::vector<std::string> faults = m_d->lines.faults();
+    if (!m_d->eventsFault.empty()) {
+        faults.insert(faults.begin(), m_d->eventsFault);
+    }
+    return faults;
 }
 
 std::vector<std::string> RecordingReader::embeddedHashes() const
@@ -273,23 +312,14 @@ core::Result<Motion> RecordingReader::motion() const
 {
     Motion motion;
     motion.dt_s = m_d->info.dt_s;
-    std::optional<std::int64_t> bad;
     const Status status = forEach(0, std::numeric_limits<std::int64_t>::max(), [&](const servo::TickRecord& tick) {
         if ((tick.flags & servo::kNoHand) == 0) {
-            if (!tick.p_WH.allFinite()) {
-                bad = tick.tick;
-                return false;
-            }
             motion.p_WH.push_back(tick.p_WH);
         }
         return true;
     });
     if (!status.isOk()) {
         return status;
-    }
-    if (bad) {
-        return m_d->wrong(StatusCode::NonFinite,
-                          "tick " + std::to_string(*bad) + ": found a HIP that is not finite, expected numbers");
     }
     if (motion.p_WH.empty()) {
         return m_d->wrong(StatusCode::Empty, "found no tick with a hand, expected at least one");
@@ -308,8 +338,9 @@ Status RecordingReader::verify() const
     }
     Statement integrity = m_d->database.prepare("PRAGMA integrity_check(1)");
     if (integrity.step() != Step::Row || integrity.bytes(0) != "ok") {
-        const std::string what = integrity.isPrepared() ? integrity.bytes(0) : std::string();
-        return what.empty() ? m_d->damaged() : m_d->wrong(StatusCode::BadFormat, "damaged: " + what);
+        const std::string what = integrity.isPrepared() ? internal::oneLine(integrity.bytes(0)) : std::string();
+        return what.empty() ? m_d->database.error("cannot be read")
+                            : m_d->wrong(StatusCode::BadFormat, "damaged: " + what);
     }
     return {};
 }

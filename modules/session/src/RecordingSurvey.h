@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "RecordingTables.h"
+#include "CheckedLines.h"
 
 #include <cstdint>
 #include <set>
@@ -13,11 +13,8 @@ namespace palpate::session::internal {
 /// Which parts of a recording are, bit for bit, what was written.
 struct Survey
 {
-    std::vector<Check> blocks;               ///< of ticks that are as written, ascending
-    std::set<std::uint32_t> scenes;          ///< generations that are
-    std::set<std::int64_t> events;           ///< ids of those that are
-    std::set<std::uint32_t> uncheckedScenes; ///< generations that no line of checks covers
-    std::set<std::int64_t> uncheckedEvents;
+    std::vector<Check> blocks;         ///< of ticks that are as written, ascending
+    CheckedLines::Covered covered;     ///< of scenes and events
     std::vector<std::string> embedded; ///< hashes of those that are
     std::vector<std::string> faults;   ///< what is not, one line each that names it; empty: all is
 };
@@ -26,8 +23,5 @@ struct Survey
 /// @param meta  as read; what is missing in it makes the metadata a fault
 /// @par Cost About 1 µs a tick.
 [[nodiscard]] Survey survey(const RecordingTables& tables, const MetaTable& meta);
-
-/// @return "ticks 250 to 499"
-[[nodiscard]] std::string tickRange(std::int64_t first, std::int64_t last);
 
 } // namespace palpate::session::internal

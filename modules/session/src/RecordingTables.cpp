@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordingTables.h"
 
+#include "Bounds.h"
 #include "LawText.h"
 #include "MapRows.h"
 #include "Packing.h"
@@ -10,10 +11,14 @@
 #include <palpate/core/Numbers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace palpate::session::internal {
 
@@ -32,7 +37,33 @@ bool copyBlob(const std::string& bytes, std::vector<T>& out)
     return bytes.size() % sizeof(T) == 0;
 }
 
+/// Adds up the bytes of texts as they are read: rows that share the pages of their texts, as no honest file's do,
+/// could hold far more than the file has bytes.
+class BytesRead
+{
+  public:
+    explicit BytesRead(const Database& database)
+        : m_left(database.fileSize() > 0 ? database.fileSize() : std::numeric_limits<std::int64_t>::max())
+    {
+    }
+    std::string take(std::string bytes)
+    {
+        m_left -= static_cast<std::int64_t>(bytes.size());
+        return bytes;
+    }
+    [[nodiscard]] bool isTooMany() const noexcept { return m_left < 0; }
+
+  private:
+    std::int64_t m_left;
+};
+
 } // namespace
+
+Status RecordingTables::tooMany(const char* what, std::size_t most) const
+{
+    return {StatusCode::BadFormat, "found more than " + std::to_string(most) + " " + what +
+                                       ", or more bytes of them than the file has, expected what a recorder writes"};
+}
 
 Status RecordingTables::readVersion()
 {
@@ -41,9 +72,11 @@ Status RecordingTables::readVersion()
     }
     m_version = static_cast<int>(m_database.integer("PRAGMA user_version"));
     if (m_version > kRecordingVersion || m_version < 1) {
-        return {StatusCode::Mismatch, "found a recording of version " + std::to_string(m_version) +
-                                          ", expected at most " + std::to_string(kRecordingVersion) +
-                                          ": a newer Palpate made it"};
+        const std::string found = "found a recording of version " + std::to_string(m_version) + ", expected ";
+        return m_version < 1
+                   ? Status(StatusCode::BadFormat, found + "1 to " + std::to_string(kRecordingVersion) + ": damaged")
+                   : Status(StatusCode::Mismatch,
+                            found + "at most " + std::to_string(kRecordingVersion) + ": a newer Palpate made it");
     }
     return {};
 }
@@ -51,55 +84,128 @@ Status RecordingTables::readVersion()
 Status RecordingTables::readMeta(MetaTable& out) const
 {
     Statement row = m_database.prepare("SELECT key, value FROM meta");
+    BytesRead bytes(m_database);
+    std::size_t rows = 0;
     Step step = row.step();
     for (; step == Step::Row; step = row.step()) {
-        out[row.bytes(0)] = row.bytes(1);
+        std::string key = bytes.take(row.bytes(0));
+        out[std::move(key)] = bytes.take(row.bytes(1));
+        if (++rows > kMostMeta || bytes.isTooMany()) {
+            return tooMany("values of the metadata", kMostMeta);
+        }
     }
     return step == Step::Failed ? damaged() : Status();
 }
 
 namespace {
 
-constexpr double kMostTissue = 1e9; // far beyond what a scene file may hold, and no force or energy overflows
-
-/// @return what is wrong with a structure's numbers, or nothing.
-std::optional<std::string> wrongNumber(const StructureRecord& structure, std::int64_t layer)
+/// @return "found -1 for stiffness_N_per_mm, expected 0 to 1000"
+std::string outOfRange(double value, std::string_view key, double least, double most)
 {
-    if (layer < 0 || layer > std::numeric_limits<std::uint32_t>::max()) {
-        return "found the layer " + std::to_string(layer) + ", expected one from 0";
+    return "found " + core::shortNumber(value) + " for " + std::string(key) + ", expected " + core::shortNumber(least) +
+           " to " + core::shortNumber(most);
+}
+
+/// Holds a structure's numbers against what a scene file may hold. @return what is wrong with them, or nothing
+std::optional<std::string> wrongNumber(const StructureRecord& structure, const Statement& row)
+{
+    constexpr double kLeastUnit_mm = 1e-6, kMostUnit_mm = 1e6;
+    constexpr int kUnit = 4, kLayer = 8;
+    if (!row.isInteger(kLayer) || row.integer(kLayer) < 0 ||
+        row.integer(kLayer) > std::numeric_limits<std::uint32_t>::max()) {
+        return "found the layer " + std::to_string(row.integer(kLayer)) + ", expected one from 0";
     }
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const double value = structure.tissue.*term.member;
-        if (!(value >= 0.0 && value <= kMostTissue)) {
-            return "found " + core::shortNumber(value) + " for " + std::string(term.key) + ", expected 0 to 1e9";
+        if (!(value >= 0.0 && value <= term.most)) {
+            return outOfRange(value, term.key, 0.0, term.most);
+        }
+    }
+    const double unit_mm = structure.source.unit_mm;
+    if (!row.isNull(kUnit) && !(unit_mm >= kLeastUnit_mm && unit_mm <= kMostUnit_mm)) {
+        return outOfRange(unit_mm, "unit_mm", kLeastUnit_mm, kMostUnit_mm);
+    }
+    const auto& X_WM = structure.source.X_WM.matrix();
+    for (const double value : X_WM.reshaped()) {
+        if (!(std::abs(value) <= kMostCoordinate_mm)) {
+            return outOfRange(value, "pose", -kMostCoordinate_mm, kMostCoordinate_mm);
         }
     }
     return std::nullopt;
 }
 
+/// Maps of structures by the text that names them: the same maps stand in many scenes of a recording.
+class ReadMaps
+{
+  public:
+    explicit ReadMaps(std::function<std::optional<std::string>(const std::string&)> find)
+        : m_find(std::move(find))
+    {
+    }
+    const haptics::TissueMaps& operator()(const std::string& text)
+    {
+        auto found = m_byText.find(text);
+        if (found == m_byText.end()) {
+            std::string wrong; // why it can't be read; reported by the caller that needs the table
+            found = m_byText.emplace(text, mapsOf(text, m_find, wrong)).first;
+        }
+        return found->second;
+    }
+
+  private:
+    std::function<std::optional<std::string>(const std::string&)> m_find;
+    std::map<std::string, haptics::TissueMaps> m_byText;
+};
+
 } // namespace
+
+Status RecordingTables::readGenerations(std::vector<SceneRecord>& out) const
+{
+    Statement row =
+        m_database.prepare(m_version >= 2 ? "SELECT generation, fingertip_mm FROM scenes ORDER BY generation"
+                                          : "SELECT generation, 0.0 FROM scenes ORDER BY generation");
+    Step step = row.step();
+    for (; step == Step::Row; step = row.step()) {
+        const std::int64_t generation = row.integer(0);
+        const double fingertip_mm = row.real(1);
+        if (!row.isInteger(0) || generation < 0 || generation > std::numeric_limits<std::uint32_t>::max() ||
+            (!out.empty() && generation <= out.back().generation)) {
+            return {StatusCode::BadFormat,
+                    "found the scene " + std::to_string(generation) + ", expected ascending generations of 32 bits"};
+        }
+        if (!(fingertip_mm >= 0.0 && fingertip_mm <= haptics::HapticScene::kMostFingertip_mm)) {
+            return {StatusCode::BadFormat,
+                    "scene " + std::to_string(generation) + ": " +
+                        outOfRange(fingertip_mm, "fingertip_mm", 0.0, haptics::HapticScene::kMostFingertip_mm)};
+        }
+        SceneRecord& scene = out.emplace_back();
+        scene.generation = static_cast<std::uint32_t>(generation);
+        scene.fingertip_mm = fingertip_mm;
+        if (out.size() > kMostScenes) {
+            return tooMany("scenes", kMostScenes);
+        }
+    }
+    return step == Step::Failed ? damaged() : Status();
+}
 
 Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
 {
-    Statement generations =
-        m_database.prepare(m_version >= 2 ? "SELECT generation, fingertip_mm FROM scenes ORDER BY generation"
-                                          : "SELECT generation, 0.0 FROM scenes ORDER BY generation");
-    Step step = generations.step();
-    for (; step == Step::Row; step = generations.step()) {
-        SceneRecord& scene = out.emplace_back();
-        scene.generation = static_cast<std::uint32_t>(generations.integer(0));
-        scene.fingertip_mm = generations.real(1);
-    }
-    Status status = step == Step::Failed ? damaged() : Status();
+    Status status = readGenerations(out);
     Statement rows = m_database.prepare(
         (std::string("SELECT generation, name, path, part, unit_mm, flipped, sha256, pose, layer, palpable") +
          (m_version >= 3 ? ", law, law_table, maps" : ", NULL, NULL, NULL") + tissueColumns(m_version) +
          " FROM structures LEFT JOIN meshes USING(mesh) ORDER BY generation, number")
             .c_str());
-    for (step = rows.step(); step == Step::Row; step = rows.step()) {
-        const auto generation = static_cast<std::uint32_t>(rows.integer(0));
+    ReadMaps maps([this](const std::string& hash) { return mapBytes(hash); });
+    std::size_t structures = 0;
+    Step step = rows.step();
+    for (; step == Step::Row; step = rows.step()) {
+        if (++structures > kMostStructures) {
+            return tooMany("structures", kMostStructures);
+        }
+        const std::int64_t generation = rows.integer(0);
         const auto found = std::lower_bound(out.begin(), out.end(), generation,
-                                            [](const SceneRecord& s, std::uint32_t g) { return s.generation < g; });
+                                            [](const SceneRecord& s, std::int64_t g) { return s.generation < g; });
         if (found == out.end() || found->generation != generation) {
             continue;
         }
@@ -116,15 +222,13 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.lawTable = rows.bytes(11);
         structure.maps = rows.bytes(12);
         if (!structure.maps.empty()) {
-            std::string wrong; // why it can't be read; reported by the caller that needs the table
-            structure.tissueMaps = mapsOf(
-                structure.maps, [this](const std::string& hash) { return mapBytes(hash); }, wrong);
+            structure.tissueMaps = maps(structure.maps);
         }
         int column = 13;
         for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
         }
-        std::optional<std::string> wrong = wrongNumber(structure, rows.integer(8));
+        std::optional<std::string> wrong = wrongNumber(structure, rows);
         if (auto law = parseLaw(rows.bytes(10))) {
             structure.tissue.law = std::move(*law);
         } else {
@@ -148,18 +252,36 @@ std::optional<std::string> RecordingTables::mapBytes(const std::string& hash) co
     return row.step() == Step::Row ? std::optional(row.bytes(0)) : std::nullopt;
 }
 
-Status RecordingTables::readEvents(std::vector<std::pair<std::int64_t, RecordingEvent>>& out) const
+Status RecordingTables::readEvents(Events& out) const
 {
-    Statement row = m_database.prepare("SELECT id, tick, kind, json FROM events ORDER BY tick, id");
+    Statement row = m_database.prepare("SELECT id, tick, kind, json FROM events ORDER BY id");
+    BytesRead bytes(m_database);
+    Status status;
     Step step = row.step();
     for (; step == Step::Row; step = row.step()) {
-        out.push_back({row.integer(0), {row.integer(1), row.bytes(2), row.bytes(3)}});
+        const std::int64_t tick = row.integer(1);
+        if (!row.isInteger(1) || tick < -1 || tick > kMostTick || row.type(2) != Statement::Type::Text ||
+            row.type(3) != Statement::Type::Text) {
+            status = Status(StatusCode::BadFormat,
+                            "event " + std::to_string(row.integer(0)) +
+                                ": found values of another type or a tick out of range, expected a tick, a kind and "
+                                "its text: left out");
+            continue;
+        }
+        out.push_back({row.integer(0), {tick, bytes.take(row.bytes(2)), bytes.take(row.bytes(3))}});
+        if (out.size() > kMostEvents || bytes.isTooMany()) {
+            return tooMany("events", kMostEvents);
+        }
     }
-    return step == Step::Failed ? damaged() : Status();
+    // Not by SQLite, which would gather all rows before it gives the first.
+    std::stable_sort(out.begin(), out.end(),
+                     [](const auto& a, const auto& b) { return a.second.tick < b.second.tick; });
+    return step == Step::Failed ? damaged() : status;
 }
 
 Status RecordingTables::readChecks(std::vector<Check>& out) const
 {
+    constexpr std::size_t kMostBytes = 64; // of a kind or a hash
     // Version 1 had checks of ticks alone.
     Statement row = m_database.prepare(
         m_version >= 2
@@ -167,37 +289,62 @@ Status RecordingTables::readChecks(std::vector<Check>& out) const
             : "SELECT first_tick, 'ticks', first_tick, last_tick, ticks, sha256 FROM checks ORDER BY first_tick");
     Step step = row.step();
     for (; step == Step::Row; step = row.step()) {
-        out.push_back({row.integer(0), row.bytes(1), row.integer(2), row.integer(3), row.integer(4), row.bytes(5)});
+        const Check& check = out.emplace_back(
+            Check{row.integer(0), row.bytes(1), row.integer(2), row.integer(3), row.integer(4), row.bytes(5)});
+        if (out.size() > kMostChecks || check.kind.size() > kMostBytes || check.hash.size() > kMostBytes) {
+            return tooMany("lines of checks", kMostChecks);
+        }
     }
     return step == Step::Failed ? damaged() : Status();
 }
 
 Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
-                                  const std::function<bool(const servo::TickRecord&)>& sink) const
+                                  const std::function<bool(const servo::TickRecord&)>& sink,
+                                  std::int64_t* stoppedAt) const
 {
-    Statement row = m_database.prepare(selectTicks("WHERE tick BETWEEN ? AND ? ORDER BY tick", m_version).c_str());
+    if (!m_ticks.isPrepared()) {
+        m_ticks = m_database.prepare(selectTicks("WHERE tick BETWEEN ? AND ? ORDER BY tick", m_version).c_str());
+    }
+    Statement& row = m_ticks;
+    m_database.startWork();
     row.bind(0, first);
     row.bind(1, last);
     Step step = row.step();
     std::int64_t before = std::numeric_limits<std::int64_t>::min();
+    std::string wrong;
     for (; step == Step::Row; step = row.step()) {
-        const servo::TickRecord tick = readTick(row, m_version);
-        if (tick.tick <= before) { // a damaged tree gives its rows in any order
-            return damaged();
+        const std::int64_t number = row.integer(0);
+        const servo::TickRecord tick = readTick(row, m_version, wrong);
+        if (number <= before) { // a damaged tree gives its rows in any order
+            row.reset();
+            return {StatusCode::BadFormat, "tick " + std::to_string(number) + ": found behind tick " +
+                                               std::to_string(before) + ", expected ascending ticks: damaged"};
         }
-        before = tick.tick;
+        before = number;
+        if (!wrong.empty()) {
+            row.reset();
+            if (stoppedAt != nullptr) {
+                *stoppedAt = number;
+            }
+            return {StatusCode::BadFormat, "tick " + std::to_string(number) + ": " + wrong};
+        }
         if (!sink(tick)) {
+            row.reset();
             return {};
         }
     }
     return step == Step::Failed ? damaged() : Status();
 }
 
-std::optional<servo::TickRecord> RecordingTables::tickAt(std::int64_t tick) const
+std::optional<std::pair<std::int64_t, std::int64_t>> RecordingTables::tickNumbers() const
 {
-    Statement row = m_database.prepare(selectTicks("WHERE tick <= ? ORDER BY tick DESC LIMIT 1", m_version).c_str());
-    row.bind(0, tick);
-    return row.step() == Step::Row ? std::optional(readTick(row, m_version)) : std::nullopt;
+    const auto one = [this](const char* sql) {
+        Statement row = m_database.prepare(sql);
+        return row.step() == Step::Row ? std::optional(row.integer(0)) : std::nullopt;
+    };
+    const auto first = one("SELECT tick FROM ticks ORDER BY tick LIMIT 1");
+    const auto last = one("SELECT tick FROM ticks ORDER BY tick DESC LIMIT 1");
+    return first && last ? std::optional(std::pair(*first, *last)) : std::nullopt;
 }
 
 std::vector<std::string> RecordingTables::embeddedHashes() const
@@ -205,7 +352,7 @@ std::vector<std::string> RecordingTables::embeddedHashes() const
     std::vector<std::string> hashes;
     if (m_version >= 2) {
         Statement row = m_database.prepare("SELECT sha256 FROM embedded ORDER BY sha256");
-        while (row.step() == Step::Row) {
+        while (hashes.size() < kMostSurfaces && row.step() == Step::Row) {
             hashes.push_back(row.bytes(0));
         }
     }
@@ -238,12 +385,17 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
         for (const std::uint32_t corner : triangle) {
             isInRange = isInRange && corner < surface.mesh.vertices.size();
         }
+        isInRange = isInRange && triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0];
     }
     for (const core::Vec3& p : surface.mesh.vertices) {
-        isInRange = isInRange && p.allFinite();
+        for (const double coordinate : p) {
+            isInRange = isInRange && std::abs(coordinate) <= kMostCoordinate_mm;
+        }
     }
     if (!isInRange || triangles == 0) {
-        return Status(StatusCode::BadFormat, name + ": found indices or coordinates out of range");
+        return Status(StatusCode::BadFormat, name +
+                                                 ": found indices or coordinates out of range, expected triangles of "
+                                                 "three vertices within 1e7 mm");
     }
     surface.report.bounds = surface.mesh.bounds();
     surface.report.vertices = surface.report.inputVertices = surface.mesh.vertices.size();

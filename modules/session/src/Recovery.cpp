@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Recovery.h"
 
+#include "Bounds.h"
+#include "JournalCheck.h"
 #include "PageSalvage.h"
 #include "RecordingCopy.h"
 #include "RecordingSurvey.h"
 #include "Schema.h"
+#include "SchemaCheck.h"
 #include "palpate/session/RecordingReader.h"
 #include "palpate/session/RecordingWriter.h"
 
@@ -15,7 +18,6 @@
 #include <QJsonObject>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -53,6 +55,9 @@ struct Source
         if (Status status = tables.readVersion(); !status.isOk()) {
             return status;
         }
+        if (Status status = internal::checkSchema(database, tables.version()); !status.isOk()) {
+            return status;
+        }
         if (Status status = tables.readMeta(meta); !status.isOk()) {
             faults.push_back(status.message());
         }
@@ -63,7 +68,8 @@ struct Source
     /// How much of it is as written.
     std::int64_t worth() const
     {
-        auto rows = static_cast<std::int64_t>(survey.scenes.size() + survey.events.size() + survey.embedded.size());
+        auto rows = static_cast<std::int64_t>(survey.covered.scenes.size() + survey.covered.events.size() +
+                                              survey.embedded.size());
         for (const internal::Check& block : survey.blocks) {
             rows += block.rows;
         }
@@ -117,6 +123,9 @@ class Rescue
     /// SQLite rolls a journal back by writing: into our copy, never into what is all there is.
     Status copySource()
     {
+        if (Status status = internal::checkJournal(m_from); !status.isOk()) {
+            return status;
+        }
         std::error_code error;
         if (!fs::exists(m_from, error)) {
             return wrong(StatusCode::NotFound, m_from, "no such file, expected a recording");
@@ -169,7 +178,7 @@ class Rescue
 
     static Status open(const fs::path& path, std::unique_ptr<Source>& out)
     {
-        auto opened = Database::open(path, Database::Mode::ReadWrite);
+        auto opened = Database::open(path, Database::Mode::Read);
         if (!opened.isOk()) {
             return opened.status();
         }
@@ -218,9 +227,9 @@ class Rescue
         std::vector<SceneRecord> scenes;
         (void)m_chosen->tables.readScenes(scenes); // what is wrong with it was said
         for (SceneRecord& scene : scenes) {
-            if (m_chosen->survey.uncheckedScenes.contains(scene.generation)) {
+            if (m_chosen->survey.covered.uncheckedScenes.contains(scene.generation)) {
                 lose("scene " + std::to_string(scene.generation) + kUnchecked);
-            } else if (!m_chosen->survey.scenes.contains(scene.generation)) {
+            } else if (!m_chosen->survey.covered.scenes.contains(scene.generation)) {
                 lose("scene " + std::to_string(scene.generation) + ": left out");
                 continue;
             }
@@ -237,13 +246,13 @@ class Rescue
                 return status;
             }
         }
-        std::vector<std::pair<std::int64_t, RecordingEvent>> events;
+        internal::Events events;
         (void)m_chosen->tables.readEvents(events);
         for (const auto& [id, event] : events) {
-            if (m_chosen->survey.uncheckedEvents.contains(id)) {
+            if (m_chosen->survey.covered.uncheckedEvents.contains(id)) {
                 lose("event " + std::to_string(id) + kUnchecked);
                 (void)m_writer->addEvent(event);
-            } else if (m_chosen->survey.events.contains(id)) {
+            } else if (m_chosen->survey.covered.events.contains(id)) {
                 (void)m_writer->addEvent(event);
             }
         }
@@ -253,15 +262,22 @@ class Rescue
     /// Copies a range, as far as it can be read. @return the status of the copy
     Status copyRange(std::int64_t first, std::int64_t last, std::int64_t& copied)
     {
-        Status written;
-        const Status read = m_chosen->tables.readTicks(first, last, [&](const servo::TickRecord& tick) {
-            written = m_writer->append(tick);
-            copied += written.isOk() ? 1 : 0;
-            m_last = tick.tick;
-            return written.isOk();
-        });
-        if (!read.isOk()) {
-            lose(internal::tickRange(first, last) + ": " + read.message());
+        Status written, read;
+        for (std::int64_t next = first; next <= last && written.isOk();) {
+            std::int64_t wrongTick = internal::kMostTick;
+            read = m_chosen->tables.readTicks(
+                next, last,
+                [&](const servo::TickRecord& tick) {
+                    written = m_writer->append(tick);
+                    copied += written.isOk() ? 1 : 0;
+                    m_last = tick.tick;
+                    return written.isOk();
+                },
+                &wrongTick);
+            if (!read.isOk()) {
+                lose(internal::tickRange(next, last) + ": " + read.message());
+            }
+            next = wrongTick < last ? wrongTick + 1 : last + 1; // behind a row that is wrong
         }
         return written;
     }
@@ -271,7 +287,7 @@ class Rescue
         std::vector<internal::Check> checks;
         (void)m_chosen->tables.readChecks(checks);
         std::erase_if(checks, [](const internal::Check& check) { return check.kind != internal::kTicksCheck; });
-        std::int64_t next = std::numeric_limits<std::int64_t>::min();
+        std::int64_t next = 0;
         const auto copyUnchecked = [&](std::int64_t last) {
             const std::int64_t before = m_result.ticks;
             const Status status = last < next ? Status() : copyRange(next, last, m_result.ticks);
@@ -282,13 +298,11 @@ class Rescue
             return status;
         };
         for (const internal::Check& check : checks) {
-            if (check.first < next) {
-                continue; // a line out of order: its ticks are copied already
+            if (check.first < next || check.last < check.first || check.last > internal::kMostTick) {
+                continue; // a line out of order: its ticks are copied already, or as what no line covers
             }
-            if (check.first > std::numeric_limits<std::int64_t>::min()) {
-                if (Status status = copyUnchecked(check.first - 1); !status.isOk()) {
-                    return status;
-                }
+            if (Status status = copyUnchecked(check.first - 1); !status.isOk()) {
+                return status;
             }
             const bool isGood = std::any_of(m_chosen->survey.blocks.begin(), m_chosen->survey.blocks.end(),
                                             [&](const internal::Check& good) { return good.id == check.id; });
@@ -299,9 +313,9 @@ class Rescue
             } else {
                 lose(internal::tickRange(check.first, check.last) + ": left out");
             }
-            next = std::max(check.last, check.first) + 1;
+            next = check.last + 1;
         }
-        return copyUnchecked(std::numeric_limits<std::int64_t>::max());
+        return copyUnchecked(internal::kMostTick);
     }
 
     Status finish()

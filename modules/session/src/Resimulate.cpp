@@ -47,6 +47,9 @@ class Resimulator
         if (Status status = useScene(m_recording.info().firstGeneration); !status.isOk()) {
             return status;
         }
+        if (Status status = checkStart(m_recording.info().start); !status.isOk()) {
+            return status;
+        }
         m_palpator.restore(m_recording.info().start);
         m_nextTick = m_recording.info().firstTick;
         const Status read =
@@ -80,6 +83,28 @@ class Resimulator
         m_palpator.setScene(scene.get());
         boundRounding(scene.get());
         m_generation = generation;
+        return {};
+    }
+
+    /// The solver takes a state's structures and triangles for what they say: a foreign file's may not exist.
+    Status checkStart(const haptics::PalpatorState& state) const
+    {
+        const auto found = m_scenes.find(m_generation);
+        const haptics::HapticScene* const scene = found == m_scenes.end() ? nullptr : found->second.get();
+        for (std::size_t i = 0; i < state.layers.size(); ++i) {
+            const haptics::GodObjectState& god = state.layers[i];
+            for (std::size_t k = 0; k < god.constraints; ++k) {
+                const bool hasLayer = scene != nullptr && i < scene->layerCount();
+                const auto& felt = hasLayer ? scene->layer(i).structures : std::vector<std::uint32_t>();
+                const bool isFelt = std::find(felt.begin(), felt.end(), god.structure[k]) != felt.end();
+                if (!isFelt || god.triangle[k] >= scene->structures()[god.structure[k]].surface->triangleCount()) {
+                    return {StatusCode::BadFormat, "the state before the first tick: found contact with triangle " +
+                                                       std::to_string(god.triangle[k]) + " of structure " +
+                                                       std::to_string(god.structure[k]) +
+                                                       ", expected one of the scene's layer " + std::to_string(i)};
+                }
+            }
+        }
         return {};
     }
 

@@ -42,11 +42,15 @@ inline std::string tissuePlaces(std::size_t first)
     return places;
 }
 
-/// Makes the tables of resources/docs/recording.md. @param version  2 or 3
+inline constexpr int kMapsSince = 3; ///< version of the first recordings with a table of maps
+
+/// Makes the tables of resources/docs/recording.md. @param version  1 to kRecordingVersion
 inline std::string schema(int version = kRecordingVersion)
 {
+    const bool hasChecksOfAll = version >= 2; // version 1 had checks of its ticks alone, and embedded no surface
     return "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;\n" + createTicks(version) + R"sql(
-CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL, fingertip_mm REAL NOT NULL);
+CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL)sql" +
+           (hasChecksOfAll ? ", fingertip_mm REAL NOT NULL" : "") + R"sql();
 CREATE TABLE meshes(mesh INTEGER PRIMARY KEY, path TEXT, part TEXT, unit_mm REAL, flipped INTEGER, pose TEXT,
   sha256 TEXT, UNIQUE(path, part, unit_mm, flipped, pose, sha256));
 CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTEGER REFERENCES meshes(mesh))sql" +
@@ -54,11 +58,17 @@ CREATE TABLE structures(generation INTEGER, number INTEGER, name TEXT, mesh INTE
            (version >= 3 ? ", law TEXT, law_table BLOB, maps TEXT" : "") + R"sql(,
   PRIMARY KEY(generation, number)) WITHOUT ROWID;
 CREATE TABLE events(id INTEGER PRIMARY KEY, tick INTEGER NOT NULL, kind TEXT NOT NULL, json TEXT NOT NULL);
+)sql" +
+           (hasChecksOfAll ? R"sql(
 CREATE TABLE checks(id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER, last INTEGER, rows INTEGER NOT NULL,
   sha256 BLOB NOT NULL);
 CREATE TABLE embedded(sha256 TEXT PRIMARY KEY, vertices BLOB NOT NULL, triangles BLOB NOT NULL,
   two_sided BLOB NOT NULL, source BLOB NOT NULL, all_sha256 BLOB NOT NULL);
-)sql" + createTickValues(version);
+)sql"
+                           : R"sql(
+CREATE TABLE checks(first_tick INTEGER PRIMARY KEY, last_tick INTEGER NOT NULL, ticks INTEGER NOT NULL,
+  sha256 BLOB NOT NULL);
+)sql") + createTickValues(version);
 }
 
 /// Makes the table of the numbers that vary over surfaces, which only a recording with such has.

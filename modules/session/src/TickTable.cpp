@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TickTable.h"
 
+#include "Bounds.h"
 #include "Contacts.h"
 #include "Packing.h"
 #include "TickColumns.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 
 namespace palpate::session::internal {
 
@@ -123,37 +129,166 @@ void bindTick(Statement& row, const servo::TickRecord& tick)
     }
 }
 
-servo::TickRecord readTick(const Statement& row, int version)
+std::vector<std::string> knownTickValues(int version)
+{
+    std::vector<std::string> known{createTickValues(version)};
+    if (version < 3) { // as versions 1 and 2 were written
+        known.emplace_back(
+            "CREATE VIEW tick_values AS SELECT tick, time_ns * 1e-9 AS time_s, hip_x, hip_y, hip_z, "
+            "coalesce(god_x, hip_x) AS god_x, coalesce(god_y, hip_y) AS god_y, coalesce(god_z, hip_z) AS god_z, "
+            "coalesce(force_x, 0.0) AS force_x, coalesce(force_y, 0.0) AS force_y, coalesce(force_z, 0.0) AS force_z, "
+            "coalesce(sent_x, force_x, 0.0) AS sent_x, coalesce(sent_y, force_y, 0.0) AS sent_y, "
+            "coalesce(sent_z, force_z, 0.0) AS sent_z, structure, "
+            "(SELECT name FROM structures s WHERE s.generation = t.scene AND s.number = t.structure) AS name, "
+            "triangle, constraints, scene, buttons, solve_ns, iterations, flags FROM ticks t");
+    }
+    return known;
+}
+
+namespace {
+
+/// Reads the values of a row and notes the first that cannot be one of a recording.
+class TickRow
+{
+  public:
+    TickRow(const Statement& row, std::string& wrong)
+        : m_row(row)
+        , m_wrong(wrong)
+    {
+    }
+
+    [[nodiscard]] bool isNull() const { return m_row.isNull(m_place); }
+
+    double real(const TickColumn& column, double most)
+    {
+        const int place = m_place++;
+        const double value = m_row.real(place); // NaN for what is no number
+        if (std::abs(value) <= most) {
+            return value;
+        }
+        note(column, place, "a number within " + core::shortNumber(most));
+        return 0.0;
+    }
+
+    std::int64_t integer(const TickColumn& column, std::int64_t least, std::int64_t most)
+    {
+        const int place = m_place++;
+        const std::int64_t value = m_row.integer(place);
+        if (m_row.isInteger(place) && value >= least && value <= most) {
+            return value;
+        }
+        note(column, place, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        return least;
+    }
+
+    /// @pre isNull() for the first of the three
+    void skipVector(const TickColumn& column)
+    {
+        if (!m_row.isNull(m_place + 1) || !m_row.isNull(m_place + 2)) {
+            note(column, m_place, "three numbers or none");
+        }
+        m_place += 3;
+    }
+    void skip() { ++m_place; }
+
+    std::string blob(const TickColumn& column)
+    {
+        const int place = m_place++;
+        if (!m_row.isNull(place) && m_row.type(place) != Statement::Type::Blob) {
+            note(column, place, "bytes");
+            return {};
+        }
+        return m_row.bytes(place);
+    }
+
+    void note(const TickColumn& column, int place, const std::string& expected)
+    {
+        if (m_wrong.empty()) {
+            m_wrong = "found " + found(place) + " for " + std::string(column.name) + ", expected " + expected;
+        }
+    }
+
+  private:
+    [[nodiscard]] std::string found(int place) const
+    {
+        switch (m_row.type(place)) {
+        case Statement::Type::Null:
+            return "nothing";
+        case Statement::Type::Text:
+            return "text";
+        case Statement::Type::Blob:
+            return "bytes";
+        case Statement::Type::Integer:
+            return std::to_string(m_row.integer(place));
+        case Statement::Type::Real:
+            break;
+        }
+        return core::shortNumber(m_row.real(place));
+    }
+
+    const Statement& m_row;
+    std::string& m_wrong;
+    int m_place = 0;
+};
+
+/// Largest number of a vector's components.
+double mostOf(const TickColumn& column)
+{
+    const bool isPlace = column.name == "hip" || column.name == "god";
+    return isPlace ? kMostLength_mm : column.stored == Stored::UnlessSpring ? kMostNormal : kMostForce_N;
+}
+
+/// Range of a column of whole numbers: that of its type, narrowed where a reader relies on less.
+template<class Value>
+std::pair<std::int64_t, std::int64_t> rangeOf(const TickColumn& column)
+{
+    if (column.name == "constraints") {
+        return {0, 3};
+    }
+    return {0, sizeof(Value) == sizeof(std::int64_t) ? kMostTick
+                                                     : static_cast<std::int64_t>(std::numeric_limits<Value>::max())};
+}
+
+} // namespace
+
+servo::TickRecord readTick(const Statement& row, int version, std::string& wrong)
 {
     servo::TickRecord tick;
     std::string layers;
-    int place = 0;
+    TickRow values(row, wrong);
     for (const TickColumn& column : kTickColumns) {
         if (!column.isStored(version)) {
             continue;
         }
         useValue(column, tick, [&]<class Value>(Value& value) {
+            const bool isImplied = column.stored != Stored::Always && values.isNull();
             if constexpr (std::is_same_v<Value, core::Vec3>) {
-                value = column.stored != Stored::Always && row.isNull(place)
-                            ? impliedVector(column, tick)
-                            : core::Vec3(row.real(place), row.real(place + 1), row.real(place + 2));
-                place += 3;
-            } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
-                layers = row.bytes(place++);
-            } else if constexpr (std::is_same_v<Value, double>) {
-                value = row.real(place++);
-            } else {
-                if (column.stored == Stored::Always || !row.isNull(place)) {
-                    value = static_cast<Value>(row.integer(place));
+                if (isImplied) {
+                    values.skipVector(column);
+                    value = impliedVector(column, tick);
+                } else {
+                    for (double& number : value) {
+                        number = values.real(column, mostOf(column));
+                    }
                 }
-                ++place;
+            } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
+                layers = values.blob(column);
+            } else if constexpr (std::is_same_v<Value, double>) {
+                value = values.real(column, kMostForce_N);
+            } else if (isImplied) {
+                values.skip();
+            } else {
+                const auto [least, most] = rangeOf<Value>(column);
+                value = static_cast<Value>(values.integer(column, least, most));
             }
         });
     }
     if (version < 3) {
         tick.felt.n_W = springDirection(tick);
     }
-    unpackLayers(layers, tick);
+    if (!unpackLayers(layers, tick) && wrong.empty()) {
+        wrong = "found no contacts of layers in the column layers";
+    }
     return tick;
 }
 

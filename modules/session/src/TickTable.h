@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace palpate::session::internal {
 
@@ -18,6 +19,8 @@ namespace palpate::session::internal {
 [[nodiscard]] std::string createTicks(int version = kRecordingVersion);
 /// Makes the view, which has every value filled in but normals and layers: not every SQLite can take a root.
 [[nodiscard]] std::string createTickValues(int version);
+/// The texts that Palpate has given the view in recordings of a version.
+[[nodiscard]] std::vector<std::string> knownTickValues(int version);
 [[nodiscard]] std::string insertTick();
 /// All columns, for `readTick`. @param rest  what follows "FROM ticks"
 [[nodiscard]] std::string selectTicks(const std::string& rest, int version);
@@ -28,6 +31,8 @@ namespace palpate::session::internal {
 void bindTick(Statement& row, const servo::TickRecord& tick);
 /// Takes a tick from a row of `selectTicks`. What is not stored is as in a new TickRecord; before version 3 the
 /// contact's normal is the direction of the spring, and the reported layer the only one.
-[[nodiscard]] servo::TickRecord readTick(const Statement& row, int version);
+/// @param wrong  set to what is wrong with the row where a value is of another type or beyond the bounds of Bounds.h:
+///               "found text for hip_x, expected a number"; the tick then holds zeros there
+[[nodiscard]] servo::TickRecord readTick(const Statement& row, int version, std::string& wrong);
 
 } // namespace palpate::session::internal

@@ -163,6 +163,11 @@ std::string measuresJson(const session::SessionMeasures& m)
     }
     out["structures"] = structures;
     out["coverage_distance_mm"] = m.distance_mm;
+    QJsonArray damaged;
+    for (const std::string& fault : m.damaged) {
+        damaged.append(text(fault));
+    }
+    out["damaged"] = damaged;
     out["lost_ticks"] = static_cast<qint64>(m.lostTicks);
     out["late_ticks"] = m.lateTicks ? QJsonValue(static_cast<qint64>(*m.lateTicks)) : QJsonValue();
     out["phases"] = phasesJson(m.phases);

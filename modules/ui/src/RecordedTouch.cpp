@@ -124,6 +124,9 @@ QString RecordedTouch::losses() const
     const session::RecordingExtent& extent = m_reader->extent();
     const QString name = QString::fromStdString(m_path.filename().string());
     const QString at = QLocale().toString(extent.duration_s, 'f', 1);
+    if (const auto faults = m_reader->faults(); !faults.empty()) {
+        return damageText(m_path, faults.size());
+    }
     switch (extent.end) {
     case session::RecordingEnd::Closed:
         break;
@@ -143,6 +146,17 @@ QString RecordedTouch::losses() const
     return {};
 }
 
+QString damageText(const std::filesystem::path& recording, std::size_t places)
+{
+    return places == 0
+               ? QString()
+               : RecordedTouch::tr("%1 is damaged, or was changed after it was recorded: %n place(s) do not match "
+                                   "their checksums. What was felt there is left out; \"palpate session verify\" "
+                                   "names the first place.",
+                                   nullptr, static_cast<int>(std::min<std::size_t>(places, 1'000'000)))
+                     .arg(QString::fromStdString(recording.filename().string()));
+}
+
 void RecordedTouch::startOverview()
 {
     if (m_overview.joinable()) {
@@ -155,6 +169,7 @@ void RecordedTouch::startOverview()
             return;
         }
         const session::RecordingExtent extent = reader.value()->extent();
+        const std::size_t known = reader.value()->faults().size();
         const double ticks = static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick + 1));
         std::vector<float> peaks(kBins, 0.0f);
         const core::Status status =
@@ -167,6 +182,10 @@ void RecordedTouch::startOverview()
         if (status.isOk() && !m_isClosing) {
             QMetaObject::invokeMethod(
                 this, [this, peaks = std::move(peaks)] { Q_EMIT overviewReady(peaks); }, Qt::QueuedConnection);
+            if (const std::size_t places = reader.value()->faults().size(); places > known) {
+                QMetaObject::invokeMethod(
+                    this, [this, places] { Q_EMIT damageFound(damageText(m_path, places)); }, Qt::QueuedConnection);
+            }
         }
     });
 }

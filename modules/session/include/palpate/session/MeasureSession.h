@@ -69,13 +69,14 @@ struct SessionMeasures
     std::vector<std::string> unmeasured;   ///< structures whose mesh is not there
     std::int64_t lostTicks = 0;            ///< that the disk was too slow for
     std::optional<std::int64_t> lateTicks; ///< periods that the servo left out; nothing: it is not said
+    std::vector<std::string> damaged;      ///< what is not as it was written, see RecordingReader::faults
 };
 
 /// @return the least distance with which these surfaces are measured: they are split to triangles half as long, at
 ///         most some ten million, which take 3 GB. [mm]
 [[nodiscard]] double leastDistance_mm(const MeshesByHash& meshes);
 
-/// Reads a recording once and measures it.
+/// Reads a recording once and measures it. Ticks that are not as they were written are left out.
 /// @param meshes  the surfaces that were felt, as far as they are there
 /// @return OutOfRange for a distance below `leastDistance_mm`, Cancelled, or what could not be read
 /// @par Thread Any; the reader must serve no other meanwhile.

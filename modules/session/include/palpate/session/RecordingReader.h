@@ -44,13 +44,16 @@ struct RecordingExtent
 /// not in it".
 [[nodiscard]] std::string endingText(const RecordingExtent& extent);
 
-/// Reads a recording. Opens fast and never holds the whole file: rows are streamed.
+/// Reads a recording, which anyone may have made. Opens fast and never holds the whole file: rows are streamed, each
+/// block of ticks (a quarter of a second) once it has been held against its checksum. Nothing is written, to the file
+/// or beside it.
 /// @par Thread One at a time; several readers may be open on one file.
 class RecordingReader
 {
   public:
-    /// @return one line for a file that is missing, not a recording, damaged, or of a newer version. A recording that
-    ///         was cut off by a crash is rolled back to its last transaction.
+    /// @return one line for a file that is missing, not a recording, damaged, or of a newer version; BadFormat for one
+    ///         whose tables or numbers are none of Palpate's. Of a recording that was cut off by a crash the last
+    ///         transaction is rolled back, in memory.
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& path);
     ~RecordingReader();
     RecordingReader(const RecordingReader&) = delete;
@@ -69,13 +72,20 @@ class RecordingReader
     /// @return name of the structure that a tick touches, empty in free space.
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick) const;
 
-    /// Gives the ticks first … last in order, until `sink` returns false. `time_ns` counts from the first tick.
+    /// Gives the ticks first … last in order, until `sink` returns false. `time_ns` counts from the first tick. Blocks
+    /// that are not as they were written are left out; `faults` names them. All numbers are finite.
     /// Recordings before version 3 held no layers and no normal: what comes is one contact with all of the force, and
     /// the direction of the spring.
     core::Status forEach(std::int64_t first, std::int64_t last,
                          const std::function<bool(const servo::TickRecord&)>& sink) const;
-    /// @return the newest tick at or before `tick`, nothing before the first one or when the file cannot be read.
+    /// @return the newest tick at or before `tick` that is as it was written, nothing before the first one or when the
+    ///         file cannot be read.
     [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
+    /// @return what is not as it was written in what was read so far, a line each ("ticks 250 to 499: found other bits
+    ///         than were written (checksum)"): after opening metadata, scenes, events and the last block, later also
+    ///         each block of ticks that was asked for.
+    [[nodiscard]] std::vector<std::string> faults() const;
+
     /// Reads the path of the HIP, one sample a tick at which there was a hand: 24 bytes a tick in memory.
     [[nodiscard]] core::Result<Motion> motion() const;
     /// @return hashes of the surfaces that the recording holds itself.

@@ -54,6 +54,8 @@ class RecordedTouch : public QObject
 
   Q_SIGNALS:
     void overviewReady(const std::vector<float>& peaks_N);
+    /// Once all was read: something is not as it was written that opening did not tell. @param what  as damageText
+    void damageFound(const QString& what);
 
   private:
     RecordedTouch(std::filesystem::path path, std::unique_ptr<session::RecordingReader> reader);
@@ -63,5 +65,8 @@ class RecordedTouch : public QObject
     std::thread m_overview;
     std::atomic<bool> m_isClosing{false};
 };
+
+/// One line for a person about a recording of which some places are not as they were written; empty for 0 places.
+[[nodiscard]] QString damageText(const std::filesystem::path& recording, std::size_t places);
 
 } // namespace palpate::ui
