@@ -139,9 +139,10 @@ class StructurePhases
             }
         }
         for (auto& [name, phases] : m_phases) {
-            const auto touched = std::find_if(contacts.begin(), contacts.end(), [&](const haptics::Contact& contact) {
-                return reader.structureName(tick.scene, contact.structure) == name;
-            });
+            const auto touched =
+                std::find_if(contacts.begin(), contacts.end(), [&, &name = name](const haptics::Contact& contact) {
+                    return reader.structureName(tick.scene, contact.structure) == name;
+                });
             phases.add(tick, touched == contacts.end() ? nullptr : &*touched);
         }
     }
