@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 using palpate::servo::Vec3;
@@ -43,6 +44,74 @@ class MotionTrack : public QObject
             QCOMPARE(track.step(p), Vec3(p - before));
             before = p;
         }
+    }
+
+    /// The velocity of a hand of 10 mm/s, whether the sensor's steps are known or have to be recognised.
+    void countsGiveASteadyVelocity_data()
+    {
+        QTest::addColumn<double>("step_mm");
+        for (const double step_mm : {0.01, 0.0137, 0.02, 0.034, 0.055, 0.064, 0.09, 0.12}) {
+            QTest::addRow("%g mm", step_mm) << step_mm;
+        }
+    }
+    void countsGiveASteadyVelocity()
+    {
+        QFETCH(const double, step_mm);
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal;
+        for (int trial = 0; trial < 40; ++trial) {
+            Vec3 way(normal(random), normal(random), normal(random));
+            way = trial == 0 ? Vec3(0, 0, -0.01) : Vec3(0.01 * way.normalized());
+            Track known(step_mm), unknown(0.0);
+            for (int n = 0; n < 1000; ++n) {
+                Vec3 p = Vec3(0.3, -20.0, 5.1) + n * way;
+                for (double& x : p) {
+                    x = step_mm * std::round(x / step_mm);
+                }
+                known.step(p);
+                unknown.step(p);
+                if (n >= 150) {
+                    QVERIFY2((known.slope() - way).norm() <= 0.004, qPrintable(QString::number(known.slope().norm())));
+                    QVERIFY2((unknown.slope() - way).norm() <= 0.004,
+                             qPrintable(QString::number(unknown.slope().norm())));
+                }
+            }
+        }
+    }
+
+    /// What is exact gives differences, bit for bit: a smooth path, and one that a script makes on a round grid.
+    void anExactVelocityIsTheDifference()
+    {
+        const auto smooth = [](int n) { return Vec3(3.0 * std::sin(0.01 * n), std::cos(0.003 * n), 0.0123456789 * n); };
+        const auto scripted = [](int n) { // in, rest, across, out
+            return n < 50    ? Vec3(0, 0, 5 - 0.1 * n)
+                   : n < 90  ? Vec3(0, 0, 0.1)
+                   : n < 200 ? Vec3(0.05 * (n - 90), 0, 0.1)
+                             : Vec3(5.5, 0, 0.1 * (n - 199));
+        };
+        for (const auto& path : {std::function<Vec3(int)>(smooth), std::function<Vec3(int)>(scripted)}) {
+            Track track(0.0);
+            track.step(path(0));
+            QVERIFY(track.slope().isZero(0.0));
+            for (int n = 1; n < 300; ++n) {
+                track.step(path(n));
+                QVERIFY(track.slope() == path(n) - path(n - 1));
+            }
+        }
+    }
+
+    /// Under an acceleration it lags as stated.
+    void lagsNoMoreThanStated()
+    {
+        constexpr double kAcceleration = 0.001; // mm per tick^2: 1 m/s^2
+        Track track(kStep_mm);
+        const double bound = 2.0 * std::sqrt(kStep_mm * kAcceleration) + kStep_mm / Track::kLongestSlope;
+        double most = 0.0;
+        for (int n = 0; n < 400; ++n) {
+            track.step(counted(Vec3(0.5 * kAcceleration * n * n, 0, 0)));
+            most = std::max(most, std::abs(track.slope().x() - kAcceleration * n));
+        }
+        QVERIFY2(most <= bound, qPrintable(QString("%1 against %2").arg(most).arg(bound)));
     }
 
     /// Many ticks a step: the moves are the tip's, not a step in one tick and none in the others.

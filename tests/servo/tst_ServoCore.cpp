@@ -2,6 +2,7 @@
 #include "TestRunner.h"
 #include "TouchScenes.h"
 
+#include <palpate/device/DevicePresets.h>
 #include <palpate/device/SimulatedHand.h>
 #include <palpate/servo/ServoCore.h>
 
@@ -128,10 +129,11 @@ class ServoCore : public QObject
             if (i == 899) {
                 QVERIFY(last.norm() > 8.0);
             }
-            if (i > 910) {
-                QVERIFY(last.isZero(1e-6)); // gone; and what comes back around the hand lets it out
+            if (i > 910 && i < 1000) {
+                QVERIFY(last.isZero(1e-6)); // gone
             }
         }
+        QVERIFY(std::abs(last.z() - 3.0 * 0.4) < 0.1); // and given back, eased in: 200 of 500 ms
     }
 
     void denormalsAreFlushedWhileFeelingAndOnlyThen()
@@ -182,8 +184,7 @@ class ServoCore : public QObject
         QVERIFY(core.fault().kind == FaultKind::NonFiniteInput);
         core.rearm();
         QVERIFY(core.fault().kind == FaultKind::None);
-        QCOMPARE(core.tick(hand(Vec3::Zero(), timeOf(3)), timeOf(3)).flags,
-                 static_cast<std::uint16_t>(palpate::servo::kReset));
+        QCOMPARE(core.tick(hand(Vec3::Zero(), timeOf(3)), timeOf(3)).flags, std::uint16_t{0}); // it is where it was
     }
 
     /// What a replay has: rows and a state in the middle. What it must give: the same bits.
@@ -235,12 +236,103 @@ class ServoCore : public QObject
             }
             TickRecord again;
             again.p_WH = rows[i].p_WH;
+            again.v_WH = rows[i].v_WH;
             again.flags = rows[i].flags;
             palpate::servo::feelTick(palpator, 0.001, again);
             QVERIFY2(palpate::test::isSameTick(again, rows[i]), qPrintable(QString("tick %1").arg(i)));
             contacts += again.felt.structure >= 0 ? 1 : 0;
         }
         QVERIFY(contacts > 1000);
+    }
+
+    /// A hand that is away for a moment, as a device that loses a packet says it, goes on where it was.
+    void handThatIsBackSoonKeepsItsContact_data()
+    {
+        QTest::addColumn<int>("ticks");
+        QTest::addColumn<double>("z");
+        QTest::addColumn<bool>("isKept");
+        QTest::newRow("a tick") << 1 << 27.0 << true;
+        QTest::newRow("0.5 s") << 500 << 27.0 << true;
+        QTest::newRow("4 mm lower") << 100 << 23.0 << true;
+        QTest::newRow("0.6 s") << 600 << 27.0 << false;
+        QTest::newRow("6 mm lower") << 1 << 21.0 << false;
+    }
+    void handThatIsBackSoonKeepsItsContact()
+    {
+        QFETCH(const int, ticks);
+        QFETCH(const double, z);
+        QFETCH(const bool, isKept);
+        const auto scene = palpate::test::sphereScene(30.0, 0.5);
+        Core core(limitsOf("omega"), 1000.0);
+        core.setScene(scene.get(), 1);
+        std::int64_t i = 0;
+        const auto tick = [&](double at, bool isPresent) {
+            DeviceState state = hand(Vec3(0, 0, at), timeOf(i));
+            state.isPresent = isPresent;
+            const TickRecord record = core.tick(state, timeOf(i));
+            ++i;
+            return record;
+        };
+        while (i < 1200) {
+            static_cast<void>(tick(std::max(27.0, 31.0 - 0.01 * static_cast<double>(i)), true));
+        }
+        for (int away = 0; away < ticks; ++away) {
+            QVERIFY(tick(27.0, false).fSent_W.isZero(0.0));
+        }
+        TickRecord record = tick(z, true);
+        QCOMPARE((record.flags & palpate::servo::kReset) == 0, isKept);
+        QVERIFY(record.fSent_W.norm() < 0.05); // eased in
+        for (int later = 0; later < 600; ++later) {
+            record = tick(z, true);
+        }
+        QVERIFY(std::abs(record.fSent_W.z() - (isKept ? 0.5 * (30.0 - z) : 0.0)) < 0.02);
+    }
+
+    /// While a fault is latched the hand is held until someone re-arms, however long that takes.
+    void aRearmedDeviceKeepsItsContact()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 0.5);
+        Core core(limitsOf("omega"), 1000.0);
+        core.setScene(scene.get(), 1);
+        std::int64_t i = 0;
+        TickRecord record;
+        for (; i < 1200; ++i) {
+            record =
+                core.tick(hand(Vec3(0, 0, std::max(27.0, 31.0 - 0.01 * static_cast<double>(i))), timeOf(i)), timeOf(i));
+        }
+        for (; i < 4000; ++i) {
+            DeviceState lost;
+            lost.isLost = true;
+            QVERIFY(core.tick(lost, timeOf(i)).fSent_W.isZero(0.0));
+        }
+        QVERIFY(core.fault().kind == FaultKind::DeviceLost);
+        core.rearm();
+        for (; i < 4600; ++i) {
+            record = core.tick(hand(Vec3(0, 0, 26.5), timeOf(i)), timeOf(i));
+            QVERIFY((record.flags & palpate::servo::kReset) == 0);
+        }
+        QVERIFY(std::abs(record.fSent_W.z() - 0.5 * 3.5) < 0.02);
+    }
+
+    /// A damper's force is as even as the hand, not as the encoder's steps.
+    void countsDampEvenly()
+    {
+        const auto scene = palpate::test::sphereScene(30.0, 0.2, 0.005);
+        for (const char* preset : {"touch", "woodenhaptics"}) {
+            const auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset));
+            Core core(GateLimits::forDevice(info), 1000.0, palpate::servo::PassivityLimits::forDevice(info));
+            core.setScene(scene.get(), 1);
+            for (int i = 0; i < 800; ++i) {
+                const double z = 31.0 - 0.01 * i;
+                const double counted = info.resolution_mm * std::round(z / info.resolution_mm);
+                const TickRecord record = core.tick(hand(Vec3(0, 0, counted), timeOf(i)), timeOf(i));
+                if (record.felt.structure >= 0) {
+                    const Vec3 damper = record.felt.f_W - 0.2 * (record.felt.p_WG - record.p_WH);
+                    QVERIFY2((damper - Vec3(0, 0, 0.05)).norm() < 0.02,
+                             qPrintable(QString("tick %1: %2 N").arg(i).arg(damper.z())));
+                }
+            }
+        }
     }
 
     void simulatedHandRestsOnTheSphereItPresses()

@@ -234,6 +234,7 @@ class ServoLoop : public QObject
         QVERIFY(loop.restart(options).isOk());
         QVERIFY(waitFor([&] { return device.reads.load() > reads + 50; }));
         QCOMPARE(loop.rate_Hz(), 2000.0);
+        QVERIFY(waitFor([&] { return device.force.load() > 0.1; })); // the hand kept its contact
         QCOMPARE(device.starts.load(), 1);
         QCOMPARE(device.stops.load(), 0);
         loop.stop();

@@ -2,6 +2,7 @@
 #include "Sessions.h"
 #include "TestRunner.h"
 
+#include <palpate/servo/ServoCore.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
@@ -235,6 +236,33 @@ class Replay : public QObject
         QVERIFY(!session::isExactBuild("unknown GNU 12.2.0 Release"));
     }
 
+    /// A motion in the steps of an encoder is damped by the hand's velocity; an exact one by its differences.
+    void dampsAHandThatIsCounted()
+    {
+        const auto scene = test::boxScene(0.2, 0.005);
+        for (const double step_mm : {0.0, 0.01, 0.031, 0.055, 0.12}) {
+            session::Motion motion;
+            for (int i = 0; i < 900; ++i) {
+                const double z = 25.0 - 0.01 * i;
+                motion.p_WH.emplace_back(1, 2, step_mm > 0.0 ? step_mm * std::round(z / step_mm) : z);
+            }
+            const double bound_N = step_mm > 0.0 ? 0.02 : 1e-9;
+            int touching = 0;
+            session::replay(*scene, motion, [&](const servo::TickRecord& tick) {
+                if (tick.felt.structure >= 0) {
+                    ++touching;
+                    const core::Vec3 damper = tick.felt.f_W - 0.2 * (tick.felt.p_WG - tick.p_WH);
+                    if ((damper - core::Vec3(0, 0, 0.05)).norm() > bound_N) {
+                        qWarning("tick %d: %g N at %g mm", int(tick.tick), damper.z(), step_mm);
+                        return false;
+                    }
+                }
+                return true;
+            });
+            QVERIFY(touching > 390);
+        }
+    }
+
     void startsInTheMiddleOfATouch()
     {
         // A recording that begins while the box is pressed: its start state is what the ticks before left.
@@ -254,7 +282,8 @@ class Replay : public QObject
             tick.tick = static_cast<std::int64_t>(i);
             tick.scene = 1;
             tick.p_WH = motion.p_WH[i];
-            tick.felt = palpator.step(motion.p_WH[i], 1e-3);
+            tick.v_WH = i > 0 ? core::Vec3((motion.p_WH[i] - motion.p_WH[i - 1]) / 1e-3) : core::Vec3::Zero();
+            servo::feelTick(palpator, 1e-3, tick);
             if (i >= 400) {
                 ticks.push_back(tick);
             }

@@ -88,7 +88,9 @@ class TickColumns : public QObject
             "constraints, scene, buttons, solve_ns, iterations, flags";
         QCOMPARE(createTicks(1), version2 + ");\n");
         QCOMPARE(createTicks(2), version2 + ");\n");
-        QCOMPARE(createTicks(3), version2 + ", normal_x, normal_y, normal_z, layers);\n");
+        const std::string version3 = version2 + ", normal_x, normal_y, normal_z, layers";
+        QCOMPARE(createTicks(3), version3 + ");\n");
+        QCOMPARE(createTicks(4), version3 + ", velocity_x, velocity_y, velocity_z);\n");
     }
 };
 

@@ -110,6 +110,21 @@ class TickCsv : public QObject
         QCOMPARE(rows[2].count(','), rows[0].count(','));
     }
 
+    void aReplayWithADeviceSaysWhatWasSent()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("device.csv");
+        auto csv = session::TickCsv::create(path.toStdString(), session::TickCsv::Rows::Device);
+        servo::TickRecord tick;
+        tick.fSent_W = core::Vec3(0.5, -0.75, 1);
+        csv.value().write(tick, kNames);
+        QVERIFY(csv.value().finish().isOk());
+        const QList<QByteArray> rows = contents(path).split('\n');
+        QVERIFY(rows[0].endsWith(",slides,layers,sent_x,sent_y,sent_z"));
+        QVERIFY(rows[1].endsWith(",0.5,-0.75,1"));
+        QCOMPARE(rows[1].count(','), rows[0].count(','));
+    }
+
     void everyDoubleComesBack()
     {
         std::uint64_t bits = 88172645463325252u;

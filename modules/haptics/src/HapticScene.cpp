@@ -28,6 +28,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
     for (std::uint32_t i = 0; i < m_structures.size(); ++i) {
         if (m_structures[i].surface != nullptr && m_structures[i].surface->triangleCount() > 0) {
             byNumber[m_structures[i].layer].push_back(i);
+            m_isDamped = m_isDamped || m_structures[i].isDamped();
         }
     }
     for (const auto& [number, members] : byNumber) {

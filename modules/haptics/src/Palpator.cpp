@@ -3,6 +3,7 @@
 
 #include "law/Foot.h"
 #include "law/Law.h"
+#include "solver/CarryOver.h"
 #include "solver/GodObject.h"
 
 #include <algorithm>
@@ -131,8 +132,17 @@ struct Palpator::Impl
     std::array<GodObject, kLayers> gods;
     std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null: there is room for points alone
     std::array<Numbers, kLayers> numbers;
-    Vec3 p_WH = Vec3::Zero(); ///< of the last tick [mm]
+    std::array<LeftContact, kLayers> left; ///< by the layer that it was in
+    bool hasLeft = false;                  ///< one of them is kept
+    Vec3 p_WH = Vec3::Zero();              ///< of the last tick [mm]
     bool started = false;
+
+    void leaveContacts(const HapticScene* after) noexcept;
+    [[nodiscard]] bool giveBack() noexcept;
+    void noteLeft() noexcept
+    {
+        hasLeft = std::any_of(left.begin(), left.end(), [](const LeftContact& one) { return one.isKept != 0; });
+    }
 
     [[nodiscard]] bool canFeel(const Vec3& hip) const noexcept
     {
@@ -164,9 +174,50 @@ std::size_t Palpator::byteSize() const noexcept
     return sizeof(Palpator) + sizeof(Impl) + (m_impl->balls == nullptr ? 0 : sizeof *m_impl->balls);
 }
 
-void Palpator::setScene(const HapticScene* scene) noexcept
+/// Remembers the contacts whose structures the scene that comes does not have.
+void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
+{
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        const LeftContact now = internal::contactLeft(*scene, after, gods[i].state(), p_WH);
+        left[i] = now.isKept != 0 ? now : left[i];
+    }
+    noteLeft();
+}
+
+/// Gives god-objects the contacts of structures that are here again. @return true when one took one up
+bool Palpator::Impl::giveBack() noexcept
+{
+    constexpr double kLongest_s = 0.5;
+    constexpr double kRounding = 1.0 + 1e-9; // of a sum of periods
+    bool isGiven = false;
+    for (LeftContact& one : left) {
+        const auto layer =
+            one.isKept != 0 && scene != nullptr ? internal::layerOf(*scene, one.structure) : std::nullopt;
+        if (!layer) {
+            continue;
+        }
+        if ((p_WH - one.p_WH).norm() <= kNear_mm && (one.isOnSheet != 0 || one.age_s <= kRounding * kLongest_s)) {
+            GodObjectState god;
+            god.p_WG = one.p_WG;
+            god.placed = 1;
+            gods[*layer].restore(god);
+            isGiven = true;
+        }
+        one = {};
+    }
+    noteLeft();
+    return isGiven;
+}
+
+bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcept
 {
     Impl& me = *m_impl;
+    // What contacts go along from; the same scene set again has nowhere to go.
+    const bool keeps = continuity == Continuity::Contacts && me.scene != scene;
+    const HapticScene* const old = keeps ? me.scene : nullptr;
+    if (old != nullptr) {
+        me.leaveContacts(scene);
+    }
     me.scene = scene;
     const PalpatorState before = state();
     const std::array<Numbers, kLayers> numbers = std::exchange(me.numbers, {});
@@ -180,6 +231,9 @@ void Palpator::setScene(const HapticScene* scene) noexcept
                     kept = before.layers[j];
                 }
             }
+            if (old != nullptr && kept.placed != 0) {
+                kept.p_WG = internal::carriedOver(*old, *scene, layer, kept, before.p_WH);
+            }
         }
         me.gods[i].restore(kept);
         me.gods[i].forgetContacts();
@@ -187,6 +241,14 @@ void Palpator::setScene(const HapticScene* scene) noexcept
             (*me.balls)[i].clear();
         }
     }
+    return me.hasLeft && me.giveBack();
+}
+
+bool Palpator::isOnSheet() const noexcept
+{
+    return m_impl->scene != nullptr && std::any_of(m_impl->gods.begin(), m_impl->gods.end(), [&](const GodObject& god) {
+               return internal::touchesSheet(*m_impl->scene, god.state());
+           });
 }
 
 void Palpator::reset() noexcept
@@ -194,10 +256,12 @@ void Palpator::reset() noexcept
     for (GodObject& god : m_impl->gods) {
         god.restore({});
     }
+    m_impl->left = {};
+    m_impl->hasLeft = false;
     m_impl->started = false;
 }
 
-TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
+TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexcept
 {
     Impl& me = *m_impl;
     TickResult result;
@@ -206,7 +270,10 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s) noexcept
         result.status = TickStatus::InvalidInput;
         return result;
     }
-    const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0};
+    for (std::size_t i = 0; me.hasLeft && i < kLayers; ++i) {
+        me.left[i].age_s += dt_s;
+    }
+    const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
     result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
     // The innermost layer first: of the work that layers share it has what it would have alone.
@@ -251,6 +318,7 @@ PalpatorState Palpator::state() const noexcept
     for (std::size_t i = 0; i < kLayers; ++i) {
         state.layers[i] = m_impl->gods[i].state();
     }
+    state.left = m_impl->left;
     state.p_WH = m_impl->p_WH;
     state.started = m_impl->started ? 1 : 0;
     return state;
@@ -261,6 +329,8 @@ void Palpator::restore(const PalpatorState& state) noexcept
     for (std::size_t i = 0; i < kLayers; ++i) {
         m_impl->gods[i].restore(state.layers[i]);
     }
+    m_impl->left = state.left;
+    m_impl->noteLeft();
     m_impl->p_WH = state.p_WH;
     m_impl->started = state.started != 0;
 }

@@ -7,49 +7,108 @@
 
 namespace palpate::servo {
 
+namespace {
+
+/// 1 / n, so that a tick divides once an axis.
+constexpr auto kInverse = [] {
+    std::array<double, MotionTrack::kLongestSlope + 1> inverse{};
+    for (std::size_t n = 1; n < inverse.size(); ++n) {
+        inverse[n] = 1.0 / static_cast<double>(n);
+    }
+    return inverse;
+}();
+
+} // namespace
+
 Vec3 MotionTrack::step(const Vec3& p) noexcept PALPATE_NONBLOCKING
 {
+    const Vec3 before = m_samples[m_newest];
     m_newest = (m_newest + 1) % m_samples.size();
     m_samples[m_newest] = p;
     m_window = 1.0;
     if (m_count == 0) {
         m_count = 1;
         m_place = p;
-        return Vec3::Zero();
+        return m_moved;
     }
-    constexpr double kRounding = 1.0 + 1e-6; // places are multiples of the step only to rounding
-    const double step_mm = kRounding * m_resolution_mm;
-    Vec3 moved;
+    const Vec3 resolution_mm = resolutions(p - before);
     double most = -1.0;
     for (int axis = 0; axis < 3; ++axis) {
+        if (resolution_mm[axis] == 0.0) {
+            m_slope[axis] = p[axis] - before[axis];
+            m_moved[axis] = p[axis] - m_place[axis];
+            m_place[axis] = p[axis];
+            if (std::abs(m_moved[axis]) > most) {
+                most = std::abs(m_moved[axis]);
+                m_window = 1.0;
+            }
+            continue;
+        }
+        // Places are multiples of a step only to rounding, and of one that was recognised only nearly.
+        const double step_mm = resolution_mm[axis] * (m_resolution_mm > 0.0 ? 1.0 + 1e-6 : 1.02);
         // Slopes of lines through the newest sample that pass all samples so far.
         double least = -std::numeric_limits<double>::infinity();
         double greatest = std::numeric_limits<double>::infinity();
-        double slope = 0.0;
-        double window = 1.0;
+        double way = 0.0, wayOfMove = 0.0; // over `ticks` and `window`
+        std::size_t ticks = 1, window = 1;
         for (std::size_t n = 1; n <= m_count; ++n) {
             const double past = m_samples[(m_newest + m_samples.size() - n) % m_samples.size()][axis];
-            const double ticks = static_cast<double>(n);
-            const double way = p[axis] - past;
-            if (way < least * ticks || way > greatest * ticks) {
+            const double along = p[axis] - past;
+            const auto span = static_cast<double>(n);
+            if (along < least * span || along > greatest * span) {
                 break;
             }
-            slope = way / ticks;
-            window = ticks;
-            least = std::max(least, (way - step_mm) / ticks);
-            greatest = std::min(greatest, (way + step_mm) / ticks);
+            way = along;
+            ticks = n;
+            if (n <= kLongest) {
+                wayOfMove = along;
+                window = n;
+            }
+            least = std::max(least, (along - step_mm) * kInverse[n]);
+            greatest = std::min(greatest, (along + step_mm) * kInverse[n]);
         }
-        const double half = 0.5 * m_resolution_mm;
-        const double place = std::clamp(m_place[axis] + slope, p[axis] - half, p[axis] + half);
-        moved[axis] = place - m_place[axis];
+        m_slope[axis] = way / static_cast<double>(ticks);
+        const double half = 0.5 * resolution_mm[axis];
+        const double place =
+            std::clamp(m_place[axis] + wayOfMove / static_cast<double>(window), p[axis] - half, p[axis] + half);
+        m_moved[axis] = place - m_place[axis];
         m_place[axis] = place;
-        if (std::abs(moved[axis]) > most) {
-            most = std::abs(moved[axis]);
-            m_window = window;
+        if (std::abs(m_moved[axis]) > most) {
+            most = std::abs(m_moved[axis]);
+            m_window = static_cast<double>(window);
         }
     }
-    m_count = std::min(m_count + 1, kLongest);
-    return moved;
+    m_count = std::min(m_count + 1, kLongestSlope);
+    return m_moved;
+}
+
+/// The step of each axis; 0: exact. What one axis shows holds for others that have not shown anything else.
+Vec3 MotionTrack::resolutions(const Vec3& moved) noexcept
+{
+    Vec3 found = Vec3::Constant(m_resolution_mm);
+    if (m_resolution_mm > 0.0) {
+        return found;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        SensorGrid& grid = m_grids[static_cast<std::size_t>(axis)];
+        grid.note(moved[axis]);
+        found[axis] = grid.step_mm();
+    }
+    const double coarsest_mm = found.maxCoeff();
+    for (int axis = 0; axis < 3 && coarsest_mm > 0.0; ++axis) {
+        if (found[axis] == 0.0 && m_grids[static_cast<std::size_t>(axis)].fits(coarsest_mm)) {
+            found[axis] = coarsest_mm;
+        }
+    }
+    return found;
+}
+
+void MotionTrack::reset() noexcept PALPATE_NONBLOCKING
+{
+    m_count = 0;
+    m_window = 1.0;
+    m_moved.setZero();
+    m_slope.setZero();
 }
 
 } // namespace palpate::servo

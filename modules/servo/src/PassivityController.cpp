@@ -40,14 +40,24 @@ PassivityController::PassivityController(const PassivityLimits& limits, double d
     reset();
 }
 
-Vec3 PassivityController::damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING
+const MotionTrack& PassivityController::follow(const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
+{
+    if (p_WH.allFinite()) {
+        m_motion.step(p_WH);
+    } else {
+        reset();
+    }
+    return m_motion;
+}
+
+Vec3 PassivityController::damping(const Vec3& fAsked_W, bool isInContact) noexcept PALPATE_NONBLOCKING
 {
     m_state.damping_Ns_per_mm = 0.0;
-    if (!fAsked_W.allFinite() || !p_WH.allFinite()) {
+    if (!fAsked_W.allFinite()) {
         reset();
         return Vec3::Zero();
     }
-    const Vec3 dx = m_motion.step(p_WH);
+    const Vec3& dx = m_motion.moved();
     const double work = m_sent_W[static_cast<std::size_t>(m_limits.delayTicks)].dot(dx);
     const double meant = 0.5 * (m_fAsked_W + fAsked_W).dot(dx);
     const double d2 = dx.squaredNorm();

@@ -20,9 +20,12 @@ void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexce
         if ((tick.flags & kReset) != 0) {
             palpator.reset();
         }
-        tick.felt = palpator.step(tick.p_WH, dt_s);
+        tick.felt = palpator.step(tick.p_WH, dt_s, &tick.v_WH);
     }
     tick.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - begin_ns);
+    if (tick.felt.contactCount == 0) {
+        tick.v_WH.setZero(); // nothing was damped: nothing to record
+    }
     if (tick.felt.status == haptics::TickStatus::IterationLimit) {
         tick.flags |= kIterationLimit;
     }
@@ -47,7 +50,9 @@ ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLi
 
 void ServoCore::setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING
 {
-    m_palpator.setScene(scene);
+    if (m_palpator.setScene(scene)) {
+        m_gate.easeInAnew();
+    }
     m_generation = generation;
     m_isSceneChanged = true;
 }
@@ -70,9 +75,13 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     MappedInput mapped;
     if (!input.isPresent) {
         flags |= kNoHand;
+        m_away_s += m_gate.fault() == FaultKind::None ? m_dt_s : 0.0;
     } else {
         mapped = m_map.map(input, state.buttons);
-        flags |= mapped.isMoved ? unsigned{kReset} : 0U;
+        flags |= mapped.isMoved && !(input.isFirst && isBack(mapped.p_W)) ? unsigned{kReset} : 0U;
+        m_away_s = 0.0;
+        m_p_WH = mapped.p_W;
+        m_hasBeenHere = true;
         flags |= mapped.isClutched ? unsigned{kClutched} : 0U;
         record.p_WH = mapped.p_W;
         record.buttons = state.buttons;
@@ -81,25 +90,31 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         }
     }
 
+    // Clutched, the device moves through nothing; the god-object stays where it is.
+    const bool isFelt = input.isPresent && !mapped.isClutched;
+    if (!isFelt || mapped.isMoved || mapped.isReleased) {
+        m_passivity.reset();
+    }
+    if (isFelt) {
+        const MotionTrack& motion = m_passivity.follow(input.p_D);
+        if (m_palpator.scene() != nullptr && m_palpator.scene()->isDamped()) {
+            record.v_WH = m_map.scale() * m_map.toScene(motion.slope()) / m_dt_s;
+        }
+    }
     record.flags = static_cast<std::uint16_t>(flags);
     feelTick(m_palpator, m_dt_s, record);
     flags = record.flags;
     const haptics::TickResult& felt = record.felt;
 
-    // Clutched, the device moves through nothing; the god-object stays where it is.
-    const bool isFelt = input.isPresent && !mapped.isClutched;
     ForceRequest request;
     request.isInContact = isFelt && felt.structure >= 0;
     request.isSceneChanged = m_isSceneChanged;
-    if (!isFelt || mapped.isMoved || mapped.isReleased) {
-        m_passivity.reset();
-    }
     if (isFelt) {
         request.f_D = m_map.toDevice(felt.f_W);
         if (m_isSceneChanged) { // what the springs hold, in lengths of the device
             m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - mapped.p_W) / m_map.scale());
         }
-        const Vec3 damping_D = m_passivity.damping(m_gate.eased(request.f_D), input.p_D, request.isInContact);
+        const Vec3 damping_D = m_passivity.damping(m_gate.eased(request.f_D), request.isInContact);
         record.fDamping_W = m_map.toScene(damping_D);
         record.energy_mJ = m_passivity.state().energy_mJ;
         request.f_D += damping_D;
@@ -114,6 +129,31 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     m_isSceneChanged = false;
     latch(record.tick, now_ns);
     return record;
+}
+
+/// @return true when a hand that was away is where it was, so soon that it cannot have gone around what it touched. Of
+/// a surface without an inside only its side tells that it is touched, so that has no end; nor does a fault, in which
+/// the hand is held until someone re-arms.
+bool ServoCore::isBack(const Vec3& p_WH) const noexcept
+{
+    constexpr double kLongest_s = 0.5;
+    constexpr double kRounding = 1.0 + 1e-9; // of a sum of periods
+    return m_hasBeenHere && (p_WH - m_p_WH).norm() <= haptics::Palpator::kNear_mm &&
+           (m_away_s <= kRounding * kLongest_s || m_palpator.isOnSheet());
+}
+
+ServoHand ServoCore::hand() const noexcept
+{
+    return {m_palpator.state(), m_map, m_p_WH, m_away_s, m_hasBeenHere};
+}
+
+void ServoCore::resume(const ServoHand& hand) noexcept
+{
+    m_palpator.restore(hand.palpator);
+    m_map = hand.map;
+    m_p_WH = hand.p_WH;
+    m_away_s = hand.away_s;
+    m_hasBeenHere = hand.hasBeenHere;
 }
 
 void ServoCore::noteOverrun(bool isOverrun, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING

@@ -71,6 +71,7 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         return {StatusCode::Internal, "the device could not be started: its driver failed"};
     }
     m_impl->device = &device;
+    m_impl->isResumed = false;
     return startThread(options);
 }
 
@@ -83,6 +84,7 @@ Status ServoLoop::restart(const ServoOptions& options)
         return status;
     }
     endThread();
+    m_impl->isResumed = true;
     return startThread(options);
 }
 

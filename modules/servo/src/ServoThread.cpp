@@ -57,6 +57,9 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
     if (current != nullptr) {
         core.setScene(current->scene.get(), current->generation);
     }
+    if (isResumed) {
+        core.resume(hand);
+    }
     isRunning.store(true, std::memory_order_release);
     isReady = true;
     ready.count_down();
@@ -121,6 +124,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
         }
     }
     device->write(Vec3::Zero());
+    hand = core.hand();
     isRunning.store(false, std::memory_order_release);
 }
 

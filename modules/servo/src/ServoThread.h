@@ -76,8 +76,10 @@ struct ServoLoop::Impl
     History history;
     std::uint32_t epochSeen = 0;
     bool hasDropped = false;
+    ServoHand hand; // of the run before, once it has ended
 
     // The owner's.
+    bool isResumed = false; // the next run goes on with `hand`
     std::uint32_t lastGeneration = 0;
     std::atomic<std::uint64_t> droppedBefore{0}; // by runs before this one
 

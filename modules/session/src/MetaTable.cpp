@@ -30,6 +30,9 @@ constexpr std::pair<const char*, std::string RecordingInfo::*> kOptional[] = {
     {"scene_sha256", &RecordingInfo::sceneSha256},
     {"looks", &RecordingInfo::looks}};
 
+/// Only of a copy whose ticks are those of an older version.
+constexpr const char* kTickVersion = "tick_version";
+
 /// Takes values out of the table and keeps the first complaint.
 class MetaReader
 {
@@ -121,6 +124,9 @@ MetaTable toMeta(const RecordingInfo& info)
             meta[key] = info.*member;
         }
     }
+    if (info.tickVersion < kRecordingVersion) {
+        meta[kTickVersion] = std::to_string(info.tickVersion);
+    }
     return meta;
 }
 
@@ -143,6 +149,9 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
         if (const auto found = meta.find(key); found != meta.end()) {
             info.*member = found->second;
         }
+    }
+    if (meta.contains(kTickVersion)) {
+        info.tickVersion = static_cast<int>(std::clamp<std::int64_t>(in.integer(kTickVersion), 1, kRecordingVersion));
     }
     info.rate_Hz = in.number("rate_Hz", 1.0 / kMostPeriod_s, 1.0 / kLeastPeriod_s);
     info.dt_s = in.number("dt_s", kLeastPeriod_s, kMostPeriod_s);

@@ -117,13 +117,24 @@ std::string packState(const haptics::PalpatorState& state, int version)
     }
     put(out, state.p_WH);
     put(out, state.started);
+    if (version >= 4) {
+        for (const haptics::LeftContact& left : state.left) {
+            put(out, left.p_WG);
+            put(out, left.p_WH);
+            put(out, left.age_s);
+            put(out, left.structure);
+            put(out, left.isKept);
+            put(out, left.isOnSheet);
+        }
+    }
     return out;
 }
 
 std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
 {
     haptics::PalpatorState state;
-    const bool hasFriction = bytes.size() == packState(state).size();
+    const bool hasLeft = bytes.size() == packState(state).size();
+    const bool hasFriction = hasLeft || bytes.size() == packState(state, 3).size();
     if (!hasFriction && bytes.size() != packState(state, 2).size()) {
         return std::nullopt;
     }
@@ -152,6 +163,21 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
     take(bytes, state.started);
     if (!state.p_WH.allFinite()) {
         return std::nullopt;
+    }
+    for (haptics::LeftContact& left : state.left) {
+        if (!hasLeft) {
+            break;
+        }
+        take(bytes, left.p_WG);
+        take(bytes, left.p_WH);
+        take(bytes, left.age_s);
+        take(bytes, left.structure);
+        take(bytes, left.isKept);
+        take(bytes, left.isOnSheet);
+        if (left.isKept > 1 || left.isOnSheet > 1 || !left.p_WG.allFinite() || !left.p_WH.allFinite() ||
+            !std::isfinite(left.age_s)) {
+            return std::nullopt;
+        }
     }
     return state;
 }

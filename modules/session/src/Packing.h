@@ -34,8 +34,8 @@ void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
 [[nodiscard]] std::string embeddedHash(const geometry::RepairedMesh& surface);
 
 [[nodiscard]] std::string packState(const haptics::PalpatorState& state, int version = kRecordingVersion);
-/// Takes a state of this version or of one before, which knew no friction. @return nothing when `bytes` has another
-/// length or a number out of range.
+/// Takes a state of this version or of one before: 3 knew no contacts that were left, 2 no friction. @return nothing
+/// when `bytes` has another length or a number out of range.
 [[nodiscard]] std::optional<haptics::PalpatorState> unpackState(std::string_view bytes);
 
 /// SHA-256, raw.

@@ -110,6 +110,7 @@ Status RecordingReader::Private::readMeta()
     }
     info = std::move(read).value();
     info.version = tables.version();
+    info.tickVersion = std::min(info.tickVersion, info.version);
     extent.isComplete = meta.contains(internal::kComplete);
     return {};
 }

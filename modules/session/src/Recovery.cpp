@@ -189,6 +189,12 @@ class Rescue
     /// Takes each value that makes sense; the others get what a new recording has.
     void readInfo()
     {
+        readMeta();
+        m_info.tickVersion = std::min(m_info.tickVersion, m_chosen->tables.version());
+    }
+
+    void readMeta()
+    {
         if (auto whole = internal::fromMeta(m_chosen->meta); whole.isOk()) {
             m_info = std::move(whole).value();
             return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Replay.h"
 
+#include <palpate/servo/MotionTrack.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace palpate::session {
 
 namespace {
 
-servo::TickRecord feel(haptics::Palpator& palpator, const Motion& motion, std::size_t tick)
+/// @param hand  null where nothing asks for its velocity
+servo::TickRecord feel(haptics::Palpator& palpator, servo::MotionTrack* hand, const Motion& motion, std::size_t tick)
 {
     servo::TickRecord record;
     record.tick = static_cast<std::int64_t>(tick);
@@ -18,6 +20,10 @@ servo::TickRecord feel(haptics::Palpator& palpator, const Motion& motion, std::s
     record.scene = 1;
     record.p_WH = motion.p_WH[tick];
     record.flags = tick == 0 ? servo::kReset : 0;
+    if (hand != nullptr) {
+        hand->step(record.p_WH);
+        record.v_WH = hand->slope() / motion.dt_s;
+    }
     servo::feelTick(palpator, motion.dt_s, record);
     record.fSent_W = record.felt.f_W;
     return record;
@@ -31,12 +37,13 @@ void replay(const haptics::HapticScene& scene, const Motion& motion, const TickS
     constexpr std::size_t kBatch = 4096;
     haptics::Palpator palpator;
     palpator.setScene(&scene);
+    servo::MotionTrack hand(0.0); // a motion does not say what its sensor can tell
     std::vector<servo::TickRecord> batch;
     batch.reserve(std::min(kBatch, motion.p_WH.size()));
     for (std::size_t first = 0; first < motion.p_WH.size(); first += kBatch) {
         batch.clear();
         for (std::size_t tick = first; tick < std::min(first + kBatch, motion.p_WH.size()); ++tick) {
-            batch.push_back(feel(palpator, motion, tick));
+            batch.push_back(feel(palpator, scene.isDamped() ? &hand : nullptr, motion, tick));
         }
         for (const servo::TickRecord& record : batch) {
             if (!sink(record)) {

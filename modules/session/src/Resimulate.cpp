@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contacts.h"
 #include "MapRows.h"
+#include "OldVelocity.h"
 #include "Packing.h"
 #include "palpate/session/Replay.h"
 
@@ -39,6 +40,7 @@ class Resimulator
         : m_recording(recording)
         , m_surfaces(surfaces)
         , m_sink(sink)
+        , m_oldVelocity(recording.info())
     {
     }
 
@@ -80,7 +82,7 @@ class Resimulator
             }
             scene = std::move(built).value();
         }
-        m_palpator.setScene(scene.get());
+        m_palpator.setScene(scene.get(), hasContinuity() ? haptics::Continuity::Contacts : haptics::Continuity::Places);
         boundRounding(scene.get());
         m_generation = generation;
         return {};
@@ -108,6 +110,9 @@ class Resimulator
         return {};
     }
 
+    /// Version 4 brought velocities and contacts that outlast a change of scene.
+    bool hasContinuity() const { return m_recording.info().tickVersion >= 4; }
+
     bool take(const servo::TickRecord& row)
     {
         if (row.scene != m_generation) {
@@ -127,13 +132,15 @@ class Resimulator
                 ++m_result.unverified;
                 return true;
             }
-            // In free space every god-object is at the HIP: the state is known again, but for the damper's velocity,
-            // which gives no force there.
+            // In free space every god-object is at the HIP: the state is known again.
             flags |= servo::kReset;
             m_isLost = false;
         }
         servo::TickRecord now = row;
         now.flags = flags;
+        if (!hasContinuity()) {
+            m_oldVelocity.fillIn(now);
+        }
         servo::feelTick(m_palpator, m_recording.info().dt_s, now);
         now.flags = row.flags;
         ++m_result.compared;
@@ -256,6 +263,7 @@ class Resimulator
     const RecordingReader& m_recording;
     const SurfacesByHash& m_surfaces;
     const TickSink& m_sink;
+    internal::OldVelocity m_oldVelocity; ///< of a recording that holds none
     haptics::Palpator m_palpator;
     std::map<std::uint32_t, std::shared_ptr<const haptics::HapticScene>> m_scenes;
     std::uint32_t m_generation = 0;

@@ -17,7 +17,7 @@ namespace palpate::session::internal {
 /// @return the numbers of a tissue that recordings of this version hold. @param version  1 to kRecordingVersion
 inline std::span<const core::TissueTerm> tissueTerms(int version)
 {
-    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5}; // by version
+    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5, 5}; // by version
     static_assert(kTerms.back() == core::kTissueTerms.size(), "another term, another version");
     return std::span(core::kTissueTerms).first(kTerms[static_cast<std::size_t>(version)]);
 }

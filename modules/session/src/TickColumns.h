@@ -84,32 +84,47 @@ inline constexpr TickColumn kTickColumns[] = {
      8, Stored::UnlessSpring, "", 3},
     {"layers", &TickRecord::felt, "each contact of the tick, see below; NULL: the columns before say all of it", 0,
      Stored::UnlessAlone, "", 3},
+    {"velocity", &TickRecord::v_WH,
+     "the hand's velocity as dampers were given it [mm/s]; zero in free space and where nothing has a damper; NULL: "
+     "zero",
+     0, Stored::UnlessZero, "", 4},
     {"damping", &TickRecord::fDamping_W, "part of `sent` that the passivity controller asked for", 0, Stored::Never},
     {"energy_mJ", &TickRecord::energy_mJ, "what the hand put in since contact began and has not got back", 0,
      Stored::Never},
+};
+
+/// Which CSVs have a column.
+enum class InCsv : std::uint8_t
+{
+    All,
+    OfSession, ///< that of a recording
+    OfDevice   ///< that of a replay with a device
 };
 
 /// A column that only the CSV has, after the values of kTickColumns: it follows from them, or tells what happened.
 struct CsvColumn
 {
     std::string_view name;
-    std::string_view meaning;   ///< as recording.md says it
-    bool isOfSession = true;    ///< in the CSV of a recording alone
+    std::string_view meaning; ///< as recording.md says it
+    InCsv in = InCsv::OfSession;
     bool isWithoutHand = false; ///< filled too where there was no hand
 };
 
 /// In their order; a new one comes last.
 inline constexpr CsvColumn kCsvColumns[] = {
-    {"slides", "1 while friction lets the god-object slide, 0 while it holds it, empty without friction", false},
-    {"layers", "each layer in contact, outermost first, see below", false},
-    {"time_s", "since the recording's first tick [s]", true, true},
+    {"slides", "1 while friction lets the god-object slide, 0 while it holds it, empty without friction", InCsv::All},
+    {"layers", "each layer in contact, outermost first, see below", InCsv::All},
+    {"time_s", "since the recording's first tick [s]", InCsv::OfSession, true},
     {"sent_x_N", "force given to the device, after the safety gate [N]"},
     {"sent_y_N", "the same along y [N]"},
     {"sent_z_N", "the same along z [N]"},
     {"force_N", "length of the model's force on the hand [N]"},
     {"depth_mm", "distance of the god-object of the outermost layer touched from the HIP; 0 in free space [mm]"},
     {"felt_N_per_mm", "`force_N` ÷ `depth_mm`: all layers together; empty without a depth [N/mm]"},
-    {"events", "what happened in this tick, see below", true, true},
+    {"events", "what happened in this tick, see below", InCsv::OfSession, true},
+    {"sent_x", "of a replay with a device: force given to it, after the safety gate [N]", InCsv::OfDevice},
+    {"sent_y", "the same along y [N]", InCsv::OfDevice},
+    {"sent_z", "the same along z [N]", InCsv::OfDevice},
 };
 
 /// Gives a column's value to `use`, by reference. @param tick  a TickRecord, const or not

@@ -150,6 +150,12 @@ void appendCsvColumn(std::string& line, std::string_view column, const servo::Ti
     }
 }
 
+bool isIn(const internal::CsvColumn& column, TickCsv::Rows rows)
+{
+    return column.in == internal::InCsv::All ||
+           rows == (column.in == internal::InCsv::OfSession ? TickCsv::Rows::Session : TickCsv::Rows::Device);
+}
+
 } // namespace
 
 TickCsv::TickCsv(core::AtomicFile file, Rows rows)
@@ -171,7 +177,7 @@ core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows ro
         }
     }
     for (const internal::CsvColumn& column : internal::kCsvColumns) {
-        if (!column.isOfSession || rows == Rows::Session) {
+        if (isIn(column, rows)) {
             csv.m_line.append(",").append(column.name);
         }
     }
@@ -196,7 +202,7 @@ void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, 
         }
     }
     for (const internal::CsvColumn& column : internal::kCsvColumns) {
-        if (column.isOfSession && m_rows != Rows::Session) {
+        if (!isIn(column, m_rows)) {
             continue;
         }
         m_line += ',';

@@ -14,9 +14,16 @@ struct Motion
     const Vec3& from_W; ///< [mm]
     const Vec3& to_W;   ///< [mm]
     double dt_s;        ///< in which it did; none where there was no tick before
+    const Vec3* v_W;    ///< its velocity, where the caller estimated it; null: the difference of the two places [mm/s]
 
     /// Most tissues ask for none, and pay for no division. [mm/s]
-    [[nodiscard]] Vec3 velocity() const noexcept { return dt_s > 0.0 ? Vec3((to_W - from_W) / dt_s) : Vec3::Zero(); }
+    [[nodiscard]] Vec3 velocity() const noexcept
+    {
+        if (v_W != nullptr) {
+            return *v_W;
+        }
+        return dt_s > 0.0 ? Vec3((to_W - from_W) / dt_s) : Vec3::Zero();
+    }
 };
 
 /// All that a term of a force law may ask in a tick.

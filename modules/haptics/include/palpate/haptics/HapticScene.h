@@ -30,6 +30,7 @@ struct HapticStructure
 
     /// True without friction, a law of its own or a map.
     [[nodiscard]] bool isPlain() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
+    [[nodiscard]] bool isDamped() const noexcept { return tissue.damping_Ns_per_mm != 0.0 || !maps.damping.isEmpty(); }
     /// Force and energy by depth, without the maps.
     /// @par Real-time Wait-free.
     [[nodiscard]] ForceTable::Value lawAt(double depth_mm) const noexcept
@@ -101,6 +102,8 @@ class HapticScene
     }
     /// The skin is at least 2^-40 of the extent, and a double has 53 bits: 2^13.
     static constexpr double kFarthest = 8192.0;
+    /// True when a structure that can be touched has a damper, and ticks need the hand's velocity.
+    [[nodiscard]] bool isDamped() const noexcept { return m_isDamped; }
     /// Bytes of all surfaces, counting a shared one once.
     [[nodiscard]] std::size_t byteSize() const;
 
@@ -110,6 +113,7 @@ class HapticScene
     double m_fingertip_mm;
     Vec3 m_middle = Vec3::Zero();
     double m_farthest_mm = std::numeric_limits<double>::max();
+    bool m_isDamped = false;
 };
 
 } // namespace palpate::haptics

@@ -21,11 +21,24 @@ struct GodObjectState
     std::uint8_t pad[2]{};
 };
 
+/// A contact with a structure that was taken out of the scene, so that the hand that stays finds it again.
+struct LeftContact
+{
+    Vec3 p_WG = Vec3::Zero();    ///< god-object then [mm]
+    Vec3 p_WH = Vec3::Zero();    ///< HIP then [mm]
+    double age_s = 0.0;          ///< in ticks since then [s]
+    std::uint64_t structure = 0; ///< a hash of its number and name
+    std::uint8_t isKept = 0;     ///< 0: there is none, and the rest is without meaning
+    std::uint8_t isOnSheet = 0;  ///< 1: with a surface without an inside
+    std::uint8_t pad[6]{};
+};
+
 /// Everything that decides the coming ticks besides the scene and the HIP. Trivially copyable, so that a recording can
 /// carry it and a replay can start from it bit for bit.
 struct PalpatorState
 {
     std::array<GodObjectState, HapticScene::kMaxLayers> layers{};
+    std::array<LeftContact, HapticScene::kMaxLayers> left{};
     Vec3 p_WH = Vec3::Zero();  ///< HIP of the previous tick [mm]
     std::uint32_t started = 0; ///< 0 before the first tick
 };

@@ -62,11 +62,14 @@ class PassivityController
     /// @param dt_s  nominal period, > 0 [s]
     PassivityController(const PassivityLimits& limits, double dt_s) noexcept;
 
+    /// Takes the HIP of a tick, before `damping`.
+    /// @param p_WH  [mm]; one that is not finite resets
+    /// @return the hand's motion; its `slope` is the velocity for a tissue's dampers, too
+    const MotionTrack& follow(const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
     /// The damping of this tick.
     /// @param fAsked_W  what would be sent without it: the model's force, eased in and bounded [N]
-    /// @param p_WH  HIP [mm]
     /// @return force to add to `fAsked_W` [N], against the motion
-    [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, const Vec3& p_WH, bool isInContact) noexcept PALPATE_NONBLOCKING;
+    [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, bool isInContact) noexcept PALPATE_NONBLOCKING;
     /// Says how late a force acts: so many ticks after the position that it answers was measured, 0 to kLongestDelay,
     /// to which a longer delay is cut.
     void setDelay(int ticks) noexcept PALPATE_NONBLOCKING;

@@ -62,7 +62,8 @@ class ServoLoop
     /// @return BadCommandLine: options out of range; Internal: already running or no thread; or what the device said
     core::Status start(device::HapticDevice& device, const ServoOptions& options = {});
     /// Runs on with other options, as `start` does, but the device stays open: one that counts from its calibration
-    /// pose does not forget it. The force goes away and is eased in again.
+    /// pose does not forget it. The force goes away and is eased in again; a hand that stays where it is keeps its
+    /// god-objects.
     /// @return BadCommandLine: options out of range, all goes on as before; Internal: not running, or no thread, and
     ///         then the device is stopped
     core::Status restart(const ServoOptions& options);

@@ -31,9 +31,11 @@ enum TickFlag : std::uint16_t
 /// keeps of it, and under which names, is listed in session/src/TickColumns.h.
 struct TickRecord
 {
-    std::int64_t tick = 0;          ///< since the servo started
-    std::int64_t time_ns = 0;       ///< monotonic
-    Vec3 p_WH = Vec3::Zero();       ///< HIP that was solved, after the safety gate [mm]
+    std::int64_t tick = 0;    ///< since the servo started
+    std::int64_t time_ns = 0; ///< monotonic
+    Vec3 p_WH = Vec3::Zero(); ///< HIP that was solved, after the safety gate [mm]
+    /// The hand's velocity as dampers were given it; zero in free space and where nothing has one [mm/s]
+    Vec3 v_WH = Vec3::Zero();
     haptics::TickResult felt;       ///< god-object, contact and force of the model, not bounded by the device
     Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate, as seen in the scene [N]
     Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for; not recorded [N]

@@ -18,7 +18,7 @@
 namespace palpate::session {
 
 /// Version of the schema in resources/docs/recording.md, kept as the database's `user_version`.
-inline constexpr int kRecordingVersion = 3;
+inline constexpr int kRecordingVersion = 4;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 
@@ -84,6 +84,8 @@ struct RecordingEvent
 struct RecordingInfo
 {
     int version = kRecordingVersion;
+    /// Version whose rules its ticks were computed by: less than `version` in a recovered copy of an older recording.
+    int tickVersion = kRecordingVersion;
     std::string palpate = palpateVersion();
     std::string build = buildId();
     std::string startedUtc; ///< ISO 8601; filled by the writer

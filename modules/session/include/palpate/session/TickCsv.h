@@ -22,6 +22,7 @@ class TickCsv
     enum class Rows
     {
         Ticks,  ///< what was computed
+        Device, ///< and the force that a device was given
         Session ///< with time, sent force, depth and events; cells of a tick without a hand are empty
     };
     [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path, Rows rows = Rows::Ticks);

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/CarryOver.h"
+
+#include "palpate/haptics/Palpator.h"
+#include "probe/BallProbe.h"
+
+#include <palpate/geometry/internal/BoxHierarchySwept.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::haptics::internal {
+
+namespace {
+
+constexpr double kFarthest_mm = 1.0; // that a god-object is moved off a surface
+constexpr std::uint32_t kMostAsked = 4096;
+constexpr std::uint32_t kSearched = 512; // positions in the index before and after the one of before
+constexpr int kRounds = 4;               // in a corner of several surfaces
+constexpr double kAbove = 2.0;           // skins: just not touched yet
+constexpr double kTurned = 0.5;          // cosine
+
+/// @return the surface of the same structure in the scene before; null without one
+const geometry::SurfaceIndex* predecessor(const HapticScene& before, const HapticScene& after,
+                                          std::uint32_t structure) noexcept
+{
+    const auto &from = before.structures(), &to = after.structures();
+    return structure < from.size() && from[structure].name == to[structure].name ? from[structure].surface.get()
+                                                                                 : nullptr;
+}
+
+/// Where a place lies against a surface.
+struct Against
+{
+    Facet facet;      ///< of the nearest, the one that is seen most from above or below
+    Vec3 q;           ///< nearest point [mm]
+    double height_mm; ///< distance from it; < 0: behind
+};
+
+/// @return nothing where no triangle comes within `reach_mm`, or too many do
+std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p,
+                                     double reach_mm) noexcept
+{
+    if (surface.bounds().squaredExteriorDistance(p) > reach_mm * reach_mm) {
+        return {};
+    }
+    std::uint32_t asked = 0;
+    const auto eachNear = [&](auto&& use) {
+        surface.hierarchy().visitAround(p, reach_mm, [&](std::uint32_t first, std::uint32_t count) {
+            for (std::uint32_t i = first; i < first + count; ++i) {
+                const Facet facet = Facet::of(surface, structure, i);
+                const Nearest nearest = nearestOn(facet, p);
+                use(facet, nearest.q, nearest.away.norm());
+            }
+            asked += count;
+            return asked <= kMostAsked;
+        });
+    };
+    double least = reach_mm;
+    eachNear([&](const Facet&, const Vec3&, double distance) { least = std::min(least, distance); });
+    if (asked > kMostAsked || least >= reach_mm) {
+        return {};
+    }
+    asked = 0;
+    std::optional<Against> against;
+    double most = -1.0;
+    // At an edge or a corner several are nearest: the sign is that of the one that sees the place least from the side.
+    eachNear([&](const Facet& facet, const Vec3& q, double distance) {
+        const double along = facet.n.dot(p - q);
+        if (distance <= least + facet.skin_mm && std::abs(along) > most) {
+            most = std::abs(along);
+            against = {facet, q, along < 0.0 ? -distance : distance};
+        }
+    });
+    return against;
+}
+
+/// Number in the mesh of what lies beyond an edge.
+std::uint32_t beyond(const geometry::SurfaceIndex& surface, std::uint32_t triangle, std::uint32_t edge) noexcept
+{
+    const std::uint32_t neighbour = surface.neighbour(triangle, edge).triangle;
+    return neighbour == geometry::SurfaceIndex::kNoNeighbour ? neighbour : surface.sourceTriangle(neighbour);
+}
+
+/// @return the triangle with the same number in the mesh and the same neighbours, looked for around its old position:
+/// the order of an index is that of places, and another order of a file gives other neighbours
+std::optional<std::uint32_t> sameTriangle(const geometry::SurfaceIndex& from, std::uint32_t position,
+                                          const geometry::SurfaceIndex& to) noexcept
+{
+    const std::uint32_t count = to.triangleCount(), source = from.sourceTriangle(position);
+    if (count != from.triangleCount()) {
+        return {};
+    }
+    const auto isSame = [&](std::uint32_t i) {
+        return i < count && to.sourceTriangle(i) == source && beyond(to, i, 0) == beyond(from, position, 0) &&
+               beyond(to, i, 1) == beyond(from, position, 1) && beyond(to, i, 2) == beyond(from, position, 2);
+    };
+    for (std::uint32_t off = 0; off <= kSearched; ++off) {
+        if (isSame(position + off)) {
+            return position + off;
+        }
+        if (off <= position && isSame(position - off)) {
+            return position - off;
+        }
+    }
+    return {};
+}
+
+/// Takes places along with a triangle: affine in its plane, with their height above it.
+class Ride
+{
+  public:
+    Ride(const Facet& from, const Facet& to) noexcept
+        : m_from(from)
+        , m_to(to)
+    {
+        const Vec3 u = from.b - from.a, v = from.c - from.a;
+        const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), d = uu * vv - uv * uv;
+        m_alongU = (vv * u - uv * v) / d;
+        m_alongV = (uu * v - uv * u) / d;
+    }
+    [[nodiscard]] Vec3 taken(const Vec3& p) const noexcept
+    {
+        const Vec3 at = p - m_from.a;
+        return m_to.a + m_alongU.dot(at) * (m_to.b - m_to.a) + m_alongV.dot(at) * (m_to.c - m_to.a) +
+               m_from.n.dot(at) * m_to.n;
+    }
+
+  private:
+    const Facet& m_from;
+    const Facet& m_to;
+    Vec3 m_alongU, m_alongV;
+};
+
+/// @return true when a surface that was replaced is the same where the god-object touches it
+bool isStillOn(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
+               std::size_t contact, double fingertip_mm) noexcept
+{
+    const double skin_mm = surface.skin_mm();
+    const auto on = nearestWithin(surface, structure, god.p_WG, fingertip_mm + 2.0 * kAbove * skin_mm);
+    return on && std::abs(god.side[contact] * on->height_mm - fingertip_mm) <= kAbove * skin_mm;
+}
+
+/// Where the god-object's contact is now; where it stands when that is not there any more.
+Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObjectState& god, const Vec3& p_WH,
+            double fingertip_mm) noexcept
+{
+    for (std::size_t k = 0; k < god.constraints; ++k) {
+        const std::uint32_t structure = god.structure[k];
+        if (structure >= after.structures().size()) {
+            continue;
+        }
+        const geometry::SurfaceIndex* from = predecessor(before, after, structure);
+        const geometry::SurfaceIndex* to = after.structures()[structure].surface.get();
+        if (from == nullptr || to == nullptr || from == to) {
+            continue;
+        }
+        if (isStillOn(*to, structure, god, k, fingertip_mm)) {
+            return god.p_WG;
+        }
+        const auto there = sameTriangle(*from, god.triangle[k], *to);
+        if (!there) {
+            continue;
+        }
+        const Facet was = Facet::of(*from, structure, god.triangle[k]), is = Facet::of(*to, structure, *there);
+        const Ride ride(was, is);
+        const Vec3 p_WG = ride.taken(god.p_WG);
+        const bool isNear = (ride.taken(p_WH) - p_WH).norm() <= Palpator::kNear_mm; // false for NaN
+        if (isNear && p_WG.allFinite() && was.n.dot(is.n) >= kTurned) {
+            return p_WG;
+        }
+    }
+    return god.p_WG;
+}
+
+/// +1: the god-object is in front of the surface before, -1: behind one without an inside; 0: it is not to be kept out,
+/// or not known.
+struct Side
+{
+    int side = 0;
+    Vec3 n; ///< of the facet that tells it
+};
+
+Side sideBefore(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
+                double fingertip_mm) noexcept
+{
+    for (std::size_t k = 0; k < god.constraints; ++k) {
+        if (god.structure[k] == structure) {
+            return {god.side[k], Facet::of(surface, structure, god.triangle[k]).n};
+        }
+    }
+    const auto was = nearestWithin(surface, structure, god.p_WG, kFarthest_mm + fingertip_mm);
+    if (!was || (was->height_mm < 0.0 && !was->facet.isTwoSided)) {
+        return {};
+    }
+    return {was->height_mm < 0.0 ? -1 : 1, was->facet.n};
+}
+
+/// @return the nearest place in front of the surface, where `p` is not there and that is near enough
+std::optional<Vec3> lifted(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p, Side before,
+                           double fingertip_mm) noexcept
+{
+    const auto is = nearestWithin(surface, structure, p, kFarthest_mm + fingertip_mm);
+    if (before.side == 0 || !is) {
+        return {};
+    }
+    int side = before.side;
+    if (before.n.dot(is->facet.n) < 0.0) { // turned inside out
+        if (!is->facet.isTwoSided) {
+            return {};
+        }
+        side = -side;
+    }
+    const double skin_mm = is->facet.skin_mm, height_mm = side * is->height_mm;
+    if (height_mm >= fingertip_mm || fingertip_mm - height_mm > kFarthest_mm) {
+        return {};
+    }
+    const bool isOffEdge = std::abs(height_mm) > kAbove * skin_mm;
+    const Vec3 up = isOffEdge ? Vec3((p - is->q) / height_mm) : Vec3(side * is->facet.n);
+    return is->q + (fingertip_mm + kAbove * skin_mm) * up;
+}
+
+} // namespace
+
+std::uint64_t keyOf(const HapticScene& scene, std::uint32_t structure) noexcept PALPATE_NONBLOCKING
+{
+    // FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv
+    constexpr std::uint64_t kBasis = 14695981039346656037U, kPrime = 1099511628211U;
+    std::uint64_t key = (kBasis ^ structure) * kPrime;
+    for (const char c : scene.structures()[structure].name) {
+        key = (key ^ static_cast<unsigned char>(c)) * kPrime;
+    }
+    return key;
+}
+
+std::optional<std::size_t> layerOf(const HapticScene& scene, std::uint64_t key) noexcept PALPATE_NONBLOCKING
+{
+    for (std::size_t layer = 0; layer < scene.layerCount(); ++layer) {
+        for (const std::uint32_t structure : scene.layer(layer).structures) {
+            if (keyOf(scene, structure) == key) {
+                return layer;
+            }
+        }
+    }
+    return {};
+}
+
+bool touchesSheet(const HapticScene& scene, const GodObjectState& god) noexcept PALPATE_NONBLOCKING
+{
+    for (std::size_t k = 0; k < god.constraints; ++k) {
+        if (scene.structures()[god.structure[k]].surface->isTwoSided(god.triangle[k])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+LeftContact contactLeft(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
+                        const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
+{
+    for (std::size_t k = 0; k < god.constraints; ++k) {
+        const std::uint64_t key = keyOf(before, god.structure[k]);
+        if (after == nullptr || !layerOf(*after, key)) {
+            return {god.p_WG, p_WH, 0.0, key, 1, static_cast<std::uint8_t>(touchesSheet(before, god) ? 1 : 0)};
+        }
+    }
+    return {};
+}
+
+Vec3 carriedOver(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
+                 const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
+{
+    Vec3 p_WG = ridden(before, after, god, p_WH, layer.fingertip_mm);
+    bool isMoved = true;
+    for (int round = 0; round < kRounds && isMoved; ++round) {
+        isMoved = false;
+        for (const std::uint32_t structure : layer.structures) {
+            const geometry::SurfaceIndex* from = predecessor(before, after, structure);
+            const geometry::SurfaceIndex& to = layer.surface(structure);
+            if (from == nullptr || from == &to) {
+                continue;
+            }
+            const Side side = sideBefore(*from, structure, god, layer.fingertip_mm);
+            if (const auto place = lifted(to, structure, p_WG, side, layer.fingertip_mm)) {
+                p_WG = *place;
+                isMoved = true;
+            }
+        }
+    }
+    return p_WG;
+}
+
+} // namespace palpate::haptics::internal
