@@ -47,6 +47,8 @@ struct Pending
     std::shared_ptr<const geometry::RepairedMesh> surface;
 };
 
+constexpr const char* kUnknownField = ": this version does not know this field; it is kept, but not used";
+
 class Loader
 {
   public:
@@ -106,6 +108,9 @@ Status Loader::addScene(SceneFile scene, const std::string& name)
         return fault(StatusCode::Empty, name, "structures", "none", "at least one");
     }
     m_scene.scene = std::move(scene);
+    for (const std::string& field : unknownFields(m_scene.scene)) {
+        m_scene.warnings.push_back(name + ": " + field + kUnknownField);
+    }
     for (SceneStructure& structure : m_scene.scene.structures) {
         if (structure.frame == FileFrame::Untagged) {
             structure.frame = m_options.frame;

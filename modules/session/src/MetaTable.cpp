@@ -151,7 +151,7 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
         }
     }
     if (meta.contains(kTickVersion)) {
-        info.tickVersion = static_cast<int>(std::clamp<std::int64_t>(in.integer(kTickVersion), 1, kRecordingVersion));
+        info.tickVersion = static_cast<int>(in.integer(kTickVersion, 1, kRecordingVersion));
     }
     info.rate_Hz = in.number("rate_Hz", 1.0 / kMostPeriod_s, 1.0 / kLeastPeriod_s);
     info.dt_s = in.number("dt_s", kLeastPeriod_s, kMostPeriod_s);

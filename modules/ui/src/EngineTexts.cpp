@@ -31,6 +31,9 @@ struct Template
 
 // What fits much comes last: the first that fits is taken.
 constexpr Template kTemplates[] = {
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "%1: %2: this version does not know this field; it is kept, but not used"),
+     0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the file is empty"), 0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "a web page (HTML), perhaps a failed download"), 0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "the content is no known mesh format"), 0b0, Holds::Numbers},

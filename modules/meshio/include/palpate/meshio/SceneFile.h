@@ -90,6 +90,10 @@ struct SceneFile
 /// document: "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
 [[nodiscard]] core::Result<SceneFile> readScene(const std::filesystem::path& path);
 
+/// @return the fields of a scene file that this version does not know, by their paths in the document:
+/// "structures[2].stifness_N_per_mm". They are kept and written back, but not used.
+[[nodiscard]] std::vector<std::string> unknownFields(const SceneFile& scene);
+
 /// @return SHA-256 of a file's bytes as 64 hex digits; empty when it cannot be read.
 [[nodiscard]] std::string fileHash(const std::filesystem::path& path);
 
