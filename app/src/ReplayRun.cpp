@@ -6,6 +6,8 @@
 #include "LayersOption.h"
 #include "SessionReport.h"
 
+#include <palpate/servo/PassivityController.h>
+#include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
@@ -113,7 +115,8 @@ Status ReplayRun::checkOptions()
 Status ReplayRun::openOutputs()
 {
     if (!m_options.out.empty()) {
-        auto csv = session::TickCsv::create(m_options.out);
+        using Rows = session::TickCsv::Rows;
+        auto csv = session::TickCsv::create(m_options.out, hasDevice() ? Rows::Device : Rows::Ticks);
         if (!csv.isOk()) {
             return csv.status();
         }
@@ -192,6 +195,10 @@ Status ReplayRun::loadScene()
         return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
     }
     m_losses = loaded.value().losses;
+    for (const std::string& field : meshio::unknownFields(loaded.value().scene)) {
+        printError(m_options.scene.filename().string() + ": " + field +
+                   ": this version does not know this field; it is kept, but not used");
+    }
     if (!m_options.layers.empty()) {
         const auto before = m_scene;
         for (const std::string& line : layOut(m_options.scene, loaded.value(), m_scene)) {
@@ -307,7 +314,7 @@ Status ReplayRun::feelRecording()
 
 core::Result<LiveHand> ReplayRun::liveHand()
 {
-    if (m_options.device.empty() || m_options.device == "playback") {
+    if (!hasDevice()) {
         return playedHand(m_motion);
     }
     if (m_options.device == "simulated") {
@@ -325,6 +332,20 @@ core::Result<LiveHand> ReplayRun::liveHand()
     return made.status();
 }
 
+/// Limits tissues to what the device holds, as the window does.
+void ReplayRun::boundBy(const device::DeviceInfo& info)
+{
+    const double rate_Hz = 1.0 / m_motion.dt_s;
+    const haptics::Tissue greatest = study::greatestTissue(info, servo::heldStiffness_N_per_mm(info, rate_Hz, true, 1));
+    auto structures = m_scene->structures();
+    study::boundBy(greatest, structures);
+    const std::string bounded = study::boundedText(m_scene->structures(), structures);
+    if (!bounded.empty()) {
+        print("device: %s can hold %s\n", info.name.c_str(), bounded.c_str());
+    }
+    m_scene = std::make_shared<haptics::HapticScene>(std::move(structures), m_scene->fingertip_mm());
+}
+
 Status ReplayRun::feelLive()
 {
     auto made = liveHand();
@@ -332,6 +353,9 @@ Status ReplayRun::feelLive()
         return made.status();
     }
     LiveHand hand = std::move(made).value();
+    if (hasDevice()) {
+        boundBy(hand.device->info());
+    }
     const auto begin = [this, &hand](const servo::RecordingStart& start) {
         session::RecordingInfo info;
         study::nameScene(info, m_options.scene, m_options.record);

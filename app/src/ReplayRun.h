@@ -64,6 +64,9 @@ class ReplayRun
     core::Status feelRecording();
     core::Status feelLive();
     core::Result<LiveHand> liveHand();
+    void boundBy(const device::DeviceInfo& info);
+    /// The hand holds a device, which feels what it is sent.
+    bool hasDevice() const { return !m_options.device.empty() && m_options.device != "playback"; }
     core::Status finish();
 
     core::Status startRecording(const session::RecordingInfo& info);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/DeviceLimit.h"
 
+#include <palpate/core/Numbers.h>
 #include <palpate/haptics/ForceTable.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 
@@ -124,6 +126,34 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
         left.stiffness_N_per_mm = std::max(0.0, left.stiffness_N_per_mm - stiffness);
         left.damping_Ns_per_mm = std::max(0.0, left.damping_Ns_per_mm - damping);
     }
+}
+
+haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept
+{
+    haptics::Tissue greatest = core::unbounded();
+    greatest.stiffness_N_per_mm = std::isfinite(held_N_per_mm) ? held_N_per_mm : 5.0;
+    greatest.damping_Ns_per_mm = info.maxDamping_Ns_per_mm > 0.0 ? info.maxDamping_Ns_per_mm : 0.02;
+    return greatest;
+}
+
+std::string boundedText(std::span<const haptics::HapticStructure> asked, std::span<const haptics::HapticStructure> held)
+{
+    constexpr double kRounding = 1.0 + 1e-5; // of the slope of a law that was bounded
+    constexpr int kDigits = 3;
+    std::string text;
+    const auto add = [&](const std::string& name, double was, double is, const char* unit) {
+        if (was > kRounding * is) {
+            text += (text.empty() ? "at most " : ", at most ") + core::shortNumber(is, kDigits) + unit + " of " + name +
+                    " (asked for " + core::shortNumber(was, kDigits) + unit + ')';
+        }
+    };
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (isThere(asked[i])) {
+            add(asked[i].name, greatestStiffness(asked[i]), greatestStiffness(held[i]), " N/mm");
+            add(asked[i].name, greatestDamping(asked[i]), greatestDamping(held[i]), " N·s/mm");
+        }
+    }
+    return text;
 }
 
 TakenElsewhere takenElsewhere(std::span<const haptics::HapticStructure> structures, std::size_t structure)

@@ -51,12 +51,7 @@ LiveTouch::~LiveTouch()
 
 haptics::Tissue LiveTouch::greatestTissue() const
 {
-    // A device that states no bound still has one here: fields need an end.
-    const double held = heldStiffness_N_per_mm();
-    haptics::Tissue greatest = core::unbounded();
-    greatest.stiffness_N_per_mm = std::isfinite(held) ? held : 5.0;
-    greatest.damping_Ns_per_mm = m_info.maxDamping_Ns_per_mm > 0.0 ? m_info.maxDamping_Ns_per_mm : 0.02;
-    return greatest;
+    return study::greatestTissue(m_info, heldStiffness_N_per_mm());
 }
 
 double LiveTouch::heldStiffness_N_per_mm() const

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/HapticScene.h>
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace palpate::study {
@@ -13,6 +15,11 @@ namespace palpate::study {
 [[nodiscard]] double greatestStiffness(const haptics::HapticStructure& structure);
 /// @return the largest damping that a hand can meet on it [N·s/mm].
 [[nodiscard]] double greatestDamping(const haptics::HapticStructure& structure) noexcept;
+
+/// The most that tissues are given on a device.
+/// @param held_N_per_mm  that it holds in the scene, see servo::heldStiffness_N_per_mm; infinite: no bound, and 5 N/mm
+///                       are taken. Where it states no damping, 0.02 N·s/mm
+[[nodiscard]] haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept;
 
 /// Keeps the sum of what can be met together within what a device holds.
 ///
@@ -23,6 +30,11 @@ namespace palpate::study {
 /// @param greatest    that the device holds; other terms than stiffness and damping bound each structure alone
 /// @param structures  those without a surface count for nothing
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);
+
+/// What `boundBy` changed, in one line: "at most 0.4 N/mm of liver (asked for 2 N/mm), at most …"; empty: nothing.
+/// @param asked,held  before and after
+[[nodiscard]] std::string boundedText(std::span<const haptics::HapticStructure> asked,
+                                      std::span<const haptics::HapticStructure> held);
 
 /// What the layers but that of one structure take of a device's limit.
 struct TakenElsewhere
