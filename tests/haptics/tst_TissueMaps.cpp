@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -113,18 +114,24 @@ std::vector<double> pieces(const Vec3& from, const Vec3& to)
     return shares;
 }
 
-/// Work on the hand along a straight way. On a facet the force is a polynomial of at most the fifth degree in the way,
-/// which three points of Gauss integrate exactly.
+/// Work on the hand along a straight way. On a facet the force is smooth: eight points of Gauss on each eighth
+/// between edges. Near a vertex the cubic's middle is a ratio of polynomials, which no points integrate exactly.
 double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
 {
+    constexpr std::array<std::pair<double, double>, 4> kGauss{{{0.1834346424956498, 0.3626837833783620},
+                                                               {0.5255324099163290, 0.3137066458778873},
+                                                               {0.7966664774136267, 0.2223810344533745},
+                                                               {0.9602898564975363, 0.1012285362903763}}};
     const std::vector<double> shares = pieces(from, to);
     double work = 0.0;
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-        const Vec3 a = from + shares[i] * (to - from), step = (shares[i + 1] - shares[i]) * (to - from);
-        const double off = 0.5 * std::sqrt(0.6);
-        for (const auto& [at, weight] :
-             {std::pair(0.5 - off, 5.0 / 18.0), {0.5, 8.0 / 18.0}, {0.5 + off, 5.0 / 18.0}}) {
-            work += weight * on.at(a + at * step).f_W.dot(step);
+        const Vec3 step = (shares[i + 1] - shares[i]) / 8.0 * (to - from);
+        for (int part = 0; part < 8; ++part) {
+            const Vec3 middle = from + shares[i] * (to - from) + (part + 0.5) * step;
+            for (const auto& [off, weight] : kGauss) {
+                work += 0.5 * weight *
+                        (on.at(middle - 0.5 * off * step).f_W + on.at(middle + 0.5 * off * step).f_W).dot(step);
+            }
         }
     }
     return work;
@@ -234,8 +241,8 @@ class TissueMaps : public QObject
         std::mt19937_64 random(9);
         std::uniform_real_distribution<double> value(0.5, 2.0);
         Mapped on(slab(2), spring(0.5), [&](const Vec3&) { return value(random); });
-        const auto [worst, part] = workOfClosedPaths(on, 10000);
-        QVERIFY2(worst < 1e-12 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
+        const auto [worst, part] = workOfClosedPaths(on, 300);
+        QVERIFY2(worst < 1e-6 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
         QVERIFY(part > 1.0);
     }
 
@@ -268,6 +275,68 @@ class TissueMaps : public QObject
         const double jump = (stored[1] - stored[0]) / (0.25 * kDepth * kDepth);
         const double derived = kSlope * 2.0 * kDepth * std::tan(kFold); // 0.5 % of what is stored
         QVERIFY2(std::abs(jump / derived - 1.0) < 1e-3, qPrintable(QString("%1, %2").arg(jump).arg(derived)));
+    }
+
+    /// The push aside changes with the place and does not jump at the edges of triangles: in a tenth of the way it
+    /// changes by about a tenth.
+    void thePushAsideDoesNotJumpAtEdges_data()
+    {
+        QTest::addColumn<double>("radius_mm");
+        QTest::addColumn<bool>("isFelt");
+        QTest::newRow("point, map") << 0.0 << false;
+        QTest::newRow("point, lumps below") << 0.0 << true;
+        QTest::newRow("ball, map") << 2.0 << false;
+    }
+    void thePushAsideDoesNotJumpAtEdges()
+    {
+        QFETCH(double, radius_mm);
+        QFETCH(bool, isFelt);
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> value(0.8, 1.6), across(-14.0, 14.0);
+        std::map<std::pair<double, double>, double> at;
+        const auto s = [&](const Vec3& p) { return at.try_emplace({p.x(), p.y()}, value(random)).first->second; };
+        Mapped on(slab(8), spring(0.5), s, radius_mm);
+        if (isFelt) {
+            on.structure.maps.stiffness = {};
+            on.feel([&](const Vec3& p, double) { return s(p); }, radius_mm);
+        }
+        constexpr double kDepth_mm = 4.0;
+        std::array<double, 2> worst{}; // change of the push in a step, as a share of the force
+        for (int path = 0; path < 20; ++path) {
+            const Vec3 from(across(random), across(random), radius_mm - kDepth_mm);
+            const Vec3 to(across(random), across(random), radius_mm - kDepth_mm);
+            for (const auto& [i, step_mm] : {std::pair(0, 0.01), std::pair(1, 0.001)}) {
+                on.palpator.reset();
+                (void)on.at(from + Vec3(0, 0, kDepth_mm + 1.0));
+                Vec3 last = on.at(from).f_W;
+                for (double way = step_mm; way < (to - from).norm(); way += step_mm) {
+                    const Vec3 now = on.at(from + way * (to - from).normalized()).f_W;
+                    double& most = worst[static_cast<std::size_t>(i)];
+                    most = std::max(most, (now - last).head<2>().norm() / now.norm());
+                    last = now;
+                }
+            }
+        }
+        const QString told = QString("%1 % in 0.01 mm, %2 % in 0.001 mm").arg(100.0 * worst[0]).arg(100.0 * worst[1]);
+        QVERIFY2(worst[0] < 0.02 && worst[1] < 0.15 * worst[0], qPrintable(told));
+    }
+
+    /// Numbers of a cell step at its edges, and no gradient is made of them; nor does a bend make a number of its own.
+    void bendsAreWhereNumbersAgreeAlone()
+    {
+        Mapped on(slab(4), spring(0.5), [](const Vec3& p) { return p.x() > 1.0 ? 2.0 : 1.0; });
+        std::vector<float> values(on.mesh.mesh.triangles.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = 1.0F + 0.1F * static_cast<float>(i % 7);
+        }
+        const auto cells = TissueMap::atTriangles(*on.structure.surface, values).withBends(*on.structure.surface);
+        QVERIFY(cells.bends != nullptr && cells.bends->empty());
+        // A step stays within the numbers around it.
+        (void)on.at(Vec3(0.3, 0.2, 1));
+        for (double x = -15.0; x < 15.0; x += 0.05) {
+            const double scale = on.at(Vec3(x, 0.2, -1)).contacts[0].stiffnessScale;
+            QVERIFY2(scale > 0.95 && scale < 2.05, qPrintable(QString::number(scale)));
+        }
     }
 
     void withoutTheGradientsTermPathsWouldMakeEnergy()
@@ -452,8 +521,8 @@ class TissueMaps : public QObject
         Mapped on(slab(2), spring(0.5), [](const Vec3&) { return 1.0; });
         on.structure.maps.stiffness = {};
         on.feel([&](const Vec3&, double) { return value(random); });
-        const auto [worst, part] = workOfClosedPaths(on, 10000, 10.0);
-        QVERIFY2(worst < 1e-12 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
+        const auto [worst, part] = workOfClosedPaths(on, 300, 10.0);
+        QVERIFY2(worst < 1e-6 * part, qPrintable(QString("%1 of %2 mJ").arg(worst).arg(part)));
         QVERIFY(part > 1.0);
     }
 

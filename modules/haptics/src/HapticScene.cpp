@@ -13,6 +13,18 @@ namespace {
 
 constexpr std::size_t kCached = std::size_t{1} << 20; // bytes of nodes that a core's own caches hold
 
+/// The maps whose gradients push.
+void bendMaps(HapticStructure& structure)
+{
+    const auto bend = [&](TissueMap& map) {
+        if (!map.isEmpty() && map.bends == nullptr && map.corners->size() == structure.surface->triangleCount()) {
+            map = map.withBends(*structure.surface);
+        }
+    };
+    bend(structure.maps.stiffness);
+    std::for_each(structure.maps.felt.begin(), structure.maps.felt.end(), bend);
+}
+
 } // namespace
 
 HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingertip_mm)
@@ -22,6 +34,9 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
     for (HapticStructure& structure : m_structures) {
         if (structure.law == nullptr) {
             structure.law = ForceTable::build(structure.tissue);
+        }
+        if (structure.surface != nullptr) {
+            bendMaps(structure);
         }
     }
     std::map<std::uint32_t, std::vector<std::uint32_t>> byNumber;

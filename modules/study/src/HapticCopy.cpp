@@ -43,9 +43,11 @@ haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure, const g
         to = map.isPerTriangle ? haptics::TissueMap::atTriangles(surface, values)
                                : haptics::TissueMap::atVertices(surface, *structure.surface, values);
         to.factor = isStiffness && !isScale ? 1.0 / own : 1.0;
+        to = isStiffness ? to.withBends(surface) : to;
     }
     for (std::size_t j = 0; j < maps.felt.size() && j < structure.feltBelow.size(); ++j) {
-        maps.felt[j] = haptics::TissueMap::atVertices(surface, *structure.surface, structure.feltBelow[j]);
+        maps.felt[j] =
+            haptics::TissueMap::atVertices(surface, *structure.surface, structure.feltBelow[j]).withBends(surface);
     }
     return maps;
 }

@@ -17,6 +17,9 @@ constexpr double kSliver = 1e-6; // squared sine of a triangle's angle below whi
 /// True when |grad ln s| is at most `most_per_mm` all over the facet; false also where its edges alone don't tell.
 bool isGentle(const TissueMap& map, const Facet& facet, double most_per_mm) noexcept
 {
+    if (map.bendsOn(facet.triangle)) {
+        return false;
+    }
     const std::array<float, 3>& at = (*map.corners)[facet.triangle];
     const double d1 = double{at[1]} - double{at[0]}, d2 = double{at[2]} - double{at[0]};
     const Vec3 e1 = facet.b - facet.a, e2 = facet.c - facet.a;
@@ -38,6 +41,9 @@ bool areGentle(const std::array<TissueMap, kFeltPress_mm.size()>& felt, const Fa
     const double area2 = e11 * e22 - e12 * e12;
     double rise2 = 0.0, least = std::numeric_limits<double>::max();
     for (const TissueMap& map : felt) {
+        if (map.bendsOn(facet.triangle)) {
+            return false;
+        }
         const std::array<float, 3>& at = (*map.corners)[facet.triangle];
         const double d1 = map.factor * (double{at[1]} - double{at[0]}),
                      d2 = map.factor * (double{at[2]} - double{at[0]});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "law/MapBasis.h"
 #include "palpate/haptics/HapticScene.h"
 #include "probe/BallProbe.h"
 
@@ -10,7 +11,7 @@
 
 namespace palpate::haptics::law {
 
-/// What a map says at a place of a triangle: linear between its corners, so that the gradient is constant there.
+/// What a map says at a place of a triangle.
 struct MapValue
 {
     double value = 1.0;
@@ -53,8 +54,8 @@ class MapPlace
   public:
     /// @param p  a place, its height above the triangle being nothing; beyond an edge the nearest on it is meant
     MapPlace(const internal::Facet& facet, const Vec3& p) noexcept
-        : m_slopes(facet)
-        , m_triangle(facet.triangle)
+        : m_facet(facet)
+        , m_slopes(facet)
     {
         const Vec3 from = p - facet.a;
         m_b1 = m_slopes.second(from);
@@ -66,17 +67,14 @@ class MapPlace
         }
     }
 
-    /// A map's value, and how it rises from the first corner to the second and to the third.
-    struct Rises
-    {
-        double value, toSecond, toThird;
-    };
+    using Rises = MapBasis::Rises;
     [[nodiscard]] Rises risesOf(const TissueMap& map) const noexcept
     {
-        const std::array<float, 3>& at = (*map.corners)[m_triangle];
+        const std::array<float, 3>& at = (*map.corners)[m_facet.triangle];
         const double d1 = map.factor * (double{at[1]} - double{at[0]}),
                      d2 = map.factor * (double{at[2]} - double{at[0]});
-        return {map.factor * double{at[0]} + m_b1 * d1 + m_b2 * d2, d1, d2};
+        const Rises linear{map.factor * double{at[0]} + m_b1 * d1 + m_b2 * d2, d1, d2};
+        return map.bends == nullptr ? linear : bent(linear, map);
     }
     [[nodiscard]] const FacetSlopes& slopes() const noexcept { return m_slopes; }
     [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept
@@ -86,9 +84,26 @@ class MapPlace
     }
 
   private:
+    [[nodiscard]] Rises bent(const Rises& linear, const TissueMap& map) const noexcept
+    {
+        if (!map.bendsOn(m_facet.triangle)) {
+            return linear;
+        }
+        if (!m_hasBasis) {
+            m_basis = MapBasis(m_facet, m_b1, m_b2);
+            m_hasBasis = true;
+        }
+        const Rises more = m_basis.sum((*map.bends)[m_facet.triangle]);
+        const Rises bent{linear.value + map.factor * more.value, linear.toSecond + map.factor * more.toSecond,
+                         linear.toThird + map.factor * more.toThird};
+        return bent.value > 0.0 ? bent : linear; // a stiffness stays one, however steep a map is
+    }
+
+    const internal::Facet& m_facet;
     FacetSlopes m_slopes;
-    std::uint32_t m_triangle;
     double m_b1, m_b2;
+    mutable MapBasis m_basis; ///< the same for all maps; made when the first one bends here
+    mutable bool m_hasBasis = false;
 };
 
 } // namespace palpate::haptics::law

@@ -11,14 +11,33 @@
 
 namespace palpate::haptics {
 
-/// A number that varies over a surface: given at each corner of each triangle, linear between.
+/// A number that varies over a surface: given at each corner of each triangle, linear between the corners but for
+/// `bends`.
 struct TissueMap
 {
     /// By the triangle's position in the SurfaceIndex; finite; null: no map.
     std::shared_ptr<const std::vector<std::array<float, 3>>> corners;
     double factor = 1.0; ///< that each number is multiplied by
+    /// What makes the gradient continuous over the edges, see `withBends`; null: not computed, empty: none, and the map
+    /// is linear on each triangle. By triangle, for edge e from corner e to the next: [2 e] how far the cubic's control
+    /// value next to the edge's start lies above the straight line, [2 e + 1] the same next to its end.
+    std::shared_ptr<const std::vector<std::array<float, 6>>> bends{};
 
     [[nodiscard]] bool isEmpty() const noexcept { return corners == nullptr; }
+    /// The map with `bends`: over edges that turn by less than 40 degrees, between triangles with the same numbers at
+    /// their common corners, value and gradient are continuous. Numbers given for each triangle are left as they are.
+    ///
+    /// At each vertex the gradient is the mean over the triangles around it, by area, shortened where the cubic's
+    /// control values would lie beyond the numbers around. Between, the map is a cubic whose slope across each edge is
+    /// linear along it. A HapticScene makes the bends of its maps of stiffness and of felt maps that have none.
+    /// @par Source Farin, Curves and Surfaces for CAGD, Bezier triangles; Foley & Opitz 1992 for the middle control
+    /// value, blended so that each edge has its own.
+    [[nodiscard]] TissueMap withBends(const geometry::SurfaceIndex& surface) const;
+    /// True where it is not linear on a triangle.
+    [[nodiscard]] bool bendsOn(std::uint32_t triangle) const noexcept
+    {
+        return bends != nullptr && !bends->empty() && (*bends)[triangle] != std::array<float, 6>{};
+    }
     /// The largest number, with the factor; 0 without a map.
     [[nodiscard]] double greatest() const noexcept;
 
@@ -35,6 +54,10 @@ struct TissueMap
     /// The same value all over each triangle: at the edges it steps, and no gradient tells of it.
     /// @param values  one for each triangle of the repaired mesh
     [[nodiscard]] static TissueMap atTriangles(const geometry::SurfaceIndex& surface, std::span<const float> values);
+
+  private:
+    template<class Value, class Bend>
+    [[nodiscard]] TissueMap mapped(const Value& value, const Bend& bend) const;
 };
 
 /// Press depths at which a felt map gives how much stiffer lumps below make the surface [mm]; linear between them,
