@@ -5,6 +5,7 @@
 #include <palpate/haptics/Palpator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -244,6 +245,60 @@ class PalpatorTest : public QObject
             QCOMPARE(result.contactCount, static_cast<std::uint8_t>(height > 29.9 ? 0 : height > 19.8 ? 1 : 2));
         }
         QCOMPARE(result.p_WG, result.contacts[0].p_WG);
+    }
+
+    /// Below an edge or a vertex several facets hold the god-object equally well: the one that held it goes on.
+    void aHandAtRestFeelsOneForce_data()
+    {
+        QTest::addColumn<double>("radius_mm");
+        for (const double radius_mm : {0.0, 1.0}) {
+            QTest::newRow(qPrintable(QString("%1 mm").arg(radius_mm))) << radius_mm;
+        }
+    }
+    void aHandAtRestFeelsOneForce()
+    {
+        QFETCH(double, radius_mm);
+        const std::array meshes{box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), bumpySphere(8, 10.0, 0.06), groove(1.2),
+                                sheet(10.0, 3)};
+        int isHeld = 0;
+        for (const geometry::TriangleMesh& mesh : meshes) {
+            HapticStructure one{"it", indexed(mesh), {0.3, 0.0}, 0};
+            auto corners = std::make_shared<std::vector<std::array<float, 3>>>(one.surface->triangleCount());
+            for (std::uint32_t i = 0; i < corners->size(); ++i) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vec3& v = one.surface->vertex(one.surface->triangle(i)[k]);
+                    (*corners)[i][k] = static_cast<float>(1.5 + 0.3 * std::sin(0.5 * v.x() + 0.3 * v.y()));
+                }
+            }
+            one.maps.stiffness.corners = std::move(corners);
+            const HapticScene scene({one}, radius_mm);
+            for (std::size_t i = 0; i < mesh.triangles.size(); i += mesh.triangles.size() / 12) {
+                const auto& [a, b, c] = mesh.triangles[i];
+                const Vec3 n =
+                    (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).normalized();
+                for (const Vec3& below : {mesh.vertices[a], Vec3(0.5 * (mesh.vertices[a] + mesh.vertices[b]))}) {
+                    Palpator palpator;
+                    palpator.setScene(&scene);
+                    for (double height = 1.0; height > -1.4; height -= 0.1) {
+                        (void)palpator.step(below + (radius_mm + height) * n, 1e-3);
+                    }
+                    const Vec3 hip = below + (radius_mm - 1.5) * n;
+                    TickResult first;
+                    for (int tick = 0; tick < 12; ++tick) {
+                        const TickResult now = palpator.step(hip, 1e-3);
+                        if (tick == 4) {
+                            first = now;
+                        }
+                        if (tick > 4) {
+                            QVERIFY(now.triangle == first.triangle && now.constraints == first.constraints);
+                            QVERIFY(isSameBits(now.f_W, first.f_W) && isSameBits(now.p_WG, first.p_WG));
+                        }
+                    }
+                    isHeld += first.constraints > 0 ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY2(isHeld > 50, qPrintable(QString::number(isHeld)));
     }
 
     void aHipThatIsNotFiniteChangesNothing()

@@ -19,6 +19,14 @@ constexpr std::uint32_t kLight = 800;
 
 } // namespace
 
+/// How a tick found the god-object; `structure` and `triangle` of the state are still those.
+struct GodObject::Before
+{
+    Vec3 p_WG;
+    std::array<std::int8_t, 3> side;
+    std::uint8_t constraints;
+};
+
 GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
                               NearBall* ball) noexcept
 {
@@ -181,6 +189,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
                                                 GodObjectStep& result) noexcept
 {
     m_near.beginTick(TickWork(limits.work));
+    const Before before{m_state.p_WG, m_state.side, m_state.constraints};
     Walk::Ended ended = Walk::Ended::Unfinished;
     bool isClear = false;
     const bool isInCrease =
@@ -217,10 +226,42 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         }
     }
     result.work = limits.work - m_near.work().left();
+    if (ended != Walk::Ended::OnFacet && friction == nullptr) {
+        keepHeld(p_WH, layer, before);
+    }
     report(result);
     // Then it stands a skin above the facet; where friction holds it stands as it came.
     m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());
     lookAhead(layer, isClear && Walk::hasArrived(ended));
+}
+
+/// At an edge or a corner several sets of facets can hold the god-object in the same place: those that held it before
+/// the tick go on where they hold it still. So a hand at rest feels one force and is told of one triangle.
+void GodObject::keepHeld(const Vec3& p_WH, const HapticLayer& layer, const Before& before) noexcept
+{
+    if (before.constraints == 0 || m_state.constraints == 0) {
+        return;
+    }
+    const double skin_mm = m_facets[0].skin_mm;
+    if (!((m_state.p_WG - before.p_WG).cwiseAbs().maxCoeff() <= kSupporting * skin_mm)) {
+        return;
+    }
+    const Before now{m_state.p_WG, m_state.side, m_state.constraints};
+    const std::array<Facet, 3> facets = m_facets;
+    m_state.p_WG = before.p_WG;
+    m_state.side = before.side;
+    m_state.constraints = before.constraints;
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        m_facets[i] = Facet::of(layer.surface(m_state.structure[i]), m_state.structure[i], m_state.triangle[i]);
+    }
+    std::array<HalfSpace, 3> planes;
+    const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
+    if (point.count != m_state.constraints || !(point.u.cwiseAbs().maxCoeff() <= kOnPlane * skin_mm)) {
+        m_state.p_WG = now.p_WG;
+        m_state.side = now.side;
+        m_state.constraints = now.constraints;
+        m_facets = facets;
+    }
 }
 
 /// Keeps the contacts that hold the god-object now, three at most.

@@ -66,6 +66,8 @@ class GodObject
     [[nodiscard]] bool supports(std::size_t contact, const HapticLayer& layer) const noexcept;
     [[nodiscard]] bool tryHold(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes,
                                const HapticLayer& layer, CoulombFriction& friction) const noexcept;
+    struct Before;
+    void keepHeld(const Vec3& p_WH, const HapticLayer& layer, const Before& before) noexcept;
     void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
     template<class Contacts>
     void keep(const Contacts& contacts) noexcept;
