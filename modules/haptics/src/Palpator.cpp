@@ -3,6 +3,7 @@
 
 #include "law/Foot.h"
 #include "law/Law.h"
+#include "law/SharedContact.h"
 #include "solver/CarryOver.h"
 #include "solver/GodObject.h"
 
@@ -28,21 +29,9 @@ struct Numbers
     std::uint32_t last = 0;
 };
 
-/// @return which of a god-object's constraints is reported: with several structures in one contact the stiffest gives
-/// the force, as the hand cannot pass it.
-std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexcept
+[[nodiscard]] std::span<const ActiveConstraint> planesOf(const GodObjectStep& step) noexcept
 {
-    const auto stiffness = [&](std::size_t k) {
-        const HapticStructure& on = scene.structures()[step.active[k].structure];
-        return on.law == nullptr ? on.tissue.stiffness_N_per_mm : on.law->greatestSlope_N_per_mm();
-    };
-    std::size_t touched = 0;
-    for (std::size_t k = 1; k < step.constraints; ++k) {
-        if (stiffness(k) > stiffness(touched)) {
-            touched = k;
-        }
-    }
-    return touched;
+    return std::span(step.active).first(step.constraints);
 }
 
 /// Tells of a layer that is touched, all but the force.
@@ -50,8 +39,7 @@ std::size_t stiffest(const HapticScene& scene, const GodObjectStep& step) noexce
 PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const GodObjectStep& step,
                                          const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
 {
-    const std::size_t which = stiffest(scene, step);
-    const ActiveConstraint& touched = step.active[which];
+    const ActiveConstraint& touched = step.active[0];
     const HapticStructure& structure = scene.structures()[touched.structure];
     contact.p_WG = step.p_WG;
     contact.depth_mm = push_W.norm();
@@ -60,16 +48,8 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
     contact.stiffnessScale = 1.0;
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
-    return {structure,
-            god.facets()[which],
-            scene.fingertip_mm(),
-            contact.p_WG,
-            push_W,
-            contact.depth_mm,
-            contact.n_W,
-            hip,
-            std::span(step.active).first(step.constraints),
-            contact.stiffnessScale};
+    return {structure, god.facets()[0], scene.fingertip_mm(),  contact.p_WG, push_W, contact.depth_mm, contact.n_W,
+            hip,       planesOf(step),  contact.stiffnessScale};
 }
 
 [[gnu::noinline]] Vec3 feltForce(const law::Touch& touch) noexcept
@@ -95,7 +75,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
     if (structure.tissue.hasFriction()) { // the spring leans against it
         contact.friction = step.slides ? Friction::Slides : Friction::Holds;
         const double length = step.constraints > 1 ? step.push_W.norm() : 0.0;
-        contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[stiffest(scene, step)].n_W;
+        contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[0].n_W;
     }
 }
 
@@ -110,6 +90,27 @@ PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, co
     result.triangle = contact.triangle;
     result.active = step.active;
     result.constraints = step.constraints;
+}
+
+/// The same for a layer whose god-object several structures hold. @return false where nothing pushes
+[[gnu::noinline]] bool reportShared(TickResult& result, std::uint32_t layer, const GodObject& god,
+                                    const GodObjectStep& step, const HapticScene& scene, const Vec3& push_W,
+                                    const law::Motion& hip) noexcept
+{
+    law::SharedContact shared = law::sharedContact(scene, planesOf(step), god.facets(), step.p_WG, push_W, hip);
+    bool isRough = false;
+    for (Contact& contact : std::span(shared.contacts).first(shared.count)) {
+        const bool hasFriction = scene.structures()[contact.structure].tissue.hasFriction();
+        contact.layer = layer;
+        contact.friction = !hasFriction ? Friction::None : step.slides ? Friction::Slides : Friction::Holds;
+        isRough = isRough || hasFriction;
+        report(result, contact, step);
+    }
+    if (shared.count > 0) {
+        // Without friction the pushes together are the spring.
+        result.n_W = isRough ? shared.n_W : Vec3(push_W / push_W.norm());
+    }
+    return shared.count > 0;
 }
 
 /// Of several contacts, found from the innermost layer on: puts the outermost first, and adds their forces up so.
@@ -296,6 +297,10 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
         const Vec3 push_W = step.p_WG - p_WH;
         Contact contact;
         contact.layer = static_cast<std::uint32_t>(i);
+        if (step.constraints > 1 && law::isShared(planesOf(step)) &&
+            reportShared(result, contact.layer, me.gods[i], step, *me.scene, push_W, hip)) {
+            continue;
+        }
         if (layer.isPlain) {
             contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, hip));
             report(result, contact, step);

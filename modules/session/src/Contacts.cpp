@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace palpate::session::internal {
 
@@ -106,6 +107,13 @@ bool unpackLayers(std::string_view layers, servo::TickRecord& tick)
         contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
         isPossible = isPossible && friction <= 2 && isWithin(contact.p_WG, kMostLength_mm) &&
                      isWithin(contact.n_W, kMostNormal) && isWithin(contact.f_W, kMostForce_N);
+    }
+    const std::span<Contact> contacts = std::span(felt.contacts).first(felt.contactCount);
+    for (Contact& contact : contacts) {
+        if (std::count_if(contacts.begin(), contacts.end(),
+                          [&](const Contact& other) { return other.layer == contact.layer; }) > 1) {
+            contact.depth_mm = std::max(0.0, (contact.p_WG - tick.p_WH).dot(contact.n_W));
+        }
     }
     if (!isPossible) {
         felt.contactCount = 1; // what its own columns say

@@ -17,7 +17,8 @@ namespace palpate::session::internal {
 /// or nothing is touched
 [[nodiscard]] std::string packLayers(const servo::TickRecord& tick);
 
-/// Fills a tick's contacts from the column `layers` and its own columns; each depth is the length of its spring.
+/// Fills a tick's contacts from the column `layers` and its own columns; each depth is the length of its spring,
+/// or where structures share a layer its part along the structure's normal.
 /// @param layers  what packLayers made
 /// @return false for another form, or numbers beyond Bounds.h; the contact is then what the tick's own columns say
 bool unpackLayers(std::string_view layers, servo::TickRecord& tick);

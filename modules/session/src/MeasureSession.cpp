@@ -117,7 +117,7 @@ class Surfaces
         std::uint32_t structure = std::numeric_limits<std::uint32_t>::max(); ///< none
         TouchedSurface* surface = nullptr;
     };
-    std::array<Last, haptics::kMaxLayers> m_last{};
+    std::array<Last, haptics::kMaxContacts> m_last{};
 };
 
 /// Phases of each structure by itself.

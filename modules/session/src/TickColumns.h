@@ -113,7 +113,7 @@ struct CsvColumn
 /// In their order; a new one comes last.
 inline constexpr CsvColumn kCsvColumns[] = {
     {"slides", "1 while friction lets the god-object slide, 0 while it holds it, empty without friction", InCsv::All},
-    {"layers", "each layer in contact, outermost first, see below", InCsv::All},
+    {"layers", "each structure in contact, the outermost layer first, see below", InCsv::All},
     {"time_s", "since the recording's first tick [s]", InCsv::OfSession, true},
     {"sent_x_N", "force given to the device, after the safety gate [N]"},
     {"sent_y_N", "the same along y [N]"},

@@ -85,7 +85,7 @@ void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std
     }
 }
 
-/// Appends `name=force_N=depth_mm` of each layer.
+/// Appends `name=force_N=depth_mm` of each structure that pushes.
 void appendLayers(std::string& line, const haptics::TickResult& felt, const StructureNames& names)
 {
     for (std::size_t i = 0; i < felt.contactCount; ++i) {

@@ -31,7 +31,10 @@ void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, cons
             continue;
         }
         const session::StructureRecord& on = scene.structures[contact.structure];
-        const core::Vec3 push_W = contact.p_WG - tick.p_WH;
+        // Where structures share a layer, the structure's own part of the spring.
+        const bool isShared = contact.depth_mm != (contact.p_WG - tick.p_WH).norm();
+        const core::Vec3 push_W =
+            isShared ? core::Vec3(contact.depth_mm * contact.n_W) : core::Vec3(contact.p_WG - tick.p_WH);
         const double depth = push_W.norm(), force = lawForce(on, depth);
         if (depth > 0.0 && force > 0.0) {
             const core::Vec3 spring_W = contact.f_W + on.tissue.damping_Ns_per_mm * v_WH;

@@ -19,6 +19,12 @@ QString number(double value)
     return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1);
 }
 
+/// True for the second and third of the structures that hold one god-object: the first has the largest force.
+bool sharesGodObject(const servo::TickRecord& tick, std::size_t i)
+{
+    return i > 0 && tick.felt.contacts[i].layer == tick.felt.contacts[i - 1].layer;
+}
+
 /// @param isInner  how deep the outermost layer is pressed in stands elsewhere
 QString shareText(const FeltLayer& layer, bool isInner)
 {
@@ -66,6 +72,9 @@ FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissu
     double alone_N_per_mm = 0.0;
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
+        if (sharesGodObject(tick, i)) {
+            continue; // it pushes along another direction
+        }
         const core::Tissue* tissue = tissueOf(contact.structure);
         const double own_N_per_mm = tissue != nullptr ? haptics::stiffnessAt(*tissue, contact.depth_mm) : 0.0;
         felt.whole_N_per_mm += contact.stiffnessScale * own_N_per_mm;
@@ -124,6 +133,9 @@ void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& laye
 {
     state.innerCount = 0;
     for (std::size_t i = 1; i < std::min<std::size_t>(layers.size(), tick.felt.contactCount); ++i) {
+        if (sharesGodObject(tick, i)) {
+            continue;
+        }
         const QColor& colour = layers[i].colour;
         state.inner[state.innerCount++] = {tick.felt.contacts[i].p_WG,
                                            {colour.redF(), colour.greenF(), colour.blueF()},

@@ -94,6 +94,40 @@ void CoulombFriction::press(const Facet& facet, const Vec3& foot, double lambda_
         m_now.drag = std::max(m_now.drag, on.tissue.friction_drag_Ns_per_mm);
         m_now.stiffest = std::max(m_now.stiffest, stiffnessAt(on, facet, foot, lambda_mm));
     }
+    if (m_layer.structures.size() > 1) {
+        share(facet, foot, lambda_mm, atRest, sliding);
+    }
+}
+
+/// Weighs the contacts by the force of each, where they belong to several structures.
+void CoulombFriction::share(const Facet& facet, const Vec3& foot, double lambda_mm, double atRest,
+                            double sliding) noexcept
+{
+    if (!(lambda_mm > 0.0) || m_pressedCount == m_pressed.size()) {
+        return;
+    }
+    m_pressed[m_pressedCount++] = {&facet, foot, lambda_mm, atRest, sliding};
+    const std::span<const Pressed> pressed = std::span(m_pressed).first(m_pressedCount);
+    if (std::all_of(pressed.begin(), pressed.end(),
+                    [&](const Pressed& one) { return one.facet->structure == facet.structure; })) {
+        return;
+    }
+    double lambda = 0.0, force_N = 0.0, still_N = 0.0, sliding_N = 0.0, drag = 0.0;
+    for (const Pressed& one : pressed) {
+        const HapticStructure& on = m_layer.frictional[one.facet->structure];
+        const double own_N = stiffnessAt(on, *one.facet, one.foot, one.lambda_mm) * one.lambda_mm;
+        lambda += one.lambda_mm;
+        force_N += own_N;
+        still_N += one.atRest * own_N;
+        sliding_N += one.sliding * own_N;
+        drag += on.tissue.friction_drag_Ns_per_mm * one.lambda_mm;
+    }
+    if (force_N > 0.0) {
+        m_now.still_mm = lambda * (still_N / force_N);
+        m_now.sliding_mm = lambda * (sliding_N / force_N);
+        m_now.drag = drag / lambda;
+        m_now.stiffest = force_N / lambda;
+    }
 }
 
 /// A stiffness that varies, by a map or by lumps felt below, pulls the foot along the surface by |grad_x U| / (dU/dd)

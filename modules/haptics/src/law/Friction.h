@@ -4,6 +4,8 @@
 #include "palpate/haptics/HapticScene.h"
 #include "probe/PointProbe.h"
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 namespace palpate::haptics::internal {
@@ -18,6 +20,9 @@ namespace palpate::haptics::internal {
 /// @par Real-time Wait-free.
 /// @par Source Moreau's catching-up algorithm, x' = projection of x on a moving set (arXiv:2501.04781), for the set
 /// |g - g*| <= R; drag by the implicit Euler step.
+///
+/// Where structures share a contact each lambda counts by its stiffness k = F(lambda)/lambda: R is then
+/// `sum lambda (sum mu k lambda) / (sum k lambda)`, so that the drag is the sum of mu times each one's own force.
 class CoulombFriction
 {
   public:
@@ -55,8 +60,13 @@ class CoulombFriction
     [[nodiscard]] bool lastSlid() const noexcept { return m_now.lastSlid; }
 
     /// Begins with another set of contacts, or another place on them.
-    void lift() noexcept { m_now.still_mm = m_now.sliding_mm = m_now.stiffest = m_now.drag = 0.0; }
-    /// Adds a contact. @param foot  of the god-object on the facet [mm]; @param lambda_mm  its multiplier
+    void lift() noexcept
+    {
+        m_now.still_mm = m_now.sliding_mm = m_now.stiffest = m_now.drag = 0.0;
+        m_pressedCount = 0;
+    }
+    /// Adds a contact. @param facet  kept until `lift`, where structures share the layer
+    /// @param foot  of the god-object on the facet [mm]; @param lambda_mm  its multiplier
     void press(const Facet& facet, const Vec3& foot, double lambda_mm) noexcept;
     /// @param r_mm  from the god-object to g*; @param rounding_mm  no difference
     /// @return the share of the way to g* that is left when friction has let it go on: 1 where that holds
@@ -64,16 +74,29 @@ class CoulombFriction
     /// @return true when friction alone holds it against a pull, measured as the spring's length along the way.
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
     {
-        return pull_mm <= (m_now.slides ? m_now.sliding_mm : m_now.still_mm);
+        constexpr double kRim = 1.0 + 1e-9; // what slides stands at the rim itself, to rounding
+        const double behind_mm = m_now.drag > 0.0 && m_now.isBehind ? m_now.behind_mm : 0.0;
+        return pull_mm <= kRim * (m_now.slides ? m_now.sliding_mm + behind_mm : m_now.still_mm);
     }
 
   private:
     void raise(const HapticStructure& on, const Facet& facet, const Vec3& foot, double lambda_mm, double& atRest,
                double& sliding) const noexcept;
+    void share(const Facet& facet, const Vec3& foot, double lambda_mm, double atRest, double sliding) noexcept;
+
+    /// A contact with its coefficients.
+    struct Pressed
+    {
+        const Facet* facet;
+        Vec3 foot;
+        double lambda_mm, atRest, sliding;
+    };
 
     const HapticLayer& m_layer;
     double m_dt_s;
     State m_now{};
+    std::array<Pressed, 4> m_pressed; ///< since `lift`, where a layer has several structures
+    std::size_t m_pressedCount = 0;
 };
 
 } // namespace palpate::haptics::internal

@@ -32,6 +32,9 @@ enum class TickStatus : std::uint8_t
 /// Layers of a scene beyond this many are merged into the last one.
 inline constexpr std::size_t kMaxLayers = 4;
 
+/// Contacts of a tick: in each layer up to three structures can hold the god-object.
+inline constexpr std::size_t kMaxContacts = 3 * kMaxLayers;
+
 /// What one servo tick gives.
 struct TickResult
 {
@@ -40,14 +43,17 @@ struct TickResult
     Vec3 f_W = Vec3::Zero();     ///< force on the hand, summed over the layers, unbounded [N]
     Vec3 n_W = Vec3::Zero();     ///< unit normal of the contact, from surface to free space; zero in free space
     std::int32_t structure = -1; ///< number of the touched structure in the scene, -1 in free space; with several
-                                 ///< layers in contact, the outermost one
+                                 ///< layers in contact that of the outermost one, and where several structures hold
+                                 ///< its god-object the one that pushes most
     std::uint32_t triangle = 0;  ///< touched triangle, index in the structure's mesh as given to `repair`
     std::array<ActiveConstraint, 3> active{};  ///< planes that hold the god-object of the reported layer
     std::uint8_t constraints = 0;              ///< active constraints of the reported layer, 0 to 3
     TickStatus status = TickStatus::Converged; ///< worst over the layers
     std::uint32_t iterations = 0;              ///< summed over the layers
-    std::array<Contact, kMaxLayers> contacts;  ///< of the layers touched, the outermost first; set up to `contactCount`
-    std::uint8_t contactCount = 0;             ///< how many of `contacts` are valid
+    /// Of each structure that pushes: the outermost layer first, in a layer the largest force first. Set up to
+    /// `contactCount`.
+    std::array<Contact, kMaxContacts> contacts;
+    std::uint8_t contactCount = 0; ///< how many of `contacts` are valid
 
     /// What friction does to the layer that is reported.
     [[nodiscard]] Friction friction() const noexcept

@@ -16,7 +16,7 @@
 
 namespace palpate::ui {
 
-/// One layer that is touched, as panel and chart show it.
+/// One structure that is touched, as panel and chart show it: in most ticks the only one of its layer.
 struct FeltLayer
 {
     QString name;
@@ -51,7 +51,7 @@ using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 /// "holds 0.4 N" or "slides 0.4 N": what friction does to a layer; empty without it.
 [[nodiscard]] QString frictionText(const FeltLayer& layer);
 
-/// The layers that a tick touches, outermost first.
+/// The structures that a tick touches: the outermost layer first, in a layer the one that pushes most.
 /// @param shown_N  length of the force that the hand gets [N]: shares are those of the model, in proportion
 [[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
 /// "liver 2.5 N · lump 20 mm 3.5 N, 5.8 mm in"; of a single layer its name.
