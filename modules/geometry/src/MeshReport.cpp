@@ -40,7 +40,7 @@ std::vector<std::string> MeshReport::sentences() const
     say(nonOrientableComponents, "part", "parts", " without a consistent front");
     say(openComponents, "part", "parts", " without an inside, touched from both sides");
     say(insideOutComponents, "closed part looks", "closed parts look",
-        " inside out: touched from within unless flipped");
+        " inside out: touched from within only, unless turned outwards");
     return lines;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/EdgeTable.h"
 #include "palpate/geometry/MeshReport.h"
+#include "palpate/geometry/Reshape.h"
 
 #include "CarryArrays.h"
 #include "Orientation.h"
@@ -160,14 +161,13 @@ double signedVolume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& or
     return (mesh.vertices[t[0]] - origin).dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
 }
 
-/// Winding number of the closed components but `self` around `p`, by a ray along +x.
-int windingWithout(const TriangleMesh& mesh, const std::vector<std::uint32_t>& componentOf,
-                   const std::vector<Component>& components, std::uint32_t self, const Vec3& p)
+/// Winding number around `p` of the components that `counts` accepts, by a ray along +x.
+template<class Counts>
+int windingOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& componentOf, const Vec3& p, Counts&& counts)
 {
     int winding = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const std::uint32_t c = componentOf[i];
-        if (c == self || !components[c].isBalanced || !components[c].box.contains(p)) {
+        if (!counts(componentOf[i])) {
             continue;
         }
         const Triangle& t = mesh.triangles[i];
@@ -200,8 +200,10 @@ int windingWithout(const TriangleMesh& mesh, const std::vector<std::uint32_t>& c
 class Repairer
 {
   public:
-    explicit Repairer(const TriangleMesh& input)
+    /// @param turnsOutwards  closed parts that are inside out, too, though their orientation is consistent
+    explicit Repairer(const TriangleMesh& input, bool turnsOutwards = false)
         : m_input(input)
+        , m_turnsOutwards(turnsOutwards)
     {
     }
     RepairedMesh run();
@@ -212,6 +214,10 @@ class Repairer
     void orient(const EdgeTable& edges);
     void measureComponents();
     void turnComponentsOutwards();
+    [[nodiscard]] bool isInsideOut(std::uint32_t component) const;
+    [[nodiscard]] bool isWithin(std::uint32_t inner, std::uint32_t outer) const;
+    void turnInsideOut();
+    void turnAll(const std::vector<std::uint8_t>& components);
     void measureTriangles();
     void countComponents();
     void turn(std::size_t triangle)
@@ -220,7 +226,13 @@ class Repairer
         std::swap(m_mesh.triangles[triangle][1], m_mesh.triangles[triangle][2]);
     }
 
+    [[nodiscard]] const Vec3& somePointOf(std::uint32_t component) const
+    {
+        return m_mesh.vertices[m_mesh.triangles[m_components[component].someTriangle][0]];
+    }
+
     const TriangleMesh& m_input;
+    bool m_turnsOutwards;
     RepairedMesh m_result;
     TriangleMesh& m_mesh = m_result.mesh;
     MeshReport& m_report = m_result.report;
@@ -337,22 +349,63 @@ void Repairer::measureComponents()
     }
 }
 
-/// A component whose orientation was made up here faces outwards when it is closed.
-void Repairer::turnComponentsOutwards()
+/// Turns the components that have a 1.
+void Repairer::turnAll(const std::vector<std::uint8_t>& components)
 {
-    std::vector<std::uint8_t> turnAll(m_components.size(), 0);
-    for (std::size_t c = 0; c < m_components.size(); ++c) {
-        Component& component = m_components[c];
-        if (!component.isConsistent && component.isBalanced && component.volume6 < 0.0) {
-            turnAll[c] = 1;
-            component.volume6 = -component.volume6;
-        }
+    for (std::size_t c = 0; c < components.size(); ++c) {
+        m_components[c].volume6 *= components[c] != 0 ? -1.0 : 1.0;
     }
     for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
-        if (turnAll[m_componentOf[i]] != 0) {
+        if (components[m_componentOf[i]] != 0) {
             turn(i);
         }
     }
+}
+
+/// A component whose orientation was made up here faces outwards when it is closed.
+void Repairer::turnComponentsOutwards()
+{
+    std::vector<std::uint8_t> turned(m_components.size(), 0);
+    for (std::size_t c = 0; c < m_components.size(); ++c) {
+        const Component& component = m_components[c];
+        turned[c] = !component.isConsistent && component.isBalanced && component.volume6 < 0.0 ? 1 : 0;
+    }
+    turnAll(turned);
+}
+
+/// Closed, but its normals point inwards, which is right only for a cavity inside another closed component.
+bool Repairer::isInsideOut(std::uint32_t component) const
+{
+    const Vec3& p = somePointOf(component);
+    return m_components[component].isBalanced && m_components[component].volume6 < 0.0 &&
+           windingOf(m_mesh, m_componentOf, p, [&](std::uint32_t c) {
+               return c != component && m_components[c].isBalanced && m_components[c].box.contains(p);
+           }) <= 0;
+}
+
+bool Repairer::isWithin(std::uint32_t inner, std::uint32_t outer) const
+{
+    const Vec3& p = somePointOf(inner);
+    return inner != outer && m_components[outer].box.contains(m_components[inner].box) &&
+           windingOf(m_mesh, m_componentOf, p, [outer](std::uint32_t c) { return c == outer; }) != 0;
+}
+
+/// Turns what is inside out, with what lies within it.
+void Repairer::turnInsideOut()
+{
+    std::vector<std::uint8_t> turned(m_components.size(), 0);
+    for (std::uint32_t outer = 0; outer < m_components.size(); ++outer) {
+        if (!isInsideOut(outer)) {
+            continue;
+        }
+        turned[outer] = 1;
+        for (std::uint32_t inner = 0; inner < m_components.size(); ++inner) {
+            if (m_components[inner].isBalanced && isWithin(inner, outer)) {
+                turned[inner] = 1;
+            }
+        }
+    }
+    turnAll(turned);
 }
 
 void Repairer::measureTriangles()
@@ -378,11 +431,7 @@ void Repairer::countComponents()
         }
         ++m_report.closedComponents;
         m_report.volume_mm3 += component.volume6 / 6.0;
-        // Facing inwards is right for a cavity inside another closed component.
-        if (component.volume6 < 0.0) {
-            const Vec3& p = m_mesh.vertices[m_mesh.triangles[component.someTriangle][0]];
-            m_report.insideOutComponents += windingWithout(m_mesh, m_componentOf, m_components, c, p) > 0 ? 0 : 1;
-        }
+        m_report.insideOutComponents += isInsideOut(c) ? 1 : 0;
     }
 }
 
@@ -401,6 +450,9 @@ RepairedMesh Repairer::run()
         orient(edges);
         measureComponents();
         turnComponentsOutwards();
+        if (m_turnsOutwards) {
+            turnInsideOut();
+        }
         measureTriangles();
         countComponents();
     }
@@ -410,11 +462,50 @@ RepairedMesh Repairer::run()
     return std::move(m_result);
 }
 
+/// Makes `again`, which was repaired from the mesh of `before`, refer to the mesh that `before` was repaired from.
+RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
+{
+    MeshReport& report = again.report;
+    const MeshReport& was = before.report;
+    report.inputVertices = was.inputVertices;
+    report.inputTriangles = was.inputTriangles;
+    report.weldedVertices += was.weldedVertices;
+    report.mixedValues = was.mixedValues;
+    report.zeroAreaTriangles += was.zeroAreaTriangles;
+    report.duplicateTriangles += was.duplicateTriangles;
+    report.inconsistentEdges = was.inconsistentEdges;
+    report.reorientedTriangles = was.reorientedTriangles; // turned to agree with the rest; not those turned on request
+    if (again.turned.empty() && !before.turned.empty()) {
+        again.turned.assign(again.source.size(), 0);
+    }
+    for (std::size_t i = 0; i < again.source.size(); ++i) {
+        const std::uint32_t from = again.source[i];
+        again.source[i] = before.source[from];
+        if (!before.turned.empty()) {
+            again.turned[i] ^= before.turned[from];
+        }
+    }
+    return again;
+}
+
 } // namespace
 
 RepairedMesh repair(const TriangleMesh& input)
 {
     return Repairer(input).run();
+}
+
+std::optional<RepairedMesh> turnedOutwards(const RepairedMesh& surface)
+{
+    return surface.report.insideOutComponents > 0 ? std::optional(chained(surface, Repairer(surface.mesh, true).run()))
+                                                  : std::nullopt;
+}
+
+RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertices)
+{
+    TriangleMesh moved = surface.mesh;
+    moved.vertices = std::move(vertices);
+    return chained(surface, repair(moved));
 }
 
 } // namespace palpate::geometry
