@@ -44,7 +44,8 @@ struct Pending
     SceneStructure description;
     FileFrame frame = FileFrame::Untagged;
     geometry::TriangleMesh mesh;
-    std::shared_ptr<const geometry::RepairedMesh> surface;
+    std::shared_ptr<const geometry::RepairedMesh> asRead;
+    ShapedSurface shaped;
 };
 
 constexpr const char* kUnknownField = ": this version does not know this field; it is kept, but not used";
@@ -73,6 +74,7 @@ class Loader
     void expandScene();
     void lose(const std::string& line) { m_scene.losses.push_back(line); }
     void repairAll();
+    void noteSurface(const Pending& pending);
     void collect();
     void noteFrames();
     void noteUnit();
@@ -269,8 +271,15 @@ void Loader::repairAll()
         if (pending.description.flipped) {
             geometry::flip(pending.mesh);
         }
-        pending.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh));
+        pending.asRead = std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh));
         pending.mesh = {};
+        if (m_options.turnsOutwards) {
+            pending.description.outwards = true;
+        }
+        if (m_options.isSmoothed) {
+            pending.description.surface = SurfaceKind::Smoothed;
+        }
+        pending.shaped = shapeSurface(pending.asRead, pending.description);
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
         if (thread == 0 && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
             m_isCancelled = true;
@@ -278,21 +287,43 @@ void Loader::repairAll()
     });
 }
 
+void Loader::noteSurface(const Pending& pending)
+{
+    const std::string name = pending.description.name + ": ";
+    for (const std::string& sentence : pending.shaped.surface->report.sentences()) {
+        m_scene.warnings.push_back(name + sentence);
+    }
+    if (pending.shaped.staircase) {
+        m_scene.warnings.push_back(name + pending.shaped.staircase->sentence());
+    }
+    if (pending.shaped.smoothing) {
+        m_scene.warnings.push_back(name + pending.shaped.smoothing->sentence());
+    }
+    if (pending.description.surface == SurfaceKind::Smooth) {
+        m_scene.warnings.push_back(name + "surface \"smooth\": curved facets are not available in this version; "
+                                          "felt and drawn as facets");
+    }
+}
+
 void Loader::collect()
 {
     m_scene.scene.structures.clear();
     for (Pending& pending : m_pending) {
         const std::string& name = pending.description.name;
-        if (pending.surface->mesh.triangles.empty()) {
-            lose(name + ": none of " + counted(pending.surface->report.inputTriangles, "triangle") +
+        if (pending.shaped.surface->mesh.triangles.empty()) {
+            lose(name + ": none of " + counted(pending.asRead->report.inputTriangles, "triangle") +
                  " has an area; expected at least one");
             continue;
         }
-        for (const std::string& sentence : pending.surface->report.sentences()) {
-            m_scene.warnings.push_back(name + ": " + sentence);
-        }
+        noteSurface(pending);
         m_scene.scene.structures.push_back(pending.description);
-        m_scene.structures.push_back({std::move(pending.description), pending.frame, std::move(pending.surface)});
+        LoadedStructure& loaded = m_scene.structures.emplace_back();
+        loaded.description = std::move(pending.description);
+        loaded.frame = pending.frame;
+        loaded.surface = std::move(pending.shaped.surface);
+        loaded.asRead = std::move(pending.asRead);
+        loaded.staircase = pending.shaped.staircase;
+        loaded.smoothing = pending.shaped.smoothing;
         resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses, [this] {
             m_isCancelled = m_isCancelled || (m_options.progress && !m_options.progress(1.0));
             return !m_isCancelled;

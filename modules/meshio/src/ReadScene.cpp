@@ -193,6 +193,9 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("visible", s.visible);
     fields.read("palpable", s.palpable);
     fields.read("flipped", s.flipped);
+    fields.read("outwards", s.outwards);
+    readName(fields, "surface", kSurfaceNames, s.surface);
+    fields.read("smoothing", s.smoothing, 0.0, 1.0);
     readTissue(fields, s.tissue);
     if (fields.has("maps")) {
         s.maps.emplace();

@@ -100,6 +100,15 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     out["visible"] = s.visible;
     out["palpable"] = s.palpable;
     out["flipped"] = s.flipped;
+    if (s.outwards) {
+        out["outwards"] = true;
+    }
+    if (s.surface != SurfaceKind::Facets) {
+        out["surface"] = text(std::string(kSurfaceNames[static_cast<std::size_t>(s.surface)]));
+    }
+    if (s.smoothing != kUsualSmoothing) {
+        out["smoothing"] = s.smoothing;
+    }
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const double value = s.tissue.*term.member;
         if (term.group.empty()) {

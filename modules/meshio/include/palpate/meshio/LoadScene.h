@@ -3,6 +3,7 @@
 
 #include "palpate/meshio/MeshFile.h"
 #include "palpate/meshio/SceneFile.h"
+#include "palpate/meshio/ShapeSurface.h"
 
 #include <palpate/geometry/MeshReport.h>
 
@@ -25,12 +26,18 @@ struct LoadedStructure
 {
     SceneStructure description;            ///< its `part` is filled where the mesh file holds several
     FileFrame frame = FileFrame::Untagged; ///< the mesh file's tag; `description.frame` is what was chosen for it
-    std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
-    std::vector<SurfaceMap> maps{};                        ///< at most one for each quantity
+    /// World frame [mm]: as it is drawn and felt, turned and smoothed where the description says so.
+    std::shared_ptr<const geometry::RepairedMesh> surface;
+    std::vector<SurfaceMap> maps{}; ///< at most one for each quantity
     /// What lumps below make of the stiffness felt, k/k0 at each vertex [1], one list for each of
     /// haptics::kFeltPress_mm; empty: nothing. See study::feelBuried.
     std::vector<std::vector<float>> feltBelow{};
     bool isFeltThrough = false; ///< a lump that is felt through its organ: its own surface is not touched
+    /// The surface before it was turned and smoothed; `surface` itself where it was neither. Null: unknown, as of a
+    /// surface that a recording holds.
+    std::shared_ptr<const geometry::RepairedMesh> asRead{};
+    std::optional<geometry::Staircase> staircase{}; ///< found in `asRead`
+    std::optional<SurfaceSmoothing> smoothing{};    ///< what smoothing did, where it did something
 };
 
 /// A scene with its meshes.

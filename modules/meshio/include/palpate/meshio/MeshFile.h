@@ -51,6 +51,10 @@ struct ReadOptions
     FileFrame frame = FileFrame::Untagged;
     /// Takes the unit from 3D Slicer's `SCALE=` in an STL header, where there is one and `unit_mm` is 1.
     bool readsScale = true;
+    /// What `loadScene` does to every structure, whatever its scene says: turn closed parts that are inside out, and
+    /// smooth the surface (SurfaceKind::Smoothed).
+    bool turnsOutwards = false;
+    bool isSmoothed = false;
 };
 
 /// Reads a mesh file of one of the formats of MeshFormats.h; which one is told from the content.

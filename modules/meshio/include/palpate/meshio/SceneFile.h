@@ -19,6 +19,17 @@
 
 namespace palpate::meshio {
 
+/// What a structure's surface is made of.
+enum class SurfaceKind : std::uint8_t
+{
+    Facets,   ///< the triangles of the mesh as they are
+    Smooth,   ///< curved facets: reserved, drawn and felt as facets for now
+    Smoothed, ///< the mesh after a low-pass filter against the steps of voxels: see shapeSurface
+};
+inline constexpr std::array<std::string_view, 3> kSurfaceNames{"facets", "smooth", "smoothed"};
+/// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
+inline constexpr double kUsualSmoothing = 0.7;
+
 /// A structure as a scene file describes it.
 struct SceneStructure
 {
@@ -33,7 +44,10 @@ struct SceneStructure
     double opacity = 1.0;                         ///< 0 … 1
     bool visible = true;
     bool palpable = true;
-    bool flipped = false; ///< turn the surface inside out on import
+    bool flipped = false;  ///< turn the surface inside out on import
+    bool outwards = false; ///< turn closed parts that are inside out on import, after `flipped`
+    SurfaceKind surface = SurfaceKind::Facets;
+    double smoothing = kUsualSmoothing; ///< strength of SurfaceKind::Smoothed, 0 (nearly none) … 1
     core::Tissue tissue;
     std::uint32_t layer = 0; ///< 0 is the outermost
     std::string inside;      ///< name of the organ that this is a lump in; empty: not said, and then `layer` is 0

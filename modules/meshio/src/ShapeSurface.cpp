@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/ShapeSurface.h"
+
+#include <palpate/geometry/Reshape.h>
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace palpate::meshio {
+
+namespace {
+
+using core::Vec3;
+using geometry::RepairedMesh;
+
+constexpr int kIterations = 20; // as 3D Slicer's conversion of label maps to closed surfaces
+
+/// How far a vertex may move: a box along the axes of the voxels.
+struct MoveLimit
+{
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    Vec3 half_mm = Vec3::Zero();
+
+    /// @return the move itself, or what of it lies within the limit
+    [[nodiscard]] Vec3 limited(const Vec3& move_mm) const
+    {
+        return axes * (axes.transpose() * move_mm).cwiseMax(-half_mm).cwiseMin(half_mm);
+    }
+};
+
+double meanEdge_mm(const geometry::TriangleMesh& mesh)
+{
+    double sum = 0.0;
+    for (const geometry::Triangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum += (mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]).norm();
+        }
+    }
+    return sum / (3.0 * static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1)));
+}
+
+/// Voxel faces rather than marching cubes, which bevels the edges: all normals are along the axes.
+bool isOfVoxelFaces(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& axes)
+{
+    constexpr double kAlong = 0.99985, kMost = 0.01; // cosine of 1°; of the area
+    double all = 0.0, oblique = 0.0;
+    for (const geometry::Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        const Vec3 normal = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+        const double twice = normal.norm();
+        all += twice;
+        oblique += (axes.transpose() * normal).cwiseAbs().maxCoeff() >= kAlong * twice ? 0.0 : twice;
+    }
+    return oblique <= kMost * all;
+}
+
+MoveLimit limitFor(const geometry::TriangleMesh& mesh, const std::optional<geometry::Staircase>& staircase)
+{
+    if (staircase) {
+        const double voxels = isOfVoxelFaces(mesh, staircase->axes) ? 1.0 : 0.5;
+        return {staircase->axes, voxels * staircase->voxel_mm};
+    }
+    return {Eigen::Matrix3d::Identity(), Vec3::Constant(0.5 * meanEdge_mm(mesh))};
+}
+
+/// @param unit_mm  what the filter, which calculates with floats, sees as 1
+vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh, const Vec3& origin, double unit_mm)
+{
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vec3 p = (mesh.vertices[i] - origin) / unit_mm;
+        points->SetPoint(static_cast<vtkIdType>(i), p.data());
+    }
+    vtkNew<vtkCellArray> cells;
+    for (const geometry::Triangle& t : mesh.triangles) {
+        const std::array<vtkIdType, 3> ids{t[0], t[1], t[2]};
+        cells->InsertNextCell(3, ids.data());
+    }
+    auto out = vtkSmartPointer<vtkPolyData>::New();
+    out->SetPoints(points);
+    out->SetPolys(cells);
+    return out;
+}
+
+/// @return where the filter moves the vertices, not limited
+std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
+{
+    const geometry::Box box = mesh.bounds();
+    const Vec3 origin = box.center();
+    const double unit_mm = std::max(box.sizes().norm(), 1e-300);
+    vtkNew<vtkWindowedSincPolyDataFilter> filter;
+    filter->SetInputData(polyDataOf(mesh, origin, unit_mm));
+    filter->SetNumberOfIterations(kIterations);
+    filter->SetPassBand(std::pow(10.0, -4.0 * smoothing));
+    filter->BoundarySmoothingOff();
+    filter->FeatureEdgeSmoothingOff();
+    filter->NonManifoldSmoothingOn();
+    filter->NormalizeCoordinatesOn();
+    filter->Update();
+    vtkPoints* const points = filter->GetOutput()->GetPoints();
+    std::vector<Vec3> vertices = mesh.vertices;
+    if (points == nullptr || points->GetNumberOfPoints() != static_cast<vtkIdType>(vertices.size())) {
+        return vertices;
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        Vec3 p;
+        points->GetPoint(static_cast<vtkIdType>(i), p.data());
+        if (p.allFinite()) {
+            vertices[i] = origin + unit_mm * p;
+        }
+    }
+    return vertices;
+}
+
+} // namespace
+
+std::string SurfaceSmoothing::sentence() const
+{
+    std::array<char, 160> text{};
+    const double change = volumeBefore_mm3 > 0.0 ? 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0) : 0.0;
+    if (volumeBefore_mm3 > 0.0) {
+        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm, volume %+.2f %%", most_mm,
+                      change);
+    } else {
+        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm", most_mm);
+    }
+    return text.data();
+}
+
+ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description)
+{
+    ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), std::nullopt};
+    if (description.outwards) {
+        if (std::optional<RepairedMesh> turned = geometry::turnedOutwards(*asRead)) {
+            out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
+        }
+    }
+    if (description.surface != SurfaceKind::Smoothed || out.surface->mesh.triangles.empty()) {
+        return out;
+    }
+    const RepairedMesh& before = *out.surface;
+    const MoveLimit limit = limitFor(before.mesh, out.staircase);
+    std::vector<Vec3> vertices = filtered(before.mesh, description.smoothing);
+    SurfaceSmoothing& done = out.smoothing.emplace();
+    done.limit_mm = limit.half_mm.maxCoeff();
+    done.volumeBefore_mm3 = std::abs(before.report.volume_mm3);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vec3 move_mm = limit.limited(vertices[i] - before.mesh.vertices[i]);
+        vertices[i] = before.mesh.vertices[i] + move_mm;
+        done.most_mm = std::max(done.most_mm, move_mm.norm());
+    }
+    auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
+    done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
+    out.surface = std::move(smoothed);
+    return out;
+}
+
+} // namespace palpate::meshio

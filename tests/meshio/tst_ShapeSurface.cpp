@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Masks.h"
+#include "Samples.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/ShapeSurface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace palpate;
+using core::Vec3;
+using meshio::SurfaceKind;
+
+namespace {
+
+std::shared_ptr<const geometry::RepairedMesh> repaired(const geometry::TriangleMesh& mesh)
+{
+    return std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+}
+
+meshio::SceneStructure smoothed(double smoothing = meshio::kUsualSmoothing)
+{
+    meshio::SceneStructure description;
+    description.surface = SurfaceKind::Smoothed;
+    description.smoothing = smoothing;
+    return description;
+}
+
+bool contains(const std::vector<std::string>& lines, const std::string& words)
+{
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+} // namespace
+
+class ShapeSurface : public QObject
+{
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void facetsStayAsTheyAre()
+    {
+        const auto asRead = repaired(test::maskSurface(test::ballMask(8.0, Vec3(1, 1, 3))));
+        const meshio::ShapedSurface shaped = meshio::shapeSurface(asRead, {});
+        QCOMPARE(shaped.surface.get(), asRead.get());
+        QVERIFY(shaped.staircase.has_value());
+        QVERIFY(!shaped.smoothing.has_value());
+    }
+
+    void noVertexMovesFartherThanHalfAVoxel()
+    {
+        const Vec3 voxel_mm(1, 1, 3);
+        const auto asRead = repaired(test::maskSurface(test::ballMask(15.0, voxel_mm)));
+        for (const double smoothing : {0.0, 0.5, 0.7, 1.0}) {
+            const meshio::ShapedSurface shaped = meshio::shapeSurface(asRead, smoothed(smoothing));
+            QCOMPARE(shaped.surface->mesh.vertices.size(), asRead->mesh.vertices.size());
+            double most_mm = 0.0;
+            for (std::size_t i = 0; i < asRead->mesh.vertices.size(); ++i) {
+                const Vec3 move_mm = shaped.surface->mesh.vertices[i] - asRead->mesh.vertices[i];
+                QVERIFY((move_mm.cwiseAbs().array() <= 0.5 * voxel_mm.array() + 1e-9).all());
+                most_mm = std::max(most_mm, move_mm.norm());
+            }
+            QVERIFY(shaped.smoothing.has_value());
+            QVERIFY(std::abs(shaped.smoothing->most_mm - most_mm) < 1e-9);
+            QVERIFY(std::abs(shaped.smoothing->volumeAfter_mm3 - shaped.surface->report.volume_mm3) < 1e-9);
+            QVERIFY(most_mm > 0.0);
+        }
+    }
+
+    /// Far from the origin and in another unit the answer is the same, though VTK's filter calculates with floats.
+    void isTheSameEverywhere()
+    {
+        const auto mesh = test::maskSurface(test::ballMask(10.0, Vec3(1, 1, 3)));
+        geometry::TriangleMesh far = mesh;
+        const Vec3 by(1024.0 * 900, -512.0 * 1200, 2048.0 * 300);
+        for (Vec3& p : far.vertices) {
+            p += by;
+        }
+        const auto here = meshio::shapeSurface(repaired(mesh), smoothed());
+        const auto there = meshio::shapeSurface(repaired(far), smoothed());
+        QCOMPARE(here.surface->mesh.vertices.size(), there.surface->mesh.vertices.size());
+        for (std::size_t i = 0; i < here.surface->mesh.vertices.size(); ++i) {
+            QVERIFY((here.surface->mesh.vertices[i] + by - there.surface->mesh.vertices[i]).norm() < 1e-4);
+        }
+    }
+
+    void withoutAStaircaseTheLimitIsHalfAnEdge()
+    {
+        const auto asRead = repaired(test::tetrahedron("t").mesh);
+        const meshio::ShapedSurface shaped = meshio::shapeSurface(asRead, smoothed());
+        QVERIFY(!shaped.staircase.has_value());
+        QVERIFY(shaped.smoothing.has_value());
+        QVERIFY(shaped.smoothing->limit_mm < 0.5 * 24.0 * std::sqrt(2.0));
+        QVERIFY(shaped.smoothing->most_mm <= std::sqrt(3.0) * shaped.smoothing->limit_mm + 1e-9);
+    }
+
+    void sceneFieldsAreKept()
+    {
+        const test::Folder folder;
+        const std::vector<meshio::MeshStructure> ball{
+            {"ball", test::maskSurface(test::ballMask(8.0, Vec3(1, 1, 3))), std::nullopt}};
+        QVERIFY(meshio::writeMesh(folder.path("ball.stl"), ball).isOk());
+        const auto file = folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "ball.stl",
+            "surface": "smoothed", "smoothing": 0.4, "outwards": true}]})");
+        const auto scene = meshio::readScene(file);
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        const meshio::SceneStructure& one = scene.value().structures.front();
+        QVERIFY(one.surface == SurfaceKind::Smoothed && one.smoothing == 0.4 && one.outwards && one.extra.empty());
+        QVERIFY(meshio::writeScene(folder.path("t.palpate.json"), scene.value()).isOk());
+        const auto again = meshio::readScene(folder.path("t.palpate.json"));
+        QVERIFY(again.isOk());
+        const meshio::SceneStructure& same = again.value().structures.front();
+        QVERIFY(same.surface == SurfaceKind::Smoothed && same.smoothing == 0.4 && same.outwards);
+
+        const auto loaded = meshio::loadScene(file);
+        QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
+        QVERIFY(loaded.value().structures.front().smoothing.has_value());
+        QVERIFY(contains(loaded.value().warnings, "staircase of about 1 × 1 × 3 mm voxels"));
+        QVERIFY(contains(loaded.value().warnings, "smoothed: vertices moved by at most "));
+    }
+
+    void whatIsNotSaidIsNotWritten()
+    {
+        const test::Folder folder;
+        meshio::SceneFile scene;
+        scene.structures.emplace_back();
+        scene.structures.back().mesh = folder.path("a.stl");
+        QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), scene).isOk());
+        const std::string text = test::fileBytes(folder.path("s.palpate.json"));
+        for (const char* field : {"surface", "smoothing", "outwards"}) {
+            QVERIFY2(text.find(field) == std::string::npos, field);
+        }
+    }
+
+    void wrongFieldsAreNamed_data()
+    {
+        QTest::addColumn<std::string>("field");
+        QTest::addColumn<std::string>("complaint");
+        QTest::newRow("surface") << std::string(R"("surface": "waxed")")
+                                 << std::string("structures[0].surface: found \"waxed\", expected one of facets, "
+                                                "smooth, smoothed");
+        QTest::newRow("smoothing") << std::string(R"("smoothing": 1.5)")
+                                   << std::string("structures[0].smoothing: found 1.5");
+        QTest::newRow("outwards") << std::string(R"("outwards": 1)") << std::string("structures[0].outwards");
+    }
+    void wrongFieldsAreNamed()
+    {
+        QFETCH(std::string, field);
+        QFETCH(std::string, complaint);
+        const test::Folder folder;
+        const auto file =
+            folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl", )" + field + "}]}");
+        const auto scene = meshio::readScene(file);
+        QVERIFY(!scene.isOk());
+        QVERIFY2(scene.status().message().find(complaint) != std::string::npos, scene.status().message().c_str());
+    }
+
+    /// Curved facets are for a later version: said, felt as facets, and kept.
+    void curvedFacetsAreSaidToBeMissing()
+    {
+        const test::Folder folder;
+        QVERIFY(meshio::writeMesh(folder.path("a.stl"), std::vector{test::tetrahedron("a")}).isOk());
+        const auto file =
+            folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "surface": "smooth"}]})");
+        const auto loaded = meshio::loadScene(file);
+        QVERIFY(loaded.isOk());
+        QVERIFY(contains(loaded.value().warnings, "curved facets are not available in this version"));
+        QVERIFY(loaded.value().structures.front().description.surface == SurfaceKind::Smooth);
+        QVERIFY(!loaded.value().structures.front().smoothing.has_value());
+    }
+
+    void optionsTurnAndSmoothWhatIsRead()
+    {
+        const test::Folder folder;
+        std::vector<meshio::MeshStructure> both{
+            {"ball", test::maskSurface(test::ballMask(8.0, Vec3(1, 1, 1))), std::nullopt},
+            test::tetrahedron("t", Vec3(100, 0, 0))};
+        for (meshio::MeshStructure& one : both) {
+            geometry::flip(one.mesh);
+        }
+        QVERIFY(meshio::writeMesh(folder.path("two.vtp"), both).isOk());
+        meshio::ReadOptions options;
+        const auto asItIs = meshio::loadScene(folder.path("two.vtp"), options);
+        options.turnsOutwards = true;
+        options.isSmoothed = true;
+        const auto changed = meshio::loadScene(folder.path("two.vtp"), options);
+        QVERIFY(asItIs.isOk() && changed.isOk());
+        for (std::size_t i = 0; i < 2; ++i) {
+            const meshio::LoadedStructure &before = asItIs.value().structures[i],
+                                          &after = changed.value().structures[i];
+            QVERIFY(before.surface->report.volume_mm3 < 0.0 && after.surface->report.volume_mm3 > 0.0);
+            QCOMPARE(after.surface->report.insideOutComponents, std::size_t{0});
+            QVERIFY(!before.smoothing && after.smoothing);
+            QVERIFY(after.description.outwards && after.description.surface == SurfaceKind::Smoothed);
+            QVERIFY(after.asRead->report.volume_mm3 < 0.0); // what was read is still there
+        }
+    }
+};
+
+PALPATE_TEST(ShapeSurface)
+#include "tst_ShapeSurface.moc"
