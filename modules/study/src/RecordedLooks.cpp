@@ -16,15 +16,27 @@ bool isShare(const QJsonValue& value)
     return value.isDouble() && value.toDouble() >= 0.0 && value.toDouble() <= 1.0;
 }
 
+QString nameOf(meshio::SurfaceKind surface)
+{
+    const std::string_view name = meshio::kSurfaceNames[static_cast<std::size_t>(surface)];
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
 RecordedLook lookIn(const QJsonObject& json)
 {
     const QJsonArray colour = json["colour"].toArray();
     if (colour.size() != 3 || !std::all_of(colour.begin(), colour.end(), isShare) || !isShare(json["opacity"])) {
         return {};
     }
-    return {json["name"].toString().toStdString(),
-            {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
-            json["opacity"].toDouble()};
+    RecordedLook look{json["name"].toString().toStdString(),
+                      {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
+                      json["opacity"].toDouble()};
+    look.outwards = json["outwards"].toBool();
+    if (json["surface"].toString() == nameOf(meshio::SurfaceKind::Smoothed)) {
+        look.surface = meshio::SurfaceKind::Smoothed;
+        look.smoothing = isShare(json["smoothing"]) ? json["smoothing"].toDouble() : meshio::kUsualSmoothing;
+    }
+    return look;
 }
 
 } // namespace
@@ -33,9 +45,17 @@ std::string looksText(const std::vector<RecordedLook>& looks)
 {
     QJsonArray all;
     for (const RecordedLook& one : looks) {
-        all.append(QJsonObject{{"name", QString::fromStdString(one.name)},
-                               {"colour", QJsonArray{one.colour[0], one.colour[1], one.colour[2]}},
-                               {"opacity", one.opacity}});
+        QJsonObject look{{"name", QString::fromStdString(one.name)},
+                         {"colour", QJsonArray{one.colour[0], one.colour[1], one.colour[2]}},
+                         {"opacity", one.opacity}};
+        if (one.outwards) {
+            look["outwards"] = true;
+        }
+        if (one.surface == meshio::SurfaceKind::Smoothed) {
+            look["surface"] = nameOf(one.surface);
+            look["smoothing"] = one.smoothing;
+        }
+        all.append(look);
     }
     return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
 }
@@ -52,7 +72,8 @@ std::vector<RecordedLook> looksFrom(std::string_view text)
 
 RecordedLook lookOf(const meshio::SceneStructure& structure)
 {
-    return {structure.name, structure.colour, structure.opacity};
+    return {structure.name,     structure.colour,  structure.opacity,
+            structure.outwards, structure.surface, structure.smoothing};
 }
 
 } // namespace palpate::study

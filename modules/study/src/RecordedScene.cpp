@@ -55,6 +55,12 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
     const session::StructureSource& source = (named == all.end() ? all.front() : *named).source;
     options.unit_mm = source.unit_mm;
     options.frame = source.frame;
+    const std::vector<RecordedLook> looks = looksFrom(reader.info().looks);
+    if (const auto number = static_cast<std::size_t>(named == all.end() ? 0 : named - all.begin());
+        number < looks.size()) {
+        options.turnsOutwards = looks[number].outwards;
+        options.isSmoothed = looks[number].surface == meshio::SurfaceKind::Smoothed;
+    }
     return options;
 }
 
@@ -165,6 +171,9 @@ class Reopening
         if (number < m_looks.size() && m_looks[number].name == record.name) {
             out.colour = m_looks[number].colour;
             out.opacity = m_looks[number].opacity;
+            out.outwards = m_looks[number].outwards;
+            out.surface = m_looks[number].surface;
+            out.smoothing = m_looks[number].smoothing;
         }
         return out;
     }

@@ -10,12 +10,15 @@
 
 namespace palpate::study {
 
-/// How a structure was drawn while a recording was made.
+/// How a structure was drawn while a recording was made, and how its surface was made of its mesh.
 struct RecordedLook
 {
     std::string name;
     std::array<double, 3> colour{}; ///< red, green, blue in 0 … 1
     double opacity = 1.0;           ///< 0 … 1
+    bool outwards = false;          ///< see meshio::SceneStructure
+    meshio::SurfaceKind surface = meshio::SurfaceKind::Facets;
+    double smoothing = meshio::kUsualSmoothing;
 };
 
 /// Writes looks for RecordingInfo::looks, in the order of the recording's structures. See resources/docs/recording.md.
