@@ -5,6 +5,7 @@
 #include "LayersOption.h"
 #include "ProgramFolders.h"
 #include "ProgressLine.h"
+#include "SurfaceOptions.h"
 
 #include <palpate/core/Tissue.h>
 #include <palpate/evaluation/Report.h>
@@ -39,6 +40,7 @@ struct EvaluateOptions
     std::vector<fs::path> scenes;
     fs::path motion, out = "out/evaluation";
     std::string unit = "mm", frame, stiffness, layers;
+    SurfaceOptions surfaces;
     std::uint64_t seed = 1;
     bool isQuick = false;
     bool isStability = false;
@@ -271,6 +273,7 @@ int runEvaluate(EvaluateOptions options)
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
     read.frame = frame.value();
+    options.surfaces.applyTo(read);
     const auto subjects = loadSubjects(options, read, stiffness.value(), losses);
     if (!subjects.isOk()) {
         return report(subjects.status());
@@ -325,6 +328,7 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen)
         ->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--frame", options->frame, kFrameHelp);
+    options->surfaces.addTo(*command);
     command->add_option("--stiffness", options->stiffness,
                         "Stiffness of every tissue [N/mm]; without it, the scene's own");
     command->add_option("--layers", options->layers, kLayersHelp);

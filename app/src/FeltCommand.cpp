@@ -2,10 +2,12 @@
 #include "Commands.h"
 #include "Console.h"
 #include "ProgressLine.h"
+#include "SurfaceOptions.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/Numbers.h>
 #include <palpate/study/FeltFile.h>
+#include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +32,7 @@ struct FeltCommandOptions
     std::filesystem::path scene, vtp, json;
     std::string unit = "mm", frame, radius, press = "0,2,4,8";
     std::vector<std::string> ratios;
+    SurfaceOptions surfaces;
 };
 
 Result<std::vector<double>> depthsOption(const std::string& text)
@@ -171,10 +174,12 @@ int runFelt(const FeltCommandOptions& options)
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
     read.frame = frame.value();
+    options.surfaces.applyTo(read);
     const auto scene = study::openScene(options.scene, read);
     if (!scene.isOk()) {
         return report(scene.status());
     }
+    printTouchNotes(scene.value(), *study::hapticScene(scene.value()));
     const std::string file = options.scene.filename().string() + ": ";
     const auto organs = study::organsWithLumps(scene.value(), ratios.value());
     if (!organs.isOk()) {
@@ -209,6 +214,7 @@ void addFeltCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--json", options->json, "Write lumps, best places, areas and verdicts");
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--frame", options->frame, kFrameHelp);
+    options->surfaces.addTo(*command);
     command->callback([options, &chosen] { chosen = [options] { return runFelt(*options); }; });
 }
 

@@ -3,18 +3,28 @@
 #include "Console.h"
 #include "InfoReport.h"
 #include "LayersOption.h"
+#include "SurfaceOptions.h"
 
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/study/SceneNotes.h>
 
 #include <CLI/CLI.hpp>
 #include <QJsonArray>
 #include <QJsonDocument>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace palpate::app {
 
@@ -27,6 +37,7 @@ struct InfoOptions
 {
     std::vector<std::filesystem::path> files;
     std::string unit = "mm", frame, layers;
+    SurfaceOptions surfaces;
     bool isPartial = false;
     bool isJson = false;
 };
@@ -36,7 +47,14 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-core::Result<FileReport> examine(const std::filesystem::path& file, const meshio::ReadOptions& options, bool setsLayers)
+/// A file on its way through the report.
+struct Examined
+{
+    FileReport report;
+    std::shared_ptr<const haptics::HapticScene> felt;
+};
+
+core::Result<Examined> readFile(const std::filesystem::path& file, const meshio::ReadOptions& options)
 {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -46,65 +64,159 @@ core::Result<FileReport> examine(const std::filesystem::path& file, const meshio
         return Status(StatusCode::Unsupported,
                       file.string() + ": found a recording, expected a mesh (palpate session info reads recordings)");
     }
-    FileReport report;
-    report.path = file;
-    auto start = std::chrono::steady_clock::now();
+    Examined one;
+    one.report.path = file;
+    const auto start = std::chrono::steady_clock::now();
     auto loaded = study::openScene(file, options);
     if (!loaded.isOk()) {
         return loaded.status();
     }
-    report.scene = std::move(loaded).value();
-    report.load_s = secondsSince(start);
-    start = std::chrono::steady_clock::now();
-    auto scene = study::hapticScene(report.scene);
-    report.index_s = secondsSince(start);
-    if (setsLayers) {
-        report.layers = layOut(file, report.scene, scene);
-    }
-    start = std::chrono::steady_clock::now();
-    for (const auto& structure : scene->structures()) {
-        report.examined.push_back(structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface))
-                                                               : std::nullopt);
-    }
-    report.examine_s = secondsSince(start);
-    report.touchBytes = scene->byteSize();
-    report.touchTriangles = study::triangleCount(*scene);
-    return report;
+    one.report.scene = std::move(loaded).value();
+    one.report.load_s = secondsSince(start);
+    return one;
 }
 
-int runMeshInfo(const InfoOptions& options)
+void indexFile(Examined& one)
+{
+    const auto start = std::chrono::steady_clock::now();
+    one.felt = study::hapticScene(one.report.scene);
+    one.report.index_s = secondsSince(start);
+    one.report.touchBytes = one.felt->byteSize();
+    one.report.touchTriangles = study::triangleCount(*one.felt);
+    one.report.surfaceNotes = surfaceNotes(one.report.scene, *one.felt);
+    for (const meshio::LoadedStructure& structure : one.report.scene.structures) {
+        const std::string name = structure.description.name + ": ";
+        std::erase_if(one.report.surfaceNotes, [&name](const std::string& note) { // said with the structure
+            return note.starts_with(name);
+        });
+    }
+}
+
+void examineFile(Examined& one)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& structure : one.felt->structures()) {
+        one.report.examined.push_back(
+            structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface)) : std::nullopt);
+    }
+    one.report.examine_s = secondsSince(start);
+}
+
+/// Files that say nothing of layers are one scene, as in the window; a scene file is one of its own.
+/// @return the numbers of the files of each scene
+std::vector<std::vector<std::size_t>> scenesOf(const std::vector<Examined>& files)
+{
+    std::vector<std::vector<std::size_t>> scenes;
+    std::vector<std::size_t> meshes;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (meshio::isSceneFile(files[i].report.path)) {
+            scenes.push_back({i});
+        } else {
+            meshes.push_back(i);
+        }
+    }
+    if (!meshes.empty()) {
+        scenes.push_back(std::move(meshes));
+    }
+    return scenes;
+}
+
+/// Finds what the structures of some files are to each other.
+void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& numbers, bool setsLayers)
+{
+    meshio::LoadedScene together;
+    std::vector<haptics::HapticStructure> structures;
+    for (const std::size_t i : numbers) {
+        const meshio::LoadedScene& one = files[i].report.scene;
+        together.structures.insert(together.structures.end(), one.structures.begin(), one.structures.end());
+        together.scene.structures.insert(together.scene.structures.end(), one.scene.structures.begin(),
+                                         one.scene.structures.end());
+        structures.insert(structures.end(), files[i].felt->structures().begin(), files[i].felt->structures().end());
+    }
+    auto felt = std::make_shared<const haptics::HapticScene>(std::move(structures));
+    std::optional<std::vector<std::string>> layers;
+    if (setsLayers) {
+        layers = layOut(files[numbers.front()].report.path, together, felt);
+    }
+    const std::vector<std::string> notes = study::neighbourNotes(together, *felt);
+    std::size_t next = 0;
+    for (const std::size_t i : numbers) {
+        for (meshio::LoadedStructure& structure : files[i].report.scene.structures) {
+            structure.description.layer = together.structures[next++].description.layer;
+        }
+        files[i].report.layers = layers;
+        files[i].report.neighbours = notes;
+    }
+}
+
+void printComparison(const std::vector<Examined>& files, const std::vector<std::size_t>& numbers)
+{
+    const FileReport& first = files[numbers.front()].report;
+    for (const std::string& line : first.layers.value_or(std::vector<std::string>())) {
+        print("  layers: %s\n", line.c_str());
+    }
+    for (const std::string& line : first.neighbours) {
+        print("  note: %s\n", line.c_str());
+    }
+}
+
+core::Result<meshio::ReadOptions> readOptions(const InfoOptions& options)
 {
     const auto unit = unitOption(options.unit);
-    if (!unit.isOk()) {
-        return report(unit.status());
-    }
     const auto frame = frameOption(options.frame);
-    if (!frame.isOk()) {
-        return report(frame.status());
-    }
-    if (const Status status = checkLayers(options.layers); !status.isOk()) {
-        return report(status);
+    for (const Status& status : {unit.status(), frame.status(), checkLayers(options.layers)}) {
+        if (!status.isOk()) {
+            return status;
+        }
     }
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
     read.frame = frame.value();
     read.isPartial = options.isPartial;
-    QJsonArray all;
+    options.surfaces.applyTo(read);
+    return read;
+}
+
+int runMeshInfo(const InfoOptions& options)
+{
+    const auto read = readOptions(options);
+    if (!read.isOk()) {
+        return report(read.status());
+    }
+    // What is known is printed at once: the examination takes far longer than all before it.
+    const auto show = [&options](void (*part)(const FileReport&), const Examined& one) {
+        if (!options.isJson) {
+            part(one.report);
+            std::fflush(stdout);
+        }
+    };
+    std::vector<Examined> files;
     std::vector<std::string> losses;
     for (const auto& file : options.files) {
-        const auto examined = examine(file, read, !options.layers.empty());
-        if (!examined.isOk()) {
-            return report(examined.status());
+        auto one = readFile(file, read.value());
+        if (!one.isOk()) {
+            return report(one.status());
         }
-        const std::vector<std::string>& lost = examined.value().scene.losses;
+        files.push_back(std::move(one).value());
+        const std::vector<std::string>& lost = files.back().report.scene.losses;
         losses.insert(losses.end(), lost.begin(), lost.end());
-        if (options.isJson) {
-            all.append(toJson(examined.value()));
-        } else {
-            printReport(examined.value());
+        show(printRead, files.back());
+        indexFile(files.back());
+        show(printTouch, files.back());
+        examineFile(files.back());
+        show(printExamination, files.back());
+    }
+    for (const std::vector<std::size_t>& numbers : scenesOf(files)) {
+        compareFiles(files, numbers, !options.layers.empty());
+        if (!options.isJson) {
+            printComparison(files, numbers);
         }
     }
     if (options.isJson) {
+        QJsonArray all;
+        for (const Examined& one : files) {
+            all.append(toJson(one.report));
+        }
         printJson(QJsonDocument(all).toJson().toStdString());
     }
     return reportLosses(losses);
@@ -123,6 +235,7 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--frame", options->frame, kFrameHelp);
     command->add_option("--layers", options->layers, kLayersHelp);
+    options->surfaces.addTo(*command);
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");
     command->add_flag("--json", options->isJson, "Print the report as JSON");

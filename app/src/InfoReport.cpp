@@ -88,11 +88,24 @@ std::string wall(const geometry::SurfaceExamination& e)
     return text.data();
 }
 
+/// What was found in a structure's mesh.
+std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
+{
+    std::vector<std::string> lines = structure.surface->report.sentences();
+    if (structure.staircase) {
+        lines.push_back(structure.staircase->sentence());
+    }
+    if (structure.smoothing) {
+        lines.push_back(structure.smoothing->sentence());
+    }
+    return lines;
+}
+
 std::vector<std::string> notes(const FileReport& report)
 {
     std::vector<std::string> out = report.scene.warnings;
     for (const auto& structure : report.scene.structures) {
-        for (const std::string& sentence : structure.surface->report.sentences()) {
+        for (const std::string& sentence : sentencesOf(structure)) {
             std::erase(out, structure.description.name + ": " + sentence); // said with the structure
         }
     }
@@ -130,11 +143,10 @@ QJsonArray triple(const core::Vec3& v)
 
 } // namespace
 
-void printReport(const FileReport& report)
+void printRead(const FileReport& report)
 {
     print("%s\n", report.path.string().c_str());
-    for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
-        const meshio::LoadedStructure& structure = report.scene.structures[i];
+    for (const meshio::LoadedStructure& structure : report.scene.structures) {
         const geometry::MeshReport& r = structure.surface->report;
         print("  %s: %s triangles, %s vertices, frame %s (%s)%s\n", structure.description.name.c_str(),
               grouped(r.triangles).c_str(), grouped(r.vertices).c_str(), frameName(structure), frameSource(structure),
@@ -157,27 +169,39 @@ void printReport(const FileReport& report)
         for (const std::string& line : mapLines(structure)) {
             print("    %s\n", line.c_str());
         }
-        if (const auto& e = report.examined[i]) {
-            print("    %s\n", crossings(*e, r.triangles).c_str());
-            if (const std::string line = wall(*e); !line.empty()) {
-                print("    %s\n", line.c_str());
-            }
-        }
-        for (const std::string& sentence : r.sentences()) {
+        for (const std::string& sentence : sentencesOf(structure)) {
             print("    - %s\n", sentence.c_str());
         }
-    }
-    for (const std::string& line : report.layers.value_or(std::vector<std::string>())) {
-        print("  layers: %s\n", line.c_str());
     }
     for (const std::string& note : notes(report)) {
         print("  note: %s\n", note.c_str());
     }
-    print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms, examined in %.0f "
-          "ms\n",
+}
+
+void printTouch(const FileReport& report)
+{
+    for (const std::string& note : report.surfaceNotes) {
+        print("  note: %s\n", note.c_str());
+    }
+    print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms\n",
           grouped(report.touchTriangles).c_str(), grouped(report.touchBytes).c_str(),
           static_cast<double>(report.touchBytes) / static_cast<double>(std::max<std::size_t>(report.touchTriangles, 1)),
-          report.load_s * 1e3, report.index_s * 1e3, report.examine_s * 1e3);
+          report.load_s * 1e3, report.index_s * 1e3);
+}
+
+void printExamination(const FileReport& report)
+{
+    for (std::size_t i = 0; i < report.scene.structures.size(); ++i) {
+        const meshio::LoadedStructure& structure = report.scene.structures[i];
+        if (const auto& e = report.examined[i]) {
+            const char* const name = structure.description.name.c_str();
+            print("  %s: %s\n", name, crossings(*e, structure.surface->report.triangles).c_str());
+            if (const std::string line = wall(*e); !line.empty()) {
+                print("  %s: %s\n", name, line.c_str());
+            }
+        }
+    }
+    print("  examined in %.0f ms\n", report.examine_s * 1e3);
 }
 
 namespace {
@@ -215,6 +239,25 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
     }
 }
 
+/// The steps of its voxels, and what smoothing did to them.
+void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
+{
+    if (const auto& stairs = structure.staircase) {
+        object["staircase"] = QJsonObject{
+            {"voxel_mm", triple(stairs->voxel_mm)},
+            {"axes", QJsonArray{triple(stairs->axes.col(0)), triple(stairs->axes.col(1)), triple(stairs->axes.col(2))}},
+            {"area_share", stairs->areaShare},
+            {"directions", geometry::Staircase::kDirections}};
+    }
+    if (const auto& done = structure.smoothing) {
+        object["smoothed"] = QJsonObject{{"smoothing", structure.description.smoothing},
+                                         {"most_moved_mm", done->most_mm},
+                                         {"limit_mm", done->limit_mm},
+                                         {"volume_before_mm3", done->volumeBefore_mm3},
+                                         {"volume_after_mm3", done->volumeAfter_mm3}};
+    }
+}
+
 /// As in a scene file, and its greatest slope.
 QJsonObject lawObject(const core::Tissue& tissue)
 {
@@ -240,7 +283,7 @@ QJsonObject toJson(const meshio::LoadedStructure& structure, const session::Stru
                    const std::optional<geometry::SurfaceExamination>& examined)
 {
     const geometry::MeshReport& r = structure.surface->report;
-    QJsonArray sentences = texts(r.sentences());
+    QJsonArray sentences = texts(sentencesOf(structure));
     QJsonObject object{
         {"name", text(structure.description.name)},
         {"mesh", text(source.mesh)},
@@ -275,6 +318,7 @@ QJsonObject toJson(const meshio::LoadedStructure& structure, const session::Stru
     if (structure.description.tissue.law.kind != core::LawKind::Linear) {
         object["law"] = lawObject(structure.description.tissue);
     }
+    addShape(structure, object);
     addMaps(structure, object);
     add(examined, r.triangles, object, sentences);
     object["findings"] = sentences;
@@ -299,6 +343,10 @@ QJsonObject toJson(const FileReport& report)
         }
         structures.append(one);
     }
+    std::vector<std::string> allNotes = notes(report);
+    for (const auto* more : {&report.surfaceNotes, &report.neighbours}) {
+        allNotes.insert(allNotes.end(), more->begin(), more->end());
+    }
     const std::optional<double>& likely = report.scene.likelyUnit_mm;
     QJsonObject object{{"schema", 1},
                        {"file", text(report.path.string())},
@@ -308,7 +356,7 @@ QJsonObject toJson(const FileReport& report)
                                                                    {"unit_mm", *likely},
                                                                    {"option", QString("--unit ") + unitName(*likely)}})
                                           : QJsonValue()},
-                       {"notes", texts(notes(report))},
+                       {"notes", texts(allNotes)},
                        {"losses", texts(report.scene.losses)},
                        {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
                                              {"bytes", count(report.touchBytes)},

@@ -22,13 +22,20 @@ struct FileReport
     double index_s = 0.0;                                              ///< building the haptic copies
     std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< one a structure; nothing where not palpable
     double examine_s = 0.0;
-    std::optional<std::vector<std::string>> layers; ///< what lies in what, a sentence each, where that was asked for
+    std::vector<std::string> surfaceNotes; ///< about surfaces that are inside out or staircases, a sentence each
+    std::vector<std::string> neighbours;   ///< about structures of all files that are in each other's way, likewise
+    /// What lies in what among all files, a sentence each, where that was asked for.
+    std::optional<std::vector<std::string>> layers;
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };
 
-/// Prints the report for a person.
-void printReport(const FileReport& report);
+/// Prints for a person what was read, before anything is built of it.
+void printRead(const FileReport& report);
+/// Prints what touching costs, once that is possible.
+void printTouch(const FileReport& report);
+/// Prints what the examination found.
+void printExamination(const FileReport& report);
 /// The same as data, with the SHA-256 of each geometry; its fields are described in resources/docs/info.md.
 [[nodiscard]] QJsonObject toJson(const FileReport& report);
 

@@ -34,6 +34,7 @@ void addReplayCommand(CLI::App& app, Chosen& chosen)
     }
     command->add_option("--radius", options->radius, "Radius of the fingertip [mm]; 0 touches with a point");
     command->add_option("--layers", options->layers, kLayersHelp);
+    options->surfaces.addTo(*command);
     command->add_option("--json", options->json, "Write the summary as JSON");
     command->add_option("--record", options->record,
                         "Write a recording (*.palpate); a file of this name is replaced with --force only");

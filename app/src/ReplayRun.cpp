@@ -9,6 +9,7 @@
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
+#include <palpate/study/RecordedLooks.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 
@@ -27,6 +28,18 @@ namespace fs = std::filesystem;
 double seconds(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// How surfaces were made of their meshes, where that is not as their files have them.
+std::string looksOf(const meshio::LoadedScene& scene)
+{
+    std::vector<study::RecordedLook> looks;
+    bool isAny = false;
+    for (const meshio::LoadedStructure& one : scene.structures) {
+        looks.push_back(study::lookOf(one.description));
+        isAny = isAny || one.description.outwards || one.smoothing;
+    }
+    return isAny ? study::looksText(looks) : std::string();
 }
 
 } // namespace
@@ -179,6 +192,7 @@ Status ReplayRun::loadScene()
     readOptions.unit_mm = m_unit_mm;
     readOptions.frame = m_frame;
     readOptions.isPartial = m_options.isPartial;
+    m_options.surfaces.applyTo(readOptions);
     auto loaded = study::openScene(m_options.scene, readOptions);
     if (!loaded.isOk()) {
         return loaded.status();
@@ -206,6 +220,7 @@ Status ReplayRun::loadScene()
         }
         m_isRelayered = m_scene != before;
     }
+    m_cost.notes = printTouchNotes(loaded.value(), *m_scene);
     if (m_radius) {
         m_scene = std::make_shared<haptics::HapticScene>(m_scene->structures(), *m_radius);
     }
@@ -214,6 +229,7 @@ Status ReplayRun::loadScene()
     }
     if (m_recording || !m_options.record.empty()) {
         m_sources = study::sourcesOf(loaded.value(), m_options.embeds);
+        m_looks = looksOf(loaded.value());
     }
     m_summary.emplace(m_cost, m_motion.dt_s);
     m_summary->reserve(m_motion.p_WH.size());
@@ -227,10 +243,12 @@ Status ReplayRun::startRecording(const session::RecordingInfo& info)
     }
     const auto sync =
         m_options.isLive ? session::RecordingWriter::Sync::EachCommit : session::RecordingWriter::Sync::AtEnd;
+    session::RecordingInfo whole = info;
+    whole.looks = m_looks;
     std::error_code error;
     const bool replaces = m_options.isForced && fs::exists(fs::symlink_status(m_options.record, error));
     auto writer =
-        session::RecordingWriter::create(m_options.record, info, sync, session::RecordingWriter::Events::Derived,
+        session::RecordingWriter::create(m_options.record, whole, sync, session::RecordingWriter::Events::Derived,
                                          replaces ? core::OldFile::Replace : core::OldFile::Refuse);
     if (!writer.isOk()) {
         return writer.status();

@@ -3,6 +3,7 @@
 
 #include "LiveReplay.h"
 #include "ReplaySummary.h"
+#include "SurfaceOptions.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/Status.h>
@@ -36,6 +37,7 @@ struct ReplayOptions
     bool isForced = false;
     bool isPartial = false;
     bool embeds = false;
+    SurfaceOptions surfaces;
 };
 
 /// One replay, from the command line to its outputs.
@@ -83,6 +85,7 @@ class ReplayRun
     std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::vector<session::StructureSource> m_sources; ///< when hashes are needed
+    std::string m_looks; ///< for a recording of surfaces that were smoothed or turned; empty: of none
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;

@@ -7,6 +7,7 @@
 #include <palpate/session/Recording.h>
 #include <palpate/study/SessionExport.h>
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -105,6 +106,11 @@ std::string ReplaySummary::json() const
                                 {"load_s", m_cost.load_s},
                                 {"index_s", m_cost.index_s},
                                 {"ready_to_touch_s", m_cost.load_s + m_cost.index_s}};
+    QJsonArray notes;
+    for (const std::string& note : m_cost.notes) {
+        notes.append(text(note));
+    }
+    root["notes"] = notes;
     root["solve_ns"] = QJsonObject{{"p50", static_cast<qint64>(t.p50)},
                                    {"p99", static_cast<qint64>(t.p99)},
                                    {"p99.9", static_cast<qint64>(t.p999)},

@@ -18,9 +18,10 @@ struct SceneCost
     std::string name; ///< of the file
     std::size_t structures = 0;
     std::size_t triangles = 0;
-    std::size_t bytes = 0; ///< of all haptic copies
-    double load_s = 0.0;   ///< reading and repairing
-    double index_s = 0.0;  ///< building the haptic copies
+    std::size_t bytes = 0;          ///< of all haptic copies
+    double load_s = 0.0;            ///< reading and repairing
+    double index_s = 0.0;           ///< building the haptic copies
+    std::vector<std::string> notes; ///< what a person should know of the surfaces, a sentence each
 };
 
 /// Order statistics of a duration, by nearest rank. [ns]

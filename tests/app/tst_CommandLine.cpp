@@ -289,7 +289,7 @@ class CommandLine : public QObject
         QCOMPARE(json["layers"].toArray().at(0).toString(), QString("tumour lies in liver and is felt below it"));
         QCOMPARE(json["structures"].toArray().at(1).toObject()["layer"].toInt(), 1);
         QVERIFY(!run({"info", "two"}).out.contains("layers:"));
-        QVERIFY(!run({"info", "two", "--json"}).out.contains("layer"));
+        QVERIFY(!run({"info", "two", "--json"}).out.contains("\"layer"));
     }
 
     void aSceneFileKeepsItsOwnLayers()
