@@ -272,6 +272,7 @@ void MainWindow::connectLoading()
                 say(problems.isEmpty() ? tr("The map of %1 is felt.").arg(readableName(found->description.name))
                                        : problems.join(QLatin1Char(' ')));
             });
+    connectSurfaces();
     connect(m_structures, &StructurePanel::colourChosen, m_maps, &MapDisplay::show);
     connect(m_coordinates, &CoordinatesChoice::chosen, this, &MainWindow::readAs);
     connect(&m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_isEditedMeanwhile = true; });

@@ -142,7 +142,10 @@ class MainWindow : public QMainWindow
     int tellNotes(const palpate::ui::OpenedScene& scene);
     void tellRealtime(const palpate::servo::RealtimeReport& report);
     [[nodiscard]] QString handText() const;
-    void offerMetres();
+    void offerMetres(double size_mm);
+    void connectSurfaces();
+    void offerSurfaces();
+    void followSurface(int row);
     void layOut(const palpate::ui::OpenedScene& scene);
     void offerOtherLayout(const LumpLayout& layout, const QString& line);
     void offerLayers(const palpate::study::Layering& layering);
@@ -237,7 +240,9 @@ class MainWindow : public QMainWindow
     SceneDocument* m_document = nullptr;
     FindingsDesk* m_findingsDesk = nullptr;
     std::vector<std::filesystem::path> m_files;
-    double m_unit_mm = 1.0;                                  ///< that they were read with
-    std::optional<std::filesystem::path> m_waitingRecording; ///< opened when its scene is there
+    double m_unit_mm = 1.0;                                                       ///< that they were read with
+    std::vector<std::filesystem::path> m_opening;                                 ///< meshes that were asked for last
+    palpate::core::FileFrame m_openingFrame = palpate::core::FileFrame::Untagged; ///< chosen for these
+    std::optional<std::filesystem::path> m_waitingRecording;                      ///< opened when its scene is there
     RecordingControl* m_recording = nullptr;
 };

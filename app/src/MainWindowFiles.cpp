@@ -51,21 +51,25 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     }
     m_waitingRecording = recording;
     m_unit_mm = unit_mm;
+    m_opening = meshes;
+    m_openingFrame = frame;
     m_loader.open(meshes, unit_mm, frame);
 }
 
-void MainWindow::offerMetres()
+/// As soon as the meshes are read; they are indexed meanwhile.
+void MainWindow::offerMetres(double size_mm)
 {
     // No organ is this small; reference libraries write metres into files that cannot say so.
     constexpr double kSmallest_mm = 3.0;
-    const double size_mm = m_viewport->view().bounds().diagonal().norm();
-    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm || m_files.front().empty() ||
-        meshio::isSceneFile(m_files.front())) {
+    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm ||
+        std::any_of(m_opening.begin(), m_opening.end(), [](const std::filesystem::path& file) {
+            return meshio::isSceneFile(file) || session::isRecordingFile(file);
+        })) {
         return;
     }
     m_message->offer(
         tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
-        tr("Read as metres"), [this] { open(m_files, 1000.0, m_model.structure(0).frame); });
+        tr("Read as metres"), [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
 }
 
 /// Reads the open meshes again, along other axes.
@@ -161,7 +165,8 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     if (!scene->problems.isEmpty()) {
         showError(scene->problems.join(QLatin1Char('\n')));
     }
-    offerMetres();
+    offerSurfaces();
+    m_loader.findGaps(m_model.rows());
     if (m_waitingRecording) {
         openRecording(*std::exchange(m_waitingRecording, std::nullopt));
     }

@@ -8,6 +8,7 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/BuriedLumps.h>
 #include <palpate/study/HapticCopy.h>
+#include <palpate/study/SceneNotes.h>
 #include <palpate/view/SurfaceMesh.h>
 
 #include <QElapsedTimer>
@@ -112,6 +113,7 @@ class SceneLoader::Opening
         for (std::size_t i = 0; i < m_files.size() && !m_job->isCancelled; ++i) {
             read(i);
         }
+        tellSize();
         prepare();
         m_opened->seconds = static_cast<double>(timer.elapsed()) * 1e-3;
         tell([&loader = m_loader, opened = m_opened, problems = m_problems, isCancelled = m_job->isCancelled.load()] {
@@ -212,6 +214,18 @@ class SceneLoader::Opening
         if (!lost.isEmpty()) {
             m_opened->warnings << tr("%1: opened together with another scene; not taken: %2")
                                       .arg(QString::fromStdString(file.filename().string()), lost.join(tr(", ")));
+        }
+    }
+
+    void tellSize()
+    {
+        core::Box box;
+        for (const StructureRow& row : m_opened->rows) {
+            box.extend(row.loaded.surface->report.bounds);
+        }
+        const bool isOpenedAnew = m_opened->addedTo == 0 && !m_opened->isReopened;
+        if (isOpenedAnew && !box.isEmpty() && !m_job->isCancelled) {
+            tell([&loader = m_loader, size_mm = box.diagonal().norm()] { Q_EMIT loader.sizeKnown(size_mm); });
         }
     }
 
@@ -327,6 +341,71 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
             [this, row, touch, hash, scene] {
                 if (scene == m_scene) { // the row is of the scene that is still open
                     Q_EMIT touchBuilt(row, touch, hash);
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure)
+{
+    auto built = std::make_shared<StructureRow>();
+    built->loaded = structure;
+    m_builders.start([this, row, built, scene = m_scene] {
+        meshio::LoadedStructure& one = built->loaded;
+        meshio::ShapedSurface shaped = meshio::shapeSurface(one.asRead, one.description);
+        one.surface = std::move(shaped.surface);
+        one.staircase = shaped.staircase;
+        one.smoothing = shaped.smoothing;
+        std::vector<std::string> warnings, losses;
+        meshio::resolveMaps(one, warnings, losses);
+        for (const std::string& line : losses) {
+            built->mapProblems << engineText(line);
+        }
+        built->picture = view::makeSurface(*one.surface);
+        if (one.description.palpable) {
+            built->touch = study::indexed(*one.surface);
+            built->sha256 = session::geometryHash(one.surface->mesh);
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, row, built, scene] {
+                if (scene == m_scene) {
+                    Q_EMIT surfaceBuilt(row, built);
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
+{
+    struct Kept // as long as the search runs
+    {
+        std::vector<std::shared_ptr<const geometry::RepairedMesh>> surfaces;
+        std::vector<std::shared_ptr<const geometry::SurfaceIndex>> indices;
+        std::vector<study::NeighbourSurface> neighbours;
+    };
+    auto kept = std::make_shared<Kept>();
+    for (const StructureRow& row : rows) {
+        const bool counts =
+            !row.isRemoved && StructureModel::isFelt(row.loaded.description) && !row.loaded.isFeltThrough;
+        kept->surfaces.push_back(row.loaded.surface);
+        kept->indices.push_back(counts ? row.touch : nullptr);
+        kept->neighbours.push_back({readableName(row.loaded.description.name).toStdString(),
+                                    row.loaded.description.layer, kept->surfaces.back().get(),
+                                    kept->indices.back().get()});
+    }
+    m_builders.start([this, kept, scene = m_scene] {
+        QStringList lines;
+        for (const std::string& line : study::gapNotes(kept->neighbours)) {
+            lines << engineText(line);
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, lines, scene] {
+                if (scene == m_scene) {
+                    Q_EMIT notesFound(lines);
                 }
             },
             Qt::QueuedConnection);

@@ -39,6 +39,17 @@ QIcon swatch(const QColor& colour)
 
 } // namespace
 
+namespace {
+
+/// Drawn and felt with another surface, made of the same mesh.
+bool hasOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b)
+{
+    return a.outwards != b.outwards || a.surface != b.surface ||
+           (a.smoothing != b.smoothing && b.surface == meshio::SurfaceKind::Smoothed);
+}
+
+} // namespace
+
 QColor colourOf(const meshio::SceneStructure& structure)
 {
     return QColor::fromRgbF(static_cast<float>(structure.colour[0]), static_cast<float>(structure.colour[1]),
@@ -73,8 +84,9 @@ class StructureModel::Edit final : public QUndoCommand
         }
         for (std::size_t i = 0; i < m_after.size(); ++i) {
             const meshio::SceneStructure &from = m_before[i].description, &to = next->m_after[i].description;
-            if (next->m_after[i].row != m_after[i].row || from.visible != to.visible || from.palpable != to.palpable ||
-                from.name != to.name || m_after[i].description.layer != to.layer || from.inside != to.inside) {
+            if (next->m_after[i].row != m_after[i].row || hasOtherSurface(from, to) || from.visible != to.visible ||
+                from.palpable != to.palpable || from.name != to.name || m_after[i].description.layer != to.layer ||
+                from.inside != to.inside) {
                 return false;
             }
         }
@@ -384,6 +396,9 @@ void StructureModel::apply(const std::vector<Edited>& edits, std::optional<meshi
     }
     Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
     for (std::size_t i = 0; i < edits.size(); ++i) {
+        if (hasOtherSurface(before[i], edits[i].description) && isReshapable(edits[i].row)) {
+            Q_EMIT surfaceWanted(edits[i].row);
+        }
         tell(edits[i].row, before[i], before[i].maps != edits[i].description.maps);
     }
     for (const int row : others) {
@@ -441,6 +456,88 @@ void StructureModel::setMaps(int row, const std::optional<std::vector<core::Tiss
     Q_EMIT edited(row, Change::Touch);
 }
 
+bool StructureModel::isReshapable(int row) const
+{
+    return m_rows[static_cast<std::size_t>(row)].loaded.asRead != nullptr;
+}
+
+void StructureModel::setSurface(int row, const StructureRow& built)
+{
+    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+    const meshio::SceneStructure &now = one.loaded.description, &of = built.loaded.description;
+    if (hasOtherSurface(now, of)) {
+        return;
+    }
+    const std::size_t vertices = built.loaded.surface->mesh.vertices.size();
+    if (vertices != one.loaded.surface->mesh.vertices.size()) { // of vertices that are no longer there
+        one.loaded.feltBelow.clear();
+        one.recordedBelow.clear();
+    }
+    one.loaded.surface = built.loaded.surface;
+    one.loaded.staircase = built.loaded.staircase;
+    one.loaded.smoothing = built.loaded.smoothing;
+    one.picture = built.picture;
+    one.touch = built.touch;
+    one.sha256 = built.sha256;
+    if (now.maps == of.maps) {
+        one.loaded.maps = built.loaded.maps;
+        one.mapProblems = built.mapProblems;
+        refreshFelt(one);
+    } else {
+        resolveMaps(row);
+    }
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    Q_EMIT surfaceReplaced(row);
+    Q_EMIT edited(row, Change::Touch);
+}
+
+std::vector<int> StructureModel::insideOutRows() const
+{
+    std::vector<int> rows;
+    for (int row = 0; row < rowCount(); ++row) {
+        const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+        if (!one.isRemoved && isReshapable(row) && one.loaded.surface->report.insideOutComponents > 0) {
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+std::vector<int> StructureModel::steppedRows() const
+{
+    std::vector<int> rows;
+    for (int row = 0; row < rowCount(); ++row) {
+        const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+        if (!one.isRemoved && isReshapable(row) && one.loaded.staircase &&
+            structure(row).surface != meshio::SurfaceKind::Smoothed) {
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+void StructureModel::turnOutwards(const std::vector<int>& rows)
+{
+    std::vector<Edited> edits;
+    for (const int row : rows) {
+        edits.push_back({row, structure(row)});
+        edits.back().description.outwards = true;
+    }
+    editAll(std::move(edits), rows.size() == 1 ? tr("Turn %1 around").arg(readableName(structure(rows.front()).name))
+                                               : tr("Turn %1 surfaces around").arg(rows.size()));
+}
+
+void StructureModel::smooth(const std::vector<int>& rows)
+{
+    std::vector<Edited> edits;
+    for (const int row : rows) {
+        edits.push_back({row, structure(row)});
+        edits.back().description.surface = meshio::SurfaceKind::Smoothed;
+    }
+    editAll(std::move(edits), rows.size() == 1 ? tr("Smooth %1").arg(readableName(structure(rows.front()).name))
+                                               : tr("Smooth %1 surfaces").arg(rows.size()));
+}
+
 /// Lays the maps out for the tick. @par Cost O(triangles) for each map
 void StructureModel::refreshFelt(StructureRow& row)
 {
@@ -461,13 +558,42 @@ void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIn
 QStringList StructureModel::findings(int row) const
 {
     QStringList lines;
-    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
-    if (surface != nullptr) {
-        for (const std::string& sentence : surface->report.sentences()) {
+    const meshio::LoadedStructure& one = m_rows[static_cast<std::size_t>(row)].loaded;
+    if (one.surface != nullptr) {
+        for (const std::string& sentence : one.surface->report.sentences()) {
             lines << engineText(sentence);
         }
     }
+    if (one.staircase) {
+        lines << engineText(one.staircase->sentence());
+    }
+    if (one.smoothing) {
+        lines << engineText(one.smoothing->sentence());
+    }
     return lines;
+}
+
+/// Of the steps that voxels left, or of what smoothing did to them.
+QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
+{
+    const QLocale locale;
+    if (const auto& done = one.smoothing) {
+        const QString moved = locale.toString(done->most_mm, 'g', 2);
+        if (!(done->volumeBefore_mm3 > 0.0)) {
+            return {tr("The surface is smoothed: moved by at most %1 mm").arg(moved)};
+        }
+        const double change = 100.0 * (done->volumeAfter_mm3 / done->volumeBefore_mm3 - 1.0);
+        return {tr("The surface is smoothed: moved by at most %1 mm, volume %2 %")
+                    .arg(moved, (change < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                                    locale.toString(std::abs(change), 'f', 1))};
+    }
+    if (one.staircase) {
+        const core::Vec3& voxel = one.staircase->voxel_mm;
+        return {tr("The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps")
+                    .arg(locale.toString(voxel.x(), 'g', 3), locale.toString(voxel.y(), 'g', 3),
+                         locale.toString(voxel.z(), 'g', 3))};
+    }
+    return {};
 }
 
 QStringList StructureModel::defects(int row) const
@@ -485,6 +611,7 @@ QStringList StructureModel::defects(int row) const
     if (report.insideOutComponents > 0) {
         lines << tr("The mesh is inside out: felt from within only");
     }
+    lines << surfaceTexts(m_rows[static_cast<std::size_t>(row)].loaded);
     if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {
         lines << tr("The mesh had faults, which were mended");
     }
@@ -496,14 +623,16 @@ QStringList StructureModel::defects(int row) const
 
 bool StructureModel::isDefective(int row) const
 {
-    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
+    const meshio::LoadedStructure& one = m_rows[static_cast<std::size_t>(row)].loaded;
+    const auto& surface = one.surface;
     if (surface == nullptr) {
         return false;
     }
     const geometry::MeshReport& report = surface->report;
     return report.zeroAreaTriangles + report.duplicateTriangles + report.inconsistentEdges + report.nonManifoldEdges +
-               report.nonOrientableComponents + report.insideOutComponents >
-           0;
+                   report.nonOrientableComponents + report.insideOutComponents >
+               0 ||
+           (one.staircase && !one.smoothing);
 }
 
 bool StructureModel::isFelt(const meshio::SceneStructure& structure) noexcept

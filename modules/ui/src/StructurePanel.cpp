@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace palpate::ui {
 
@@ -318,6 +319,39 @@ void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
+/// Shown where the surface is a staircase of voxels, or smoothed.
+void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
+{
+    m_surface = new ShownComboBox(box);
+    m_surface->addItem(tr("As in the file"));
+    m_surface->addItem(tr("Smoothed"));
+    m_surface->setAccessibleName(tr("Surface"));
+    m_surface->setToolTip(
+        tr("Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the "
+           "hand. The file is not changed."));
+    m_surfaceRow = new BoxRow(tr("Surface"), m_surface, box);
+    form.insertRow(place, m_surfaceRow);
+    connect(m_surface, &QComboBox::activated, this, [this](int chosen) {
+        const auto kind = chosen == 1 ? meshio::SurfaceKind::Smoothed : meshio::SurfaceKind::Facets;
+        if (kind == meshio::SurfaceKind::Smoothed) {
+            m_model.smooth(selectedRows());
+        } else {
+            change(selectedRows(), [kind](meshio::SceneStructure& structure) { structure.surface = kind; });
+        }
+    });
+}
+
+void StructurePanel::showSurface(const std::vector<int>& rows)
+{
+    const auto isSmoothed = [this](int row) { return m_model.structure(row).surface == meshio::SurfaceKind::Smoothed; };
+    const bool isAny = std::any_of(rows.begin(), rows.end(), [&](int row) {
+        return isSmoothed(row) || m_model.rows()[static_cast<std::size_t>(row)].loaded.staircase.has_value();
+    });
+    m_form->setRowVisible(m_surfaceRow, isAny);
+    m_surface->setEnabled(std::all_of(rows.begin(), rows.end(), [this](int row) { return m_model.isReshapable(row); }));
+    m_surface->setCurrentIndex(std::all_of(rows.begin(), rows.end(), isSmoothed) ? 1 : 0);
+}
+
 QWidget* StructurePanel::makeTissueBox()
 {
     auto* box = new QWidget(this);
@@ -336,6 +370,7 @@ QWidget* StructurePanel::makeTissueBox()
     addLaw(*form, box);
     addMap(*form, layerRow, box);
     addLayer(*form, layerRow, box);
+    addSurface(*form, layerRow, box);
     m_form = form;
 
     return box;
@@ -561,6 +596,7 @@ void StructurePanel::showSelection()
         m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
         showMapWarning();
         showLayer(row);
+        showSurface(rows);
         showBound(row);
     } else {
         m_bound->hide();
@@ -771,6 +807,13 @@ void StructurePanel::openMenu(const QPoint& place)
     }
     add(tr("Show all"), &meshio::SceneStructure::visible, {});
     add(tr("Feel all"), &meshio::SceneStructure::palpable, {});
+    std::vector<int> insideOut;
+    const std::vector<int> all = m_model.insideOutRows();
+    std::set_intersection(rows.begin(), rows.end(), all.begin(), all.end(), std::back_inserter(insideOut));
+    if (!insideOut.empty()) {
+        menu.addSeparator();
+        menu.addAction(tr("Turn around"), this, [this, insideOut] { m_model.turnOutwards(insideOut); });
+    }
     if (!rows.empty()) {
         menu.addSeparator();
         menu.addAction(tr("Rename…"), this, &StructurePanel::renameCurrent);

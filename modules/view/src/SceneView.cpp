@@ -102,6 +102,14 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
     }
 }
 
+void SceneView::setStructure(std::size_t i, ViewStructure structure)
+{
+    m_solid->RemoveActor(m_structures[i].picture.actor());
+    m_structures[i] = std::move(structure);
+    m_solid->AddActor(m_structures[i].picture.actor());
+    ++m_tissueRevision;
+}
+
 void SceneView::highlight(const std::vector<int>& structures)
 {
     for (std::size_t i = 0; i < m_structures.size(); ++i) {

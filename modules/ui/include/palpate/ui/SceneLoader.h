@@ -68,6 +68,11 @@ class SceneLoader : public QObject
     void reopen(meshio::SceneFile scene, std::vector<std::filesystem::path> files);
     /// Builds the haptic copy of one structure.
     void buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface);
+    /// Makes a structure's surface anew, as its description says, and all that is built from it.
+    /// @param structure  with the surface that was read
+    void buildSurface(int row, const meshio::LoadedStructure& structure);
+    /// Looks for structures that come close to each other without touching (study::gapNotes); `notesFound` follows.
+    void findGaps(const std::vector<StructureRow>& rows);
     /// Finds what varies over a structure: reads and samples its volumes. Where that is cancelled, `mapsBuilt` follows
     /// with a line that says so, and without the volumes' maps.
     void buildMaps(int row, const meshio::LoadedStructure& structure);
@@ -85,6 +90,13 @@ class SceneLoader : public QObject
     void cancelled();
     void touchBuilt(int row, const std::shared_ptr<const palpate::geometry::SurfaceIndex>& touch,
                     const QString& sha256);
+    /// @param built  with surface, picture, touch where it is palpable, hash and maps
+    void surfaceBuilt(int row, const std::shared_ptr<palpate::ui::StructureRow>& built);
+    /// @param lines  one each, empty when nothing was found
+    void notesFound(const QStringList& lines);
+    /// The meshes of a scene of their own were read and their size is known; they are indexed next.
+    /// @param size_mm  diagonal of all of them
+    void sizeKnown(double size_mm);
     /// @param structure  with its maps, and the mappings that they were found by; @param problems  one line each
     void mapsBuilt(int row, const std::shared_ptr<palpate::meshio::LoadedStructure>& structure,
                    const QStringList& problems);

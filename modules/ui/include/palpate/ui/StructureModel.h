@@ -121,6 +121,18 @@ class StructureModel : public QAbstractTableModel
     /// @param of  the mappings that it was found for: nothing happens when the structure has others by now
     void setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
                  std::vector<meshio::SurfaceMap> maps, const QStringList& problems);
+    /// Takes the surface that `surfaceWanted` asked for, with all that was built from it. Nothing happens when the
+    /// structure is to have another one by now. Not an edit.
+    void setSurface(int row, const StructureRow& built);
+    /// @return true when a structure's surface can be smoothed and turned: it was read from a mesh file.
+    [[nodiscard]] bool isReshapable(int row) const;
+    /// Rows that are in the scene and inside out, and those that are staircases and not smoothed.
+    [[nodiscard]] std::vector<int> insideOutRows() const;
+    [[nodiscard]] std::vector<int> steppedRows() const;
+    /// Turns closed parts of structures outwards, or smooths their surfaces, as one step to undo. The surfaces follow
+    /// (`surfaceWanted`).
+    void turnOutwards(const std::vector<int>& rows);
+    void smooth(const std::vector<int>& rows);
     /// What was found in the structure's mesh, one sentence an entry, empty when it is clean.
     [[nodiscard]] QStringList findings(int row) const;
     /// The same in plain words: how it feels for that, an entry a kind.
@@ -158,12 +170,18 @@ class StructureModel : public QAbstractTableModel
     /// A structure's maps are of volumes, which take time to read: `setMaps` brings them. Until then the old ones are
     /// felt.
     void mapsWanted(int row);
+    /// A structure's surface is to be made anew from `loaded.asRead`, as its description says now: `setSurface` brings
+    /// it. Until then the old one is drawn and felt.
+    void surfaceWanted(int row);
+    /// A structure has another surface: picture, touch and maps are of that.
+    void surfaceReplaced(int row);
 
   private:
     class Edit;
     class Presence;
     void apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried);
     [[nodiscard]] std::vector<int> dropFeltThrough();
+    [[nodiscard]] static QStringList surfaceTexts(const meshio::LoadedStructure& one);
     [[nodiscard]] bool areLumpsNamed() const;
     void setRemoved(const std::vector<int>& rows, bool isRemoved);
     void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);

@@ -94,6 +94,8 @@ class StructurePanel : public QWidget
     void addHead(QFormLayout& form, QWidget* box);
     void addOpacity(QFormLayout& form, QWidget* box);
     void addLayer(QFormLayout& form, int place, QWidget* box);
+    void addSurface(QFormLayout& form, int place, QWidget* box);
+    void showSurface(const std::vector<int>& rows);
     void addTerms(QFormLayout& form, QWidget* box);
     void addPresets(QFormLayout& form, QWidget* box);
     void addLaw(QFormLayout& form, QWidget* box);
@@ -121,6 +123,8 @@ class StructurePanel : public QWidget
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
+    QComboBox* m_surface = nullptr; ///< items: as in the file, smoothed
+    QWidget* m_surfaceRow = nullptr;
     QComboBox* m_layer = nullptr; ///< data: the layer; none: through the organ around it
     QLabel* m_bound = nullptr;    ///< what is felt of the values, where the device holds less
     QLabel* m_refusal = nullptr;

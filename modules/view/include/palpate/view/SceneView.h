@@ -58,6 +58,8 @@ class SceneView
     void setAppearance(std::size_t i, const Appearance& appearance);
     /// Shows the same surface with other colours: see `coloured`. What they say is the legend's to tell.
     void setPicture(std::size_t i, vtkPolyData* surface) { m_structures[i].picture.setPicture(surface); }
+    /// Replaces a structure's surface: what is drawn, how it looks, and what the pointer can find.
+    void setStructure(std::size_t i, ViewStructure structure);
     void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
     /// Of all texts, from the next frame on.

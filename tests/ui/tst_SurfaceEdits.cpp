@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Masks.h"
+#include "TestRunner.h"
+
+#include <palpate/meshio/MeshFile.h>
+#include <palpate/ui/SceneLoader.h>
+
+#include <QTemporaryDir>
+
+#include <span>
+
+using namespace palpate;
+using ui::StructureModel;
+
+/// Smoothing a surface and turning it around in the window: in the background, and undone.
+class SurfaceEdits : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::filesystem::path m_file;
+    ui::SceneLoader m_loader;
+    StructureModel m_model;
+
+    const ui::StructureRow& row() const { return m_model.rows().front(); }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        meshio::MeshStructure one{"ball", test::maskSurface(test::ballMask(10.0, core::Vec3(1, 1, 3))), std::nullopt};
+        geometry::flip(one.mesh);
+        m_file = m_folder.path().toStdString() + "/ball.vtp";
+        QVERIFY(meshio::writeMesh(m_file, std::span(&one, 1)).isOk());
+        connect(&m_model, &StructureModel::surfaceWanted, this,
+                [this](int wanted) { m_loader.buildSurface(wanted, m_model.rows()[0].loaded); });
+        connect(&m_loader, &ui::SceneLoader::surfaceBuilt, this,
+                [this](int built, const auto& made) { m_model.setSurface(built, *made); });
+    }
+    void init()
+    {
+        std::shared_ptr<ui::OpenedScene> scene;
+        const auto opened =
+            connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
+        m_loader.open({m_file}, 1.0);
+        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 60000);
+        disconnect(opened);
+        m_model.setRows(std::move(scene->rows));
+    }
+
+    void smoothsAndUndoes()
+    {
+        QCOMPARE(m_model.steppedRows(), std::vector<int>{0});
+        QVERIFY(m_model.isDefective(0));
+        QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("staircase of 1 × 1 × 3 mm")));
+        const auto surface = row().loaded.surface;
+        const auto touch = row().touch;
+        const auto picture = row().picture;
+        QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
+        m_model.smooth(m_model.steppedRows());
+        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 1, 60000);
+        QVERIFY(row().loaded.smoothing.has_value());
+        QVERIFY(row().loaded.surface != surface && row().touch != touch && row().picture != picture);
+        QVERIFY(m_model.steppedRows().empty());
+        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as it will be saved
+        m_model.undoStack().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
+        QCOMPARE(row().loaded.surface.get(), surface.get());
+        QVERIFY(!row().loaded.smoothing.has_value());
+        QCOMPARE(m_model.steppedRows(), std::vector<int>{0});
+    }
+
+    void turnsAroundAndUndoes()
+    {
+        QCOMPARE(m_model.insideOutRows(), std::vector<int>{0});
+        QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
+        m_model.turnOutwards(m_model.insideOutRows());
+        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 1, 60000);
+        QVERIFY(m_model.insideOutRows().empty());
+        QVERIFY(row().loaded.surface->report.volume_mm3 > 0.0);
+        m_model.undoStack().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
+        QVERIFY(row().loaded.surface->report.volume_mm3 < 0.0);
+    }
+
+    /// Done and undone before the first surface is there: the last wish counts.
+    void lateSurfacesAreNotTaken()
+    {
+        QSignalSpy built(&m_loader, &ui::SceneLoader::surfaceBuilt);
+        m_model.smooth({0});
+        m_model.undoStack().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(built.count(), 2, 60000);
+        QVERIFY(!row().loaded.smoothing.has_value());
+        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Facets);
+    }
+};
+
+PALPATE_TEST(SurfaceEdits)
+#include "tst_SurfaceEdits.moc"
