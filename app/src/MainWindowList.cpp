@@ -116,6 +116,8 @@ void MainWindow::takeAdded(OpenedScene& scene)
     if (!scene.problems.isEmpty()) {
         showError(scene.problems.join(QLatin1Char('\n')));
     }
+    offerSurfaces();
+    m_loader.findGaps(m_model.rows());
     m_viewport->update();
     showWhatPlays();
     Q_EMIT ready();

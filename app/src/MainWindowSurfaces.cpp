@@ -5,7 +5,6 @@
 #include <palpate/study/Layers.h>
 
 #include <QLocale>
-#include <QProgressBar>
 
 using namespace palpate;
 using namespace palpate::ui;
@@ -25,8 +24,10 @@ view::ViewStructure pictureOf(const StructureModel& model, int row)
 
 void MainWindow::connectSurfaces()
 {
-    connect(&m_model, &StructureModel::surfaceWanted, this,
-            [this](int row) { m_loader.buildSurface(row, m_model.rows()[static_cast<std::size_t>(row)].loaded); });
+    connect(&m_model, &StructureModel::surfaceWanted, this, [this](int row) {
+        say(tr("Making the surface of %1…").arg(readableName(m_model.structure(row).name)), 60000);
+        m_loader.buildSurface(row, m_model.rows()[static_cast<std::size_t>(row)].loaded);
+    });
     connect(&m_loader, &SceneLoader::surfaceBuilt, this,
             [this](int row, const std::shared_ptr<StructureRow>& built) { m_model.setSurface(row, *built); });
     connect(&m_model, &StructureModel::surfaceReplaced, this, &MainWindow::followSurface);
@@ -34,9 +35,6 @@ void MainWindow::connectSurfaces()
     connect(&m_loader, &SceneLoader::notesFound, this, [this](const QStringList& lines) {
         for (const QString& line : lines) {
             m_messages.add(Messages::Kind::Warning, line);
-        }
-        if (!lines.isEmpty()) {
-            m_hint->say(lines.front());
         }
     });
 }
