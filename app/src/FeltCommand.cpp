@@ -89,8 +89,7 @@ void printLump(const buried::FeltSurface& felt, const buried::FeltSurface::Lump&
             bounds = text;
         }
         print("  %8g %10s %18s %12.0f %12.0f %12.0f  %s\n", felt.press[i].press_mm, change.c_str(), bounds.c_str(),
-              press.area_mm2[0], press.area_mm2[1], press.area_mm2[2],
-              buried::kVerdictNames[static_cast<std::size_t>(press.verdict)].data());
+              press.area_mm2[0], press.area_mm2[1], press.area_mm2[2], buried::verdictText(press, lump.ratio).c_str());
     }
     const auto& last = lump.press.back();
     if (last.best.has_value()) {
@@ -126,6 +125,8 @@ int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& 
     for (const study::FeltOrgan& one : felt) {
         losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
     }
+    const std::vector<std::string> questions = study::ratioQuestions(scene, felt);
+    losses.insert(losses.end(), questions.begin(), questions.end());
     if (!options.vtp.empty()) {
         const auto bytes = study::feltVtp(felt);
         const Status status = bytes.isOk() ? core::writeAtomically(options.vtp, bytes.value()) : bytes.status();

@@ -52,6 +52,7 @@ struct Examined
 {
     FileReport report;
     std::shared_ptr<const haptics::HapticScene> felt;
+    std::vector<study::FeltOrgan> organs; ///< as the scene was opened with
 };
 
 core::Result<Examined> readFile(const std::filesystem::path& file, const meshio::ReadOptions& options)
@@ -67,7 +68,7 @@ core::Result<Examined> readFile(const std::filesystem::path& file, const meshio:
     Examined one;
     one.report.path = file;
     const auto start = std::chrono::steady_clock::now();
-    auto loaded = study::openScene(file, options);
+    auto loaded = study::openScene(file, options, &one.organs);
     if (!loaded.isOk()) {
         return loaded.status();
     }
@@ -100,6 +101,10 @@ void examineFile(Examined& one)
             structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface)) : std::nullopt);
     }
     one.report.examine_s = secondsSince(start);
+    auto lumps = study::feltOrgans(one.report.scene, std::move(one.organs), &one.report.lumpNotes);
+    if (lumps.isOk()) {
+        one.report.lumps = std::move(lumps).value();
+    }
 }
 
 /// Files that say nothing of layers are one scene, as in the window; a scene file is one of its own.

@@ -6,6 +6,7 @@
 #include "QtText.h"
 
 #include <palpate/haptics/ForceTable.h>
+#include <palpate/study/FeltFile.h>
 #include <palpate/study/StructureSources.h>
 
 #include <QJsonArray>
@@ -104,6 +105,16 @@ std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
 std::vector<std::string> notes(const FileReport& report)
 {
     std::vector<std::string> out = report.scene.warnings;
+    for (const std::string& note : report.lumpNotes) {
+        if (std::find(out.begin(), out.end(), note) == out.end()) { // lumps that are felt through have told it already
+            out.push_back(note);
+        }
+    }
+    for (const std::string& question : study::ratioQuestions(report.scene, report.lumps)) {
+        if (std::find(out.begin(), out.end(), question) == out.end()) {
+            out.push_back(question);
+        }
+    }
     for (const auto& structure : report.scene.structures) {
         for (const std::string& sentence : sentencesOf(structure)) {
             std::erase(out, structure.description.name + ": " + sentence); // said with the structure
@@ -172,6 +183,9 @@ void printRead(const FileReport& report)
         for (const std::string& sentence : sentencesOf(structure)) {
             print("    - %s\n", sentence.c_str());
         }
+    }
+    for (const std::string& line : study::lumpLines(report.scene, report.lumps)) {
+        print("  lump: %s\n", line.c_str());
     }
     for (const std::string& note : notes(report)) {
         print("  note: %s\n", note.c_str());
@@ -366,6 +380,7 @@ QJsonObject toJson(const FileReport& report)
     if (report.layers) {
         object["layers"] = texts(*report.layers);
     }
+    object["lumps"] = study::lumpsJson(report.scene, report.lumps);
     return object;
 }
 

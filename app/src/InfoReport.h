@@ -2,7 +2,7 @@
 #pragma once
 
 #include <palpate/geometry/SurfaceExamination.h>
-#include <palpate/meshio/LoadScene.h>
+#include <palpate/study/BuriedLumps.h>
 
 #include <QJsonObject>
 
@@ -26,6 +26,8 @@ struct FileReport
     std::vector<std::string> neighbours;   ///< about structures of all files that are in each other's way, likewise
     /// What lies in what among all files, a sentence each, where that was asked for.
     std::optional<std::vector<std::string>> layers;
+    std::vector<study::FeltOrgan> lumps; ///< what can be felt of the lumps in organs
+    std::vector<std::string> lumpNotes;  ///< organs and lumps that cannot be judged, a sentence each
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };

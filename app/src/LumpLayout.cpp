@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LumpLayout.h"
 
-#include <palpate/meshio/AnatomyKind.h>
+#include <palpate/study/StiffnessRatio.h>
 #include <palpate/ui/EngineTexts.h>
-#include <palpate/ui/TissuePresets.h>
+#include <palpate/ui/FeltWords.h>
 
-#include <QLocale>
+#include <optional>
 
 using namespace palpate;
 using namespace palpate::ui;
 
 namespace {
 
-/// True when a structure's name said how stiff it is, and nothing varies that.
-bool isStiffnessKnown(const StructureRow& row)
+std::optional<study::StiffnessRatio> ratioOf(const StructureModel& model, int lump, int organ)
 {
-    return row.loaded.maps.empty() && presetOf(row.loaded.description.tissue) >= 0 &&
-           meshio::anatomyKind(row.loaded.description.name) != meshio::AnatomyKind::Other;
+    return study::stiffnessRatio(model.structure(lump), model.structure(organ));
 }
 
 } // namespace
@@ -41,7 +39,7 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
     for (int row = first; row < model.rowCount(); ++row) {
         const auto i = static_cast<std::size_t>(row);
         const study::Layering::Structure& one = layering.structures[i];
-        if (!isFelt[i] || one.twin || meshio::anatomyKind(model.structure(row).name) != meshio::AnatomyKind::Lump) {
+        if (!isFelt[i] || one.twin || !meshio::isLump(meshio::anatomyKind(model.structure(row).name))) {
             continue;
         }
         if (const auto around = layering.feltAround(i, isFelt)) {
@@ -77,10 +75,9 @@ void LumpLayout::layOutLump(int row, int around)
     if (why.isEmpty()) {
         m_ways[i].layer.reset();
         m_isAnyThrough = true;
-        const double ratio =
-            m_model.structure(row).tissue.stiffness_N_per_mm / m_model.structure(around).tissue.stiffness_N_per_mm;
-        m_lines << tr("%1 lies in %2 and is felt through it, as %3 times as stiff")
-                       .arg(name, aroundName, QLocale().toString(ratio, 'g', 2));
+        const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
+        m_lines << tr("%1 lies inside %2, %3 times as stiff (%4), and is felt through it")
+                       .arg(name, aroundName, ratioRangeText(ratio), ratioSourceText(ratio->source));
     } else {
         m_lines << tr("%1 lies in %2 and is felt below it, as a layer: %3").arg(name, aroundName, why);
     }
@@ -96,7 +93,7 @@ QString LumpLayout::whyNotThrough(int row, int around) const
     if (!study::hasSureInside(lump.loaded.surface->report)) {
         return tr("its surface is open or inside out");
     }
-    if (meshio::anatomyKind(organ.loaded.description.name) == meshio::AnatomyKind::Lump) {
+    if (meshio::isLump(meshio::anatomyKind(organ.loaded.description.name))) {
         return tr("%1 is a lump itself").arg(organName);
     }
     if (organToFeelThrough(m_model, row) != around) {
@@ -105,10 +102,14 @@ QString LumpLayout::whyNotThrough(int row, int around) const
     if (!study::isWhollyInside(*lump.loaded.surface, *organ.touch)) {
         return tr("it reaches out of %1").arg(organName);
     }
-    if (!isStiffnessKnown(lump) || !isStiffnessKnown(organ)) {
-        return tr("how many times as stiff as %1 it is, is not known").arg(organName);
+    if (!lump.loaded.maps.empty() || !organ.loaded.maps.empty()) {
+        return tr("a map varies how stiff it or %1 is").arg(organName);
     }
-    if (lump.loaded.description.tissue.stiffness_N_per_mm == organ.loaded.description.tissue.stiffness_N_per_mm) {
+    const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
+    if (!ratio) {
+        return tr("how many times as stiff as %1 is it? Type it in What can be felt (B)").arg(organName);
+    }
+    if (ratio->typical == 1.0) {
         return tr("it is as stiff as %1").arg(organName);
     }
     return {};

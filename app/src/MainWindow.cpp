@@ -64,7 +64,7 @@ MainWindow::MainWindow()
     m_devices = new DeviceChoice(m_live, *m_viewport, *m_playback, this);
     m_keys = new KeysCard(m_actions, this);
     m_findingsDesk = new FindingsDesk({*m_document, *m_findings, *m_viewport, m_live, *m_playback, *m_touch}, this);
-    m_loader.setReader(study::openScene);
+    m_loader.setReader([](const auto& path, const auto& options) { return study::openScene(path, options); });
     connectActions();
     connectLoading();
     connectTouch();

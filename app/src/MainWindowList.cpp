@@ -171,9 +171,16 @@ void MainWindow::nameTissues(const study::Layering& layering, int first)
 
 void MainWindow::offerTissueBack(std::vector<StructureModel::Edited> before)
 {
-    const QString line = before.size() == 1
-                             ? tr("%1 got its tissue by its name.").arg(readableName(before[0].description.name))
-                             : tr("%1 structures got tissue by their names.").arg(before.size());
+    QString line = before.size() == 1
+                       ? tr("%1 got its tissue by its name.").arg(readableName(before[0].description.name))
+                       : tr("%1 structures got tissue by their names.").arg(before.size());
+    int unnamed = 0;
+    for (const StructureRow& row : m_model.rows()) {
+        unnamed += !row.isRemoved && row.loaded.description.tissue == core::Tissue() ? 1 : 0;
+    }
+    if (unnamed > 0) {
+        line += QLatin1Char(' ') + tr("%n did not: felt as “Firm organ”, 0.5 N/mm.", nullptr, unnamed);
+    }
     m_message->offer(line, tr("Undo"), [this, before] {
         std::vector<StructureModel::Edited> edits;
         for (const StructureModel::Edited& one : before) { // name, layer and colour stay as they are by now

@@ -8,6 +8,7 @@
 
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
+#include <palpate/study/FeltFile.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedLooks.h>
 #include <palpate/study/RecordedScene.h>
@@ -193,7 +194,8 @@ Status ReplayRun::loadScene()
     readOptions.frame = m_frame;
     readOptions.isPartial = m_options.isPartial;
     m_options.surfaces.applyTo(readOptions);
-    auto loaded = study::openScene(m_options.scene, readOptions);
+    std::vector<study::FeltOrgan> felt;
+    auto loaded = study::openScene(m_options.scene, readOptions, &felt);
     if (!loaded.isOk()) {
         return loaded.status();
     }
@@ -233,6 +235,11 @@ Status ReplayRun::loadScene()
     }
     m_summary.emplace(m_cost, m_motion.dt_s);
     m_summary->reserve(m_motion.p_WH.size());
+    const auto lumps = study::feltOrgans(loaded.value(), std::move(felt));
+    if (lumps.isOk()) {
+        m_summary->setLumps(study::lumpLines(loaded.value(), lumps.value()),
+                            study::lumpsJson(loaded.value(), lumps.value()));
+    }
     return {};
 }
 

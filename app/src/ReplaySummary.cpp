@@ -78,6 +78,9 @@ void ReplaySummary::print() const
     app::print("%s: %zu structure%s, %s triangles; ready to touch in %.3f s (index %.3f s), %.1f bytes a triangle\n",
                m_cost.name.c_str(), m_cost.structures, m_cost.structures == 1 ? "" : "s",
                grouped(m_cost.triangles).c_str(), m_cost.load_s + m_cost.index_s, m_cost.index_s, perTriangle(m_cost));
+    for (const std::string& line : m_lumpLines) {
+        app::print("lump: %s\n", line.c_str());
+    }
     app::print("ticks %s (%.3f s), in contact %s\n", grouped(m.ticks).c_str(), m.duration_s,
                grouped(m.contact.ticks).c_str());
     app::print("peak force %.4g N, mean in contact %.4g N, peak depth %.4g mm\n", m.contact.peakForce_N,
@@ -116,6 +119,7 @@ std::string ReplaySummary::json() const
                                    {"p99.9", static_cast<qint64>(t.p999)},
                                    {"max", static_cast<qint64>(t.max)},
                                    {"mean", t.mean}};
+    root["lumps"] = m_lumps;
     root["iteration_bound_hits"] = static_cast<qint64>(m_iterationBounds);
     root["most_iterations"] = static_cast<qint64>(m_mostIterations);
     if (m_lost) {

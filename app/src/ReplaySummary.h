@@ -5,9 +5,12 @@
 #include <palpate/session/Replay.h>
 #include <palpate/session/StructureNames.h>
 
+#include <QJsonArray>
+
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::app {
@@ -43,6 +46,13 @@ class ReplaySummary
     /// @param lost  ticks of the motion that were not felt
     void setLive(std::int64_t lost, std::uint64_t overruns) { m_lost = lost, m_overruns = overruns; }
 
+    /// What can be felt of the scene's lumps. @param lines  for a person; @param json  the same as data
+    void setLumps(std::vector<std::string> lines, QJsonArray json)
+    {
+        m_lumpLines = std::move(lines);
+        m_lumps = std::move(json);
+    }
+
     [[nodiscard]] SolveTimes solveTimes() const;
     void print() const;
     [[nodiscard]] std::string json() const;
@@ -57,6 +67,8 @@ class ReplaySummary
     std::optional<session::Resimulation> m_resimulation;
     std::optional<std::int64_t> m_lost;
     std::uint64_t m_overruns = 0;
+    std::vector<std::string> m_lumpLines;
+    QJsonArray m_lumps;
 };
 
 } // namespace palpate::app

@@ -17,6 +17,8 @@
 #include <QTest>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace palpate;
 using core::Vec3;
@@ -51,15 +53,15 @@ class BuriedLumps : public QObject
         QVERIFY(found.isOk() && found.value().size() == 1);
         const study::OrganWithLumps& organ = found.value()[0];
         QVERIFY(organ.organ == 0 && organ.lumps.size() == 1 && organ.lumps[0].structure == 1);
-        QVERIFY(std::abs(organ.lumps[0].ratio - 3.0) < 1e-12 && organ.radius_mm == 5.0);
-        QVERIFY(organ.lumps[0].source == study::RatioSource::Tissue);
+        QVERIFY(std::abs(organ.lumps[0].ratio->typical - 3.0) < 1e-12 && organ.radius_mm == 5.0);
+        QVERIFY(organ.lumps[0].ratio->source == study::RatioSource::Tissue);
 
         s.structures[0].description.young_kPa = 7.0;
         s.structures[1].description.young_kPa = 35.0;
-        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio, 5.0);
+        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio->typical, 5.0);
         s.structures[1].description.young_ratio = 4.4;
-        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio, 4.4);
-        QCOMPARE(study::organsWithLumps(s, {{"lump", 2.5}}).value()[0].lumps[0].ratio, 2.5);
+        QCOMPARE(study::organsWithLumps(s).value()[0].lumps[0].ratio->typical, 4.4);
+        QCOMPARE(study::organsWithLumps(s, {{"lump", 2.5}}).value()[0].lumps[0].ratio->typical, 2.5);
         s.structures[0].description.felt_contact_radius_mm = 8.0;
         QCOMPARE(study::organsWithLumps(s).value()[0].radius_mm, 8.0);
 
@@ -165,6 +167,74 @@ class BuriedLumps : public QObject
         file.structures[1].young_ratio = 4.4;
         file.structures[0].felt_contact_radius_mm = 31.0;
         QVERIFY(refused("structures[0].felt_contact_radius_mm"));
+    }
+
+    /// A structure whose name says nothing: no verdict, whatever lies around it, and it is not felt through the organ.
+    void withoutARatioThereIsNoVerdict()
+    {
+        meshio::LoadedScene s = scene();
+        for (meshio::LoadedStructure& one : s.structures) {
+            one.description.tissue = core::Tissue(); // nobody said how stiff
+        }
+        s.structures[1].description.name = "thing";
+        const auto organs = study::organsWithLumps(s);
+        QVERIFY(organs.isOk() && organs.value().size() == 1 && !organs.value()[0].lumps[0].ratio);
+        const auto felt = study::feltOrgans(s);
+        QVERIFY(felt.isOk() && felt.value().size() == 1);
+        const buried::FeltSurface::Lump& lump = felt.value()[0].felt.lumps[0];
+        QVERIFY(!lump.ratio && std::abs(lump.leastCover_mm - 8.0) < 0.2);
+        for (const auto& press : lump.press) {
+            QVERIFY(press.verdict == buried::Verdict::NotKnown && !press.best);
+        }
+        const QJsonObject json = study::lumpsJson(s, felt.value())[0].toObject();
+        QVERIFY(json["young_ratio"].isNull() && json["press"].toArray()[3].toObject()["verdict"].isNull());
+        QCOMPARE(study::ratioQuestions(s, felt.value()), std::vector{study::ratioQuestion("thing", "organ")});
+        s.scene.buried = meshio::BuriedTouch::Felt;
+        QVERIFY(study::feelBuried(s).isOk());
+        QVERIFY(!s.structures[1].isFeltThrough && s.structures[0].feltBelow.empty());
+        QCOMPARE(s.warnings.back(), study::ratioQuestion("thing", "organ"));
+    }
+
+    /// A range of ratios gives a range of verdicts, each that of its own ratio alone.
+    void aRangeOfRatiosHasARangeOfVerdicts()
+    {
+        meshio::LoadedScene s = scene();
+        for (meshio::LoadedStructure& one : s.structures) {
+            one.description.tissue = core::Tissue();
+        }
+        s.structures[0].description.name = "liver";
+        s.structures[1].description.name = "tumour";
+        const auto whole = study::feltOrgans(s);
+        const auto& lump = whole.value()[0].felt.lumps[0];
+        const auto verdictsAt = [&](double ratio) {
+            meshio::LoadedScene one = s;
+            one.structures[1].description.young_ratio = ratio;
+            return study::feltOrgans(one).value()[0].felt.lumps[0].press;
+        };
+        const auto low = verdictsAt(lump.ratio->low), typical = verdictsAt(lump.ratio->typical),
+                   high = verdictsAt(lump.ratio->high);
+        for (std::size_t i = 0; i < lump.press.size(); ++i) {
+            QVERIFY(lump.press[i].verdictAtLow == low[i].verdict && lump.press[i].verdict == typical[i].verdict &&
+                    lump.press[i].verdictAtHigh == high[i].verdict);
+        }
+        QCOMPARE(buried::verdictText(lump.press[3], lump.ratio),
+                 std::string("plainly (at 1: not by hand; at 5.2: plainly)"));
+        QCOMPARE(buried::verdictText(typical[3], buried::RatioRange(4.4)), std::string("plainly"));
+    }
+
+    /// What names say is no lump is none by its shape: a kidney in the skin; a lump belongs to the organ around it.
+    void anOrganInTheSkinIsNoLump()
+    {
+        meshio::LoadedScene s;
+        add(s, "skin", test::sphere(24, 120.0), 0.5);
+        add(s, "liver", test::sphere(24, 80.0), 0.5);
+        add(s, "portal vein", test::sphere(12, 10.0), 0.5);
+        add(s, "tumour", test::moved(test::sphere(12, 10.0), Vec3(0, 0, 62)), 0.5);
+        const auto organs = study::organsWithLumps(s);
+        QVERIFY(organs.isOk() && organs.value().size() == 1 && organs.value()[0].organ == 1);
+        QVERIFY(organs.value()[0].lumps.size() == 1 && organs.value()[0].lumps[0].structure == 3);
+        const auto asked = study::organsWithLumps(s, {{"portal vein", 0.5}});
+        QCOMPARE(asked.value()[0].lumps.size(), std::size_t{2});
     }
 
     void theJsonSaysWhatTheDesignSays()

@@ -64,10 +64,22 @@ class FeltWords : public QObject
         QCOMPARE(said(2, 0), QStringLiteral("not judged here: the surface bends too much, the organ is too thin"));
     }
 
-    void presetsAreWhatTheirNamesSay()
+    /// Window and engine say the same in English.
+    void verdictsAndRatiosAreSaidAsByTheEngine()
     {
-        for (const ui::FeltPanel::RatioPreset& preset : ui::FeltPanel::ratioPresets()) {
-            QVERIFY2(QString::fromUtf8(preset.name).contains(QStringLiteral(", %1 (").arg(preset.ratio)), preset.name);
+        FeltSurface::LumpPress press;
+        press.verdict = buried::Verdict::ByTrainedHand;
+        press.verdictAtLow = buried::Verdict::NotByHand;
+        press.verdictAtHigh = buried::Verdict::Plainly;
+        const buried::RatioRange range(2.5, 4.4, 10.0);
+        QCOMPARE(ui::verdictRangeText(press, range), QString::fromStdString(buried::verdictText(press, range)));
+        QCOMPARE(ui::verdictRangeText(press, range),
+                 QStringLiteral("by a trained hand (at 2.5: not by hand; at 10: plainly)"));
+        press.verdictAtLow = press.verdictAtHigh = press.verdict;
+        QCOMPARE(ui::verdictRangeText(press, range), QStringLiteral("by a trained hand"));
+        QCOMPARE(ui::ratioRangeText(std::nullopt), QStringLiteral("not known"));
+        for (const study::PublishedRatio& one : study::publishedRatios()) {
+            QCOMPARE(ui::publishedName(one), QString::fromUtf8(one.name.data()));
         }
     }
 };

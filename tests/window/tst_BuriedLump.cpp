@@ -133,7 +133,9 @@ class BuriedLump : public QObject
         open({folder() / "two"});
         QVERIFY2(message().isVisible(), "nothing was said");
         QCOMPARE(test::newest(message().text()),
-                 QStringLiteral("tumour lies in liver and is felt through it, as 14 times as stiff."));
+                 QStringLiteral(
+                     "tumour lies inside liver, 4.4 (1 … 5.2) times as stiff (published for such lumps), and is felt "
+                     "through it."));
         QCOMPARE(wayBack().text(), QStringLiteral("Feel it as a layer"));
         QVERIFY(!m_window->isWindowModified());
         awaitMaps();
@@ -234,7 +236,7 @@ class BuriedLump : public QObject
         open({folder() / "unknown"});
         QCOMPARE(test::newest(message().text()),
                  QStringLiteral("tumour lies in part and is felt below it, as a layer: how many times as stiff as part "
-                                "it is, is not known."));
+                                "is it? Type it in What can be felt (B)."));
     }
 
     /// A scene file says its layers itself: it gets the offer.

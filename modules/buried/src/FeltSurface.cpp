@@ -107,6 +107,11 @@ Status checkedFor(const RepairedMesh& organ, const std::string& name, double rad
                 core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm on a surface this large"};
 }
 
+bool isPossible(const RatioRange& ratio)
+{
+    return ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high && ratio.high <= kMostRatio;
+}
+
 /// The lumps that can be felt; notes say what was left out.
 Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organName, const SurfaceIndex& organ,
                                                         const std::vector<BuriedLump>& lumps,
@@ -115,8 +120,9 @@ Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organ
     std::vector<std::unique_ptr<Prepared>> made;
     for (std::size_t i = 0; i < lumps.size(); ++i) {
         const BuriedLump& lump = lumps[i];
-        if (!(lump.ratio > 0.0 && lump.ratio <= kMostRatio)) {
-            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " + core::shortNumber(lump.ratio) +
+        if (lump.ratio && !isPossible(*lump.ratio)) {
+            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " +
+                                                      core::shortNumber(lump.ratio->typical) +
                                                       ", expected more than 0 and at most 10000");
         }
         const geometry::MeshReport& report = lump.surface->report;
@@ -243,11 +249,14 @@ class Run
         int overlapping = 0;
         const PressPlace place{p_W, ground.n_W, m_options.radius_mm};
         for (std::size_t i = 0; i < m_lumps.size(); ++i) {
+            if (!m_felt.lumps[i].ratio) {
+                continue;
+            }
             const std::span<double> shares = std::span(room.shares).subspan(i * presses, presses);
             m_lumps[i]->shape.shares(place, m_options.press_mm, shares);
             if (shares.back() > LumpShape::kLeastShare) {
                 overlapping += m_lumps[i]->overlaps ? 1 : 0;
-                const double changes = shares.back() * std::abs(std::log(m_felt.lumps[i].ratio));
+                const double changes = shares.back() * std::abs(std::log(m_felt.lumps[i].ratio->typical));
                 if (changes > mostShare) {
                     mostShare = changes;
                     most = i + 1;
@@ -262,7 +271,10 @@ class Run
         for (std::size_t press = 0; press < presses; ++press) {
             room.all.clear();
             for (std::size_t i = 0; i < m_lumps.size(); ++i) {
-                const LumpShare one{room.shares[i * presses + press], m_felt.lumps[i].ratio};
+                if (!m_felt.lumps[i].ratio) {
+                    continue;
+                }
+                const LumpShare one{room.shares[i * presses + press], m_felt.lumps[i].ratio->typical};
                 room.all.push_back(one);
                 if (reasons == 0) {
                     enter(best[i][press].told, v, one);
@@ -292,6 +304,7 @@ class Run
         // A lump as soft as its organ has a best place too: it is judged, and not felt there.
         if (lump.share > 0.0 && (!at.best.has_value() || change > changeOf(at.felt))) {
             at.best = v;
+            at.share = lump.share;
             at.felt = felt;
         }
     }
@@ -313,13 +326,21 @@ class Run
                     }
                     if (part.best.has_value() && (!sum.best.has_value() || changeOf(part.felt) > changeOf(sum.felt))) {
                         sum.best = part.best;
+                        sum.share = part.share;
                         sum.felt = part.felt;
                     }
                 }
-                if (sum.best.has_value()) {
-                    sum.verdict = verdictOf(sum.felt.estimate);
-                } else { // too deep for any place, or reached where the model does not hold alone
-                    sum.verdict = isReachedUnjudged ? Verdict::NotJudged : Verdict::NotByHand;
+                const auto verdictAt = [&](double ratio) {
+                    if (sum.best.has_value()) {
+                        return verdictOf(stiffening(sum.share, ratio).estimate);
+                    } // too deep for any place, or reached where the model does not hold alone
+                    return isReachedUnjudged ? Verdict::NotJudged : Verdict::NotByHand;
+                };
+                sum.verdict = sum.verdictAtLow = sum.verdictAtHigh = Verdict::NotKnown;
+                if (lump.ratio) {
+                    sum.verdict = verdictAt(lump.ratio->typical);
+                    sum.verdictAtLow = verdictAt(lump.ratio->low);
+                    sum.verdictAtHigh = verdictAt(lump.ratio->high);
                 }
             }
         }
@@ -332,6 +353,24 @@ class Run
     Corners m_corners;
     std::vector<Best> m_best; ///< by block
 };
+
+/// Fills in what is felt; nothing but missing verdicts where no lump's ratio is known.
+Status judgeAll(FeltSurface& felt, const RepairedMesh& fine, const SurfaceIndex& organ,
+                const std::vector<std::unique_ptr<Prepared>>& lumps, const FeltOptions& options)
+{
+    if (std::none_of(felt.lumps.begin(), felt.lumps.end(), [](const auto& lump) { return lump.ratio.has_value(); })) {
+        FeltSurface::LumpPress none;
+        none.verdict = none.verdictAtLow = none.verdictAtHigh = Verdict::NotKnown;
+        for (FeltSurface::Lump& lump : felt.lumps) {
+            lump.press.assign(options.press_mm.size(), none);
+        }
+        std::fill(felt.cover_mm.begin(), felt.cover_mm.end(), std::numeric_limits<float>::quiet_NaN());
+        return {};
+    }
+    const Ground ground(fine, organ, options.radius_mm);
+    Run run(felt, ground, lumps, options);
+    return run.go() ? Status() : Status(StatusCode::Cancelled, "what can be felt was cancelled");
+}
 
 double leastCover(const Prepared& lump, const RepairedMesh& surface, const SurfaceIndex& organ,
                   const geometry::TriangleMesh& places)
@@ -393,6 +432,16 @@ Verdict verdictOf(double ratio) noexcept
     return change >= std::log1p(kTold_percent[1] / 100.0) ? Verdict::ByTrainedHand : Verdict::NotByHand;
 }
 
+std::string verdictText(const FeltSurface::LumpPress& press, const std::optional<RatioRange>& ratio)
+{
+    const auto text = [](Verdict verdict) { return std::string(kVerdictNames[static_cast<std::size_t>(verdict)]); };
+    if (!ratio || (press.verdictAtLow == press.verdict && press.verdictAtHigh == press.verdict)) {
+        return text(press.verdict);
+    }
+    return text(press.verdict) + " (at " + core::shortNumber(ratio->low) + ": " + text(press.verdictAtLow) + "; at " +
+           core::shortNumber(ratio->high) + ": " + text(press.verdictAtHigh) + ")";
+}
+
 Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& organ,
                                 const std::vector<BuriedLump>& lumps, const FeltOptions& options)
 {
@@ -404,7 +453,9 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
                       name + ": its surface is open or inside out; expected a closed one, or it can't be told what "
                              "lies in it");
     }
-    if (Status status = checkedFor(organ, name, options.radius_mm); !status.isOk()) {
+    const bool isAnyKnown =
+        std::any_of(lumps.begin(), lumps.end(), [](const auto& one) { return one.ratio.has_value(); });
+    if (Status status = checkedFor(organ, name, options.radius_mm); isAnyKnown && !status.isOk()) {
         return status;
     }
     FeltSurface felt;
@@ -420,7 +471,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         }
         return Status(StatusCode::Empty, why);
     }
-    const RepairedMesh fine = fineEnough(organ, kFinest * options.radius_mm);
+    const RepairedMesh fine = isAnyKnown ? fineEnough(organ, kFinest * options.radius_mm) : organ;
     felt.surface = fine.mesh;
     felt.organVertices = organ.mesh.vertices.size();
     felt.radius_mm = options.radius_mm;
@@ -436,10 +487,8 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         const BuriedLump& given = lumps[lump->number];
         felt.lumps.push_back({given.name, lump->number, given.ratio, 0.0, {}});
     }
-    const Ground ground(fine, index, options.radius_mm);
-    Run run(felt, ground, ready.value(), options);
-    if (!run.go()) {
-        return Status(StatusCode::Cancelled, name + ": what can be felt was cancelled");
+    if (Status status = judgeAll(felt, fine, index, ready.value(), options); !status.isOk()) {
+        return Status(status.code(), name + ": " + status.message());
     }
     for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
         felt.lumps[i].leastCover_mm =

@@ -52,21 +52,43 @@ std::string unsureLumps(const meshio::LoadedScene& scene, const Layering& layers
     return clauses;
 }
 
+buried::FeltOptions usualOptions(const OrganWithLumps& organ, const std::function<bool(double)>& progress)
+{
+    buried::FeltOptions how;
+    how.radius_mm = organ.radius_mm;
+    how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());
+    how.progress = progress;
+    return how;
+}
+
 LumpOf lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t organ,
               const std::map<std::string, double>& ratios)
 {
     const meshio::SceneStructure &of = scene.structures[lump].description, &in = scene.structures[organ].description;
-    if (const auto given = ratios.find(of.name); given != ratios.end()) {
-        return {lump, given->second, RatioSource::Typed};
+    const auto given = ratios.find(of.name);
+    return {lump, stiffnessRatio(of, in, given != ratios.end() ? std::optional(given->second) : std::nullopt)};
+}
+
+/// The organ that a structure is a lump in, if it is one.
+std::optional<std::size_t> organOfLump(const meshio::LoadedScene& scene, const Layering& layers, std::size_t structure,
+                                       const std::map<std::string, double>& ratios)
+{
+    const meshio::SceneStructure& one = scene.structures[structure].description;
+    if (!one.inside.empty()) {
+        return named(scene, one.inside);
     }
-    if (of.young_ratio) {
-        return {lump, *of.young_ratio, RatioSource::Typed};
+    const auto isLumpByShape = [&](std::size_t i) {
+        const meshio::SceneStructure& of = scene.structures[i].description;
+        return ratios.count(of.name) > 0 || mayBeLump(of);
+    };
+    std::optional<std::size_t> organ = layers.structures[structure].in;
+    if (!organ || !isLumpByShape(structure)) {
+        return std::nullopt;
     }
-    if (of.young_kPa && in.young_kPa) {
-        return {lump, *of.young_kPa / *in.young_kPa, RatioSource::Moduli};
+    while (layers.structures[*organ].in && isLumpByShape(*organ)) {
+        organ = layers.structures[*organ].in;
     }
-    const double organs = in.tissue.stiffness_N_per_mm, lumps = of.tissue.stiffness_N_per_mm;
-    return {lump, organs > 0.0 && lumps > 0.0 ? lumps / organs : 1.0, RatioSource::Tissue};
+    return organ;
 }
 
 } // namespace
@@ -76,7 +98,10 @@ std::vector<buried::BuriedLump> OrganWithLumps::shapes(const meshio::LoadedScene
     std::vector<buried::BuriedLump> shapes;
     for (const LumpOf& lump : lumps) {
         const meshio::LoadedStructure& one = scene.structures[lump.structure];
-        shapes.push_back({one.description.name, one.surface, lump.ratio});
+        shapes.push_back(
+            {one.description.name, one.surface,
+             lump.ratio ? std::optional<buried::RatioRange>({lump.ratio->low, lump.ratio->typical, lump.ratio->high})
+                        : std::nullopt});
     }
     return shapes;
 }
@@ -89,15 +114,7 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
     std::set<std::string> lumps;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::LoadedStructure& one = scene.structures[i];
-        std::optional<std::size_t> organ;
-        if (!one.description.inside.empty()) {
-            organ = named(scene, one.description.inside);
-        } else {
-            organ = layers.structures[i].in;
-            while (organ && layers.structures[*organ].in) {
-                organ = layers.structures[*organ].in;
-            }
-        }
+        const std::optional<std::size_t> organ = organOfLump(scene, layers, i, ratios);
         if (!organ || *organ == i || one.surface == nullptr || scene.structures[*organ].surface == nullptr) {
             continue;
         }
@@ -126,17 +143,10 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
     return found;
 }
 
-std::string_view sourceText(RatioSource source) noexcept
+bool mayBeLump(const meshio::SceneStructure& structure)
 {
-    switch (source) {
-    case RatioSource::Typed:
-        return "as typed";
-    case RatioSource::Moduli:
-        return "from the moduli";
-    case RatioSource::Tissue:
-        break;
-    }
-    return "from the tissues' stiffness";
+    const meshio::AnatomyKind kind = meshio::anatomyKind(structure.name);
+    return meshio::isLump(kind) || kind == meshio::AnatomyKind::Other || structure.young_ratio.has_value();
 }
 
 Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ,
@@ -144,6 +154,37 @@ Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const 
 {
     const meshio::LoadedStructure& of = scene.structures[organ.organ];
     return buried::feltSurface(of.description.name, *of.surface, organ.shapes(scene), options);
+}
+
+Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene, std::vector<FeltOrgan> known,
+                                          std::vector<std::string>* notes, const std::function<bool(double)>& progress)
+{
+    std::vector<FeltOrgan> out;
+    const auto organs = organsWithLumps(scene);
+    if (!organs.isOk()) {
+        return out;
+    }
+    std::vector<std::string> ignored;
+    std::vector<std::string>& told = notes != nullptr ? *notes : ignored;
+    for (const OrganWithLumps& organ : organs.value()) {
+        const auto same =
+            std::find_if(known.begin(), known.end(), [&](const FeltOrgan& one) { return one.organ == organ; });
+        if (same != known.end()) {
+            out.push_back(std::move(*same));
+        } else {
+            auto felt = feltSurface(scene, organ, usualOptions(organ, progress));
+            if (felt.status().code() == StatusCode::Cancelled) {
+                return felt.status();
+            }
+            if (!felt.isOk()) {
+                told.push_back(felt.status().message());
+                continue;
+            }
+            out.push_back({organ, std::move(felt).value()});
+        }
+        told.insert(told.end(), out.back().felt.notes.begin(), out.back().felt.notes.end());
+    }
+    return out;
 }
 
 std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
@@ -156,7 +197,7 @@ std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
     return organs;
 }
 
-Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress)
+Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress, std::vector<FeltOrgan>* kept)
 {
     if (scene.scene.buried != meshio::BuriedTouch::Felt) {
         return {};
@@ -173,11 +214,7 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         return lump.palpable && (!areNamed || !lump.inside.empty());
     };
     for (const OrganWithLumps& organ : lumpsThat(organs.value(), isThrough)) {
-        buried::FeltOptions how;
-        how.radius_mm = organ.radius_mm;
-        how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());
-        how.progress = progress;
-        auto felt = feltSurface(scene, organ, how);
+        auto felt = feltSurface(scene, organ, usualOptions(organ, progress));
         if (!felt.isOk()) {
             if (felt.status().code() == StatusCode::Cancelled) {
                 return felt.status();
@@ -190,12 +227,23 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         }
         meshio::LoadedStructure& through = scene.structures[organ.organ];
         through.feltBelow.clear();
-        for (buried::FeltSurface::Press& press : felt.value().press) {
-            press.ratio.resize(felt.value().organVertices); // the organ's own come first
-            through.feltBelow.push_back(std::move(press.ratio));
+        for (const buried::FeltSurface::Press& press : felt.value().press) {
+            const auto own = press.ratio.begin() + static_cast<std::ptrdiff_t>(felt.value().organVertices);
+            through.feltBelow.emplace_back(press.ratio.begin(), own); // the organ's own come first
         }
+        bool isAnyKnown = false;
         for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
-            scene.structures[organ.lumps[lump.given].structure].isFeltThrough = true;
+            scene.structures[organ.lumps[lump.given].structure].isFeltThrough = lump.ratio.has_value();
+            isAnyKnown = isAnyKnown || lump.ratio;
+            if (!lump.ratio) {
+                scene.warnings.push_back(ratioQuestion(lump.name, through.description.name));
+            }
+        }
+        if (!isAnyKnown) {
+            through.feltBelow.clear();
+        }
+        if (kept != nullptr) {
+            kept->push_back({organ, std::move(felt).value()});
         }
     }
     return {};

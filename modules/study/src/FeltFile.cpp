@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/FeltFile.h"
 
+#include <palpate/core/Numbers.h>
 #include <palpate/meshio/VtpFile.h>
 
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -39,39 +39,111 @@ QJsonObject pressJson(const FeltSurface& felt, const FeltSurface::LumpPress& pre
     for (std::size_t i = 0; i < press.area_mm2.size(); ++i) {
         out[QStringLiteral("area_over_%1_mm2").arg(buried::kTold_percent[i])] = press.area_mm2[i];
     }
-    out["verdict"] = text(buried::kVerdictNames[static_cast<std::size_t>(press.verdict)]);
+    const auto verdict = [](buried::Verdict of) {
+        return of == buried::Verdict::NotKnown ? QJsonValue()
+                                               : QJsonValue(text(buried::kVerdictNames[static_cast<std::size_t>(of)]));
+    };
+    out["verdict"] = verdict(press.verdict);
+    out["verdict_at_low_ratio"] = verdict(press.verdictAtLow);
+    out["verdict_at_high_ratio"] = verdict(press.verdictAtHigh);
     return out;
+}
+
+QJsonValue ratioOrNull(const std::optional<StiffnessRatio>& ratio, double StiffnessRatio::*member)
+{
+    return ratio ? QJsonValue((*ratio).*member) : QJsonValue();
+}
+
+/// Calls back with each lump, its organ and what is known of its ratio.
+template<typename Take>
+void forEachLump(std::span<const FeltOrgan> organs, const Take& take)
+{
+    for (const FeltOrgan& one : organs) {
+        for (const FeltSurface::Lump& lump : one.felt.lumps) {
+            take(one, lump, one.organ.lumps[lump.given]);
+        }
+    }
 }
 
 } // namespace
 
+QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+{
+    QJsonArray lumps;
+    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+        QJsonArray presses;
+        for (std::size_t i = 0; i < lump.press.size(); ++i) {
+            presses.append(pressJson(one.felt, lump.press[i], one.felt.press[i].press_mm));
+        }
+        lumps.append(QJsonObject{
+            {"name", text(lump.name)},
+            {"inside", text(scene.structures[one.organ.organ].description.name)},
+            {"young_ratio", ratioOrNull(of.ratio, &StiffnessRatio::typical)},
+            {"young_ratio_low", ratioOrNull(of.ratio, &StiffnessRatio::low)},
+            {"young_ratio_high", ratioOrNull(of.ratio, &StiffnessRatio::high)},
+            {"ratio_source", of.ratio ? QJsonValue(text(sourceText(of.ratio->source))) : QJsonValue()},
+            {"ratio_citation", of.ratio ? text(of.ratio->citation) : QString()},
+            {"least_cover_mm", lump.leastCover_mm},
+            {"press", presses},
+        });
+    });
+    return lumps;
+}
+
+std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+{
+    std::vector<std::string> questions;
+    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+        if (!of.ratio) {
+            questions.push_back(ratioQuestion(lump.name, scene.structures[one.organ.organ].description.name));
+        }
+    });
+    return questions;
+}
+
+std::string ratioText(const std::optional<StiffnessRatio>& ratio)
+{
+    if (!ratio) {
+        return "stiffness ratio not known";
+    }
+    const std::string range = ratio->isRange()
+                                  ? " (" + core::shortNumber(ratio->low) + " to " + core::shortNumber(ratio->high) + ")"
+                                  : std::string();
+    return core::shortNumber(ratio->typical, 3) + range + " times as stiff, " + std::string(sourceText(ratio->source));
+}
+
+std::vector<std::string> lumpLines(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+{
+    std::vector<std::string> lines;
+    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+        std::string line =
+            lump.name + " in " + scene.structures[one.organ.organ].description.name + ": " + ratioText(of.ratio);
+        for (std::size_t i = 0; of.ratio && i < lump.press.size(); ++i) {
+            const double press_mm = one.felt.press[i].press_mm;
+            line += (press_mm > 0.0 ? "; pressed " + core::shortNumber(press_mm) + " mm: "
+                                    : std::string("; touched lightly: ")) +
+                    buried::verdictText(lump.press[i], lump.ratio);
+        }
+        lines.push_back(std::move(line));
+    });
+    return lines;
+}
+
 std::string feltJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
 {
-    QJsonArray lumps, notes;
+    QJsonArray notes;
     for (const FeltOrgan& one : organs) {
-        for (const FeltSurface::Lump& lump : one.felt.lumps) {
-            QJsonArray presses;
-            for (std::size_t i = 0; i < lump.press.size(); ++i) {
-                presses.append(pressJson(one.felt, lump.press[i], one.felt.press[i].press_mm));
-            }
-            const LumpOf& of = one.organ.lumps[lump.given];
-            lumps.append(QJsonObject{
-                {"name", text(lump.name)},
-                {"inside", text(scene.structures[one.organ.organ].description.name)},
-                {"young_ratio", lump.ratio},
-                {"ratio_source", text(sourceText(of.source))},
-                {"least_cover_mm", lump.leastCover_mm},
-                {"press", presses},
-            });
-        }
         for (const std::string& note : one.felt.notes) {
             notes.append(text(note));
         }
     }
+    for (const std::string& question : ratioQuestions(scene, organs)) {
+        notes.append(text(question));
+    }
     const QJsonObject all{
         {"version", 1},
         {"radius_mm", organs.empty() ? QJsonValue() : QJsonValue(organs.front().felt.radius_mm)},
-        {"lumps", lumps},
+        {"lumps", lumpsJson(scene, organs)},
         {"notes", notes},
         {"warning", "estimate for research and rehearsal, not for diagnosis"},
     };
@@ -113,15 +185,15 @@ core::Result<std::string> feltVtp(std::span<const FeltOrgan> organs)
 
 std::string lumpSentence(const FeltSurface::Lump& lump, const LumpOf& of)
 {
-    char out[160];
-    std::snprintf(out, sizeof out, " (%.3g times as stiff, %s), %s", lump.ratio, sourceText(of.source).data(),
-                  lump.leastCover_mm > 0.0 ? "" : "sticks out of the surface");
-    std::string sentence = lump.name + out;
+    std::string cover = "sticks out of the surface";
     if (lump.leastCover_mm > 0.0) {
+        char out[64];
         std::snprintf(out, sizeof out, "%.1f mm below at least", lump.leastCover_mm);
-        sentence += out;
+        cover = out;
     }
-    return sentence;
+    const std::string citation =
+        of.ratio && !of.ratio->citation.empty() ? " [" + std::string(of.ratio->citation) + "]" : std::string();
+    return lump.name + " (" + ratioText(of.ratio) + citation + "), " + cover;
 }
 
 } // namespace palpate::study

@@ -190,6 +190,10 @@ class Reopening
         out.colour = look->colour;
         out.opacity = look->opacity;
         out.maps = look->maps;
+        out.inside = out.layer == 0 ? look->inside : std::string(); // what is known of lumps, for their measures
+        out.young_ratio = look->young_ratio;
+        out.young_kPa = look->young_kPa;
+        out.felt_contact_radius_mm = look->felt_contact_radius_mm;
         out.visible = look->visible || record.palpable;
         out.palpable = record.palpable || (look->palpable && !look->visible); // what is hidden is not felt
         return out;
@@ -330,14 +334,15 @@ class Reopening
 
 } // namespace
 
-Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options)
+Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options,
+                                      std::vector<FeltOrgan>* felt)
 {
     if (session::isRecordingFile(path)) {
         return sceneOfRecording(path, options);
     }
     auto loaded = meshio::loadScene(path, options);
     if (loaded.isOk()) {
-        if (Status status = feelBuried(loaded.value(), options.progress); !status.isOk()) {
+        if (Status status = feelBuried(loaded.value(), options.progress, felt); !status.isOk()) {
             return status;
         }
     }

@@ -404,6 +404,10 @@ constexpr Template kTemplates[] = {
      Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, its surface is inside out"), 0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "left out, it lies outside %1"), 0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, "
+                       "as --ratio \"%2=R\" or `young_ratio` in a scene file. Published: %3"),
+     0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 reach into each other: where both are felt is not judged"),
      0b0, Holds::Names},
     {QT_TRANSLATE_NOOP(

@@ -35,24 +35,43 @@ QString verdictWords(buried::Verdict verdict)
     return verdictSign(verdict) + QLatin1Char(' ') + verdictText(verdict);
 }
 
+/// " (○ … ●)": the verdicts for the ends of the ratio's range, where they differ.
+QString ends(const buried::FeltSurface::LumpPress& press)
+{
+    return press.verdictAtLow == press.verdict && press.verdictAtHigh == press.verdict
+               ? QString()
+               : QStringLiteral(" (%1 … %2)").arg(verdictSign(press.verdictAtLow), verdictSign(press.verdictAtHigh));
+}
+
+/// What the tip of a press says: between which bounds the change is, and the verdict with what it rests on.
+QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltSurface::Lump& lump)
+{
+    const QString verdict = verdictRangeText(press, lump.ratio);
+    return press.best ? FeltPanel::tr("between %1 and %2")
+                                .arg(feltChangeText(press.felt.low), feltChangeText(press.felt.high)) +
+                            QLatin1Char('\n') + verdict
+                      : verdict;
+}
+
 QString cellText(const buried::FeltSurface::LumpPress& press)
 {
     const QString verdict = verdictWords(press.verdict);
-    return press.best ? feltChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict;
+    return (press.best ? feltChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict) + ends(press);
 }
 
 QString briefText(const buried::FeltSurface::LumpPress& press)
 {
     const QString sign = verdictSign(press.verdict);
-    return press.best ? feltChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign;
+    return (press.best ? feltChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign) + ends(press);
 }
 
 /// What the verdicts' signs mean.
 QString keyOfSigns()
 {
     QStringList words;
-    for (const buried::Verdict verdict : {buried::Verdict::NotByHand, buried::Verdict::ByTrainedHand,
-                                          buried::Verdict::Plainly, buried::Verdict::NotJudged}) {
+    for (const buried::Verdict verdict :
+         {buried::Verdict::NotByHand, buried::Verdict::ByTrainedHand, buried::Verdict::Plainly,
+          buried::Verdict::NotJudged, buried::Verdict::NotKnown}) {
         words << verdictWords(verdict);
     }
     return words.join(QStringLiteral(" · "));
@@ -80,18 +99,6 @@ QDoubleSpinBox* makeSpin(double least, double most, const QString& name, QWidget
 }
 
 } // namespace
-
-const std::vector<FeltPanel::RatioPreset>& FeltPanel::ratioPresets()
-{
-    // Shear moduli of 10.1 and 2.7 against 2.3 kPa: PMC2894569. The others were chosen.
-    static const std::vector<RatioPreset> presets{
-        {QT_TR_NOOP("Liver malignancy, 4.4 (MR elastography, PMC2894569)"), 4.4},
-        {QT_TR_NOOP("Benign liver lesion, 1.2 (MR elastography, PMC2894569)"), 1.2},
-        {QT_TR_NOOP("Metastasis, 5 (number chosen)"), 5.0},
-        {QT_TR_NOOP("Cyst, 0.05 (number chosen)"), 0.05},
-    };
-    return presets;
-}
 
 FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* parent)
     : QWidget(parent)
@@ -224,9 +231,10 @@ QWidget* FeltPanel::makeChoices()
         makeSpin(kLeastRatio, buried::kMostRatio, tr("How many times as stiff as its organ the lump is"), choices);
     m_source = new ShownComboBox(choices);
     m_source->setAccessibleName(tr("Where the lump's stiffness comes from"));
-    m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("From the tissues' stiffness")});
-    for (const RatioPreset& preset : ratioPresets()) {
-        m_source->addItem(tr(preset.name));
+    m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("By tissues or names")});
+    for (const study::PublishedRatio& one : study::publishedRatios()) {
+        m_source->addItem(tr("As published: %1, %2").arg(publishedName(one), ratioRangeText(one.ratio)));
+        m_source->setItemData(m_source->count() - 1, QString::fromUtf8(one.ratio.citation.data()), Qt::ToolTipRole);
     }
     m_moduli = new QWidget(choices);
     auto* moduli = new QHBoxLayout(m_moduli);
@@ -292,18 +300,20 @@ void FeltPanel::addRow(const Row& row)
     const QString in = readableName(m_model.structure(row.organRow).name);
     const QString cover =
         lump.leastCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.leastCover_mm, 'f', 1)) : tr("lies open");
+    const std::optional<study::StiffnessRatio>& ratio = organ.organ.lumps[lump.given].ratio;
+    const QString source = ratio ? ratioSourceText(ratio->source) : tr("type it, or choose one that is published");
     QStringList cells{readableName(lump.name) + QLatin1Char('\n') + tr("in %1").arg(in),
-                      QLocale().toString(lump.ratio, 'g', 3) + QLatin1Char('\n') +
-                          ratioSourceText(organ.organ.lumps[lump.given].source),
-                      cover};
-    QStringList brief{cells[0], QLocale().toString(lump.ratio, 'g', 3), cover};
-    QStringList tips{QString(), ratioSourceText(organ.organ.lumps[lump.given].source), QString()};
+                      ratioRangeText(ratio) + QLatin1Char('\n') + source, cover};
+    QStringList brief{cells[0], ratioRangeText(ratio), cover};
+    QStringList tips{QString(),
+                     ratio && !ratio->citation.empty()
+                         ? source + QLatin1Char('\n') + QString::fromUtf8(ratio->citation.data())
+                         : source,
+                     QString()};
     for (const buried::FeltSurface::LumpPress& press : lump.press) {
         cells << cellText(press);
         brief << briefText(press);
-        tips << (press.best
-                     ? tr("between %1 and %2").arg(feltChangeText(press.felt.low), feltChangeText(press.felt.high))
-                     : QString());
+        tips << tipText(press, lump);
     }
     const int at = m_table->rowCount();
     m_table->insertRow(at);
@@ -342,14 +352,9 @@ void FeltPanel::showChosen()
     const meshio::SceneStructure &lump = m_model.structure(row->lumpRow), &organ = m_model.structure(row->organRow);
     m_ratioLabel->setText(tr("%1, times as stiff as %2:").arg(readableName(lump.name), readableName(organ.name)));
     const QSignalBlocker ratio(m_ratio), ofLump(m_lump_kPa), ofOrgan(m_organ_kPa);
-    int source = Tissues;
+    int source = Automatic;
     if (lump.young_ratio) {
         source = Typed;
-        for (std::size_t i = 0; i < ratioPresets().size(); ++i) {
-            if (ratioPresets()[i].ratio == *lump.young_ratio) {
-                source = FirstPreset + static_cast<int>(i);
-            }
-        }
         m_ratio->setValue(*lump.young_ratio);
     } else if (lump.young_kPa && organ.young_kPa) {
         source = Moduli;
@@ -357,13 +362,14 @@ void FeltPanel::showChosen()
         m_organ_kPa->setValue(*organ.young_kPa);
         m_ratio->setValue(*lump.young_kPa / *organ.young_kPa);
     } else if (row->organ < m_overlay.organs().size() && m_overlay.isUpToDate()) {
-        m_ratio->setValue(m_overlay.organs()[row->organ]->organ.felt.lumps[row->lump].ratio);
+        const auto& known = m_overlay.organs()[row->organ]->organ.felt.lumps[row->lump].ratio;
+        m_ratio->setValue(known ? known->typical : 1.0);
     }
     m_source->setCurrentIndex(source);
     m_moduli->setVisible(source == Moduli);
 }
 
-/// @param ratio  nothing: as the tissues' stiffness says
+/// @param ratio  nothing: by tissues or names
 void FeltPanel::setRatio(std::optional<double> ratio)
 {
     const std::optional<Row> row = chosen();
@@ -399,12 +405,12 @@ void FeltPanel::chooseSource(int index)
     if (!row) {
         return;
     }
-    if (index >= FirstPreset) {
-        setRatio(ratioPresets()[static_cast<std::size_t>(index - FirstPreset)].ratio);
+    if (index >= FirstPublished) {
+        setRatio(study::publishedRatios()[static_cast<std::size_t>(index - FirstPublished)].ratio.typical);
     } else if (index == Typed) {
         setRatio(m_ratio->value());
         m_ratio->setFocus();
-    } else if (index == Tissues) {
+    } else if (index == Automatic) {
         setRatio(std::nullopt);
     } else {
         const double organ_kPa = m_model.structure(row->organRow).young_kPa.value_or(kUsualOrgan_kPa);

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kContext = "palpate::ui::FeltWords";
 
 /// For the catalogues; the texts are those of buried::kVerdictNames and study::sourceText.
-[[maybe_unused]] constexpr std::array<const char*, 7> kTranslated{
+[[maybe_unused]] constexpr std::array<const char*, 26> kTranslated{
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "not by hand"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "by a trained hand"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "plainly"),
@@ -25,23 +25,35 @@ constexpr const char* kContext = "palpate::ui::FeltWords";
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "as typed"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "from the moduli"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "from the tissues' stiffness"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "stiffness ratio not known"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "published for such lumps"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant tumour of the liver"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the liver"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the liver"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "fibrotic liver"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cancer of the prostate"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "nodule of the prostate"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant tumour of the breast"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the breast"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the breast"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant nodule of the thyroid"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign nodule of the thyroid"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "nodule of the thyroid"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cancer of the pancreas"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the pancreas"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the pancreas"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cyst"),
+    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "vessel"),
 };
+
+QString shortText(double ratio)
+{
+    return QLocale().toString(ratio, 'g', 3);
+}
 
 QString percent(double ratio)
 {
     return QLocale().toString(static_cast<int>(std::lround(100.0 * (ratio - 1.0))));
-}
-
-QString saysOf(buried::Verdict verdict)
-{
-    switch (verdict) {
-    case buried::Verdict::Plainly:
-        return QCoreApplication::translate("palpate::ui::FeltWords", "plainly felt");
-    case buried::Verdict::ByTrainedHand:
-        return QCoreApplication::translate("palpate::ui::FeltWords", "a trained hand tells it");
-    default:
-        return QCoreApplication::translate("palpate::ui::FeltWords", "below what a trained hand tells");
-    }
 }
 
 QString whyNotJudged(std::uint8_t why)
@@ -86,6 +98,43 @@ QString feltChangeText(double ratio)
     return QStringLiteral("%1%2 %").arg(sign, percent(ratio));
 }
 
+QString saysOf(buried::Verdict verdict)
+{
+    switch (verdict) {
+    case buried::Verdict::Plainly:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "plainly felt");
+    case buried::Verdict::ByTrainedHand:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "a trained hand tells it");
+    default:
+        return QCoreApplication::translate("palpate::ui::FeltWords", "below what a trained hand tells");
+    }
+}
+
+QString verdictRangeText(const buried::FeltSurface::LumpPress& press, const std::optional<buried::RatioRange>& ratio)
+{
+    if (!ratio || (press.verdictAtLow == press.verdict && press.verdictAtHigh == press.verdict)) {
+        return verdictText(press.verdict);
+    }
+    return QCoreApplication::translate("palpate::ui::FeltWords", "%1 (at %2: %3; at %4: %5)")
+        .arg(verdictText(press.verdict), shortText(ratio->low), verdictText(press.verdictAtLow), shortText(ratio->high),
+             verdictText(press.verdictAtHigh));
+}
+
+QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio)
+{
+    if (!ratio) {
+        return QCoreApplication::translate("palpate::ui::FeltWords", "not known");
+    }
+    return ratio->isRange() ? QStringLiteral("%1 (%2 … %3)")
+                                  .arg(shortText(ratio->typical), shortText(ratio->low), shortText(ratio->high))
+                            : shortText(ratio->typical);
+}
+
+QString publishedName(const study::PublishedRatio& published)
+{
+    return QCoreApplication::translate(kContext, published.name.data());
+}
+
 QString verdictText(buried::Verdict verdict)
 {
     return QCoreApplication::translate(kContext, buried::kVerdictNames[static_cast<std::size_t>(verdict)].data());
@@ -100,6 +149,8 @@ QString verdictSign(buried::Verdict verdict)
         return QStringLiteral("◐");
     case buried::Verdict::NotByHand:
         return QStringLiteral("○");
+    case buried::Verdict::NotKnown:
+        return QStringLiteral("?");
     case buried::Verdict::NotJudged:
         break;
     }
@@ -120,7 +171,11 @@ QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::
         return QCoreApplication::translate("palpate::ui::FeltWords", "no lump is felt here");
     }
     const buried::FeltSurface::Press& here = felt.press[press];
-    const QString name = readableName(felt.lumps[felt.lump[vertex] - 1U].name);
+    const buried::FeltSurface::Lump& lump = felt.lumps[felt.lump[vertex] - 1U];
+    const QString name = lump.ratio && lump.ratio->isRange()
+                             ? QCoreApplication::translate("palpate::ui::FeltWords", "%1 (at %2 times as stiff)")
+                                   .arg(readableName(lump.name), shortText(lump.ratio->typical))
+                             : readableName(lump.name);
     return QCoreApplication::translate("palpate::ui::FeltWords", "%1: %2 mm below, %3 (%4 … %5 %): %6")
                .arg(name, QLocale().toString(felt.cover_mm[vertex], 'f', 0), feltChangeText(here.ratio[vertex]),
                     percent(here.low[vertex]), percent(here.high[vertex]),

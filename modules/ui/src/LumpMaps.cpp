@@ -70,7 +70,9 @@ StructureModel::FeltThrough feltThrough(const study::FeltOrgan& from)
                               press.ratio.begin() + static_cast<std::ptrdiff_t>(from.felt.organVertices));
     }
     for (const buried::FeltSurface::Lump& lump : from.felt.lumps) {
-        to.lumps.push_back(static_cast<int>(from.organ.lumps[lump.given].structure));
+        if (lump.ratio) {
+            to.lumps.push_back(static_cast<int>(from.organ.lumps[lump.given].structure));
+        }
     }
     return to;
 }
@@ -157,6 +159,15 @@ class LumpMaps::Making
         for (const std::string& note : felt.value().notes) {
             m_found.notes << engineText(note);
         }
+        for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
+            if (!lump.ratio) {
+                m_found.notes
+                    << tr("How many times as stiff as %1 is %2? It is not known, so no verdict is given: type "
+                          "it in What can be felt (B), or choose one that is published.")
+                           .arg(readableName(m_scene.structures[organ.organ].description.name),
+                                readableName(lump.name));
+            }
+        }
         to.push_back(shownOrgan({organ, std::move(felt).value()},
                                 m_scene.structures[organ.organ].surface->mesh.triangles.size(),
                                 m_pictures[organ.organ]));
@@ -204,7 +215,7 @@ std::vector<LumpMaps::Cause> LumpMaps::causes() const
     for (const StructureRow& row : m_model.rows()) {
         const meshio::SceneStructure& one = row.loaded.description;
         causes.push_back({one.name, one.inside, one.young_ratio, one.young_kPa, one.felt_contact_radius_mm,
-                          one.tissue.stiffness_N_per_mm, one.palpable,
+                          one.tissue.stiffness_N_per_mm, one.tissue.law.kind, one.palpable,
                           row.isRemoved ? nullptr : row.loaded.surface.get()});
     }
     return causes;
@@ -354,7 +365,10 @@ void LumpMaps::take(Found& found)
     if (!hadHand) {
         std::vector<StructureModel::FeltThrough> maps;
         for (const auto& one : found.felt) {
-            maps.push_back(feltThrough(one->organ));
+            StructureModel::FeltThrough map = feltThrough(one->organ);
+            if (!map.lumps.empty()) {
+                maps.push_back(std::move(map));
+            }
         }
         m_model.setFeltThrough(maps); // `edited` follows, of nothing that this follows from
     }

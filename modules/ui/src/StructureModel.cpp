@@ -5,6 +5,7 @@
 #include "palpate/ui/Theme.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
+#include <palpate/study/BuriedLumps.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/Layers.h>
@@ -195,7 +196,7 @@ bool StructureModel::isToBeFeltThrough(int row) const
     const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     const meshio::SceneStructure& lump = one.loaded.description;
     return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) &&
-           (areLumpsNamed() ? !lump.inside.empty() : organAround(row).has_value());
+           (areLumpsNamed() ? !lump.inside.empty() : study::mayBeLump(lump) && organAround(row).has_value());
 }
 
 bool StructureModel::areLumpsNamed() const
@@ -221,6 +222,9 @@ std::optional<int> StructureModel::organAround(int row) const
         if (!around.isRemoved && isFelt(around.loaded.description) && around.loaded.surface != nullptr &&
             study::hasSureInside(around.loaded.surface->report)) {
             organ = in;
+            if (isByShape && !study::mayBeLump(around.loaded.description)) {
+                break; // an organ, whatever lies around it
+            }
         }
     }
     return organ;

@@ -3,36 +3,18 @@
 
 #include "palpate/ui/TissuePresets.h"
 
-#include <palpate/meshio/AnatomyKind.h>
+#include <palpate/study/StiffnessRatio.h>
 
 #include <algorithm>
-#include <string_view>
+#include <optional>
+#include <string>
 
 namespace palpate::ui {
 
 namespace {
 
-constexpr double kAroundOthers = 0.4; // opacity at which a lump shows through its organ
-
-/// @return the preset's English name; empty for what keeps its tissue.
-std::string_view presetNameOf(meshio::AnatomyKind kind)
-{
-    switch (kind) {
-    case meshio::AnatomyKind::Lump:
-        return "Hard lump";
-    case meshio::AnatomyKind::Bone:
-        return "Bone";
-    case meshio::AnatomyKind::Liver:
-        return "Liver, healthy (2.3 kPa)";
-    case meshio::AnatomyKind::Organ:
-    case meshio::AnatomyKind::Skin:
-        return "Soft organ";
-    case meshio::AnatomyKind::SoftOrgan:
-        return "Very soft organ";
-    default:
-        return {};
-    }
-}
+constexpr double kAroundOthers = 0.4;             // opacity at which a lump shows through its organ
+constexpr double kBoneDamping_Ns_per_mm = 0.0005; // of the preset "Bone"
 
 bool isPassedThrough(meshio::AnatomyKind kind)
 {
@@ -40,10 +22,11 @@ bool isPassedThrough(meshio::AnatomyKind kind)
            kind == meshio::AnatomyKind::Duct;
 }
 
+/// Shown so that what lies in it is seen.
 bool isAround(meshio::AnatomyKind kind)
 {
-    return kind == meshio::AnatomyKind::Liver || kind == meshio::AnatomyKind::Organ ||
-           kind == meshio::AnatomyKind::SoftOrgan || kind == meshio::AnatomyKind::Skin;
+    return kind >= meshio::AnatomyKind::Kidney || kind == meshio::AnatomyKind::Fat ||
+           kind == meshio::AnatomyKind::Muscle;
 }
 
 bool isSame(const meshio::SceneStructure& a, const meshio::SceneStructure& b)
@@ -75,10 +58,16 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
         const StructureRow& row = model.rows()[static_cast<std::size_t>(number)];
         const meshio::AnatomyKind kind = meshio::anatomyKind(row.loaded.description.name);
         meshio::SceneStructure changed = row.loaded.description;
-        const auto preset = std::find_if(tissuePresets().begin(), tissuePresets().end(),
-                                         [&](const TissuePreset& one) { return one.name == presetNameOf(kind); });
-        if (preset != tissuePresets().end() && row.loaded.maps.empty()) {
-            changed.tissue = withPreset(changed.tissue, *preset);
+        const std::optional<std::size_t> around = layering.structures[static_cast<std::size_t>(number)].in
+                                                      ? layering.structures[static_cast<std::size_t>(number)].in
+                                                      : layering.structures[static_cast<std::size_t>(number)].unsureIn;
+        const std::string* organ = around ? &model.structure(static_cast<int>(*around)).name : nullptr;
+        const std::optional<double> stiffness = study::namedStiffness_N_per_mm(changed.name, organ);
+        if (stiffness && row.loaded.maps.empty()) {
+            core::Tissue named;
+            named.stiffness_N_per_mm = *stiffness;
+            named.damping_Ns_per_mm = kind == meshio::AnatomyKind::Bone ? kBoneDamping_Ns_per_mm : 0.0;
+            changed.tissue = withPreset(changed.tissue, {nullptr, nullptr, named});
         }
         changed.palpable = changed.palpable && !(isAnyFelt && isPassedThrough(kind));
         if (isAround(kind) && holds[static_cast<std::size_t>(number)]) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/TissuePresets.h"
 
+#include <palpate/study/StiffnessRatio.h>
+
 #include <QtGlobal>
 
 namespace palpate::ui {
 
 namespace {
+
+using meshio::AnatomyKind;
 
 core::Tissue linear(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0)
 {
@@ -13,6 +17,12 @@ core::Tissue linear(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0)
     tissue.stiffness_N_per_mm = stiffness_N_per_mm;
     tissue.damping_Ns_per_mm = damping_Ns_per_mm;
     return tissue;
+}
+
+/// As names choose it: one number for both.
+core::Tissue healthy(AnatomyKind kind)
+{
+    return linear(study::tissueStiffness_N_per_mm(kind).value());
 }
 
 core::Tissue lawful(core::LawKind kind, const std::array<double, core::ForceLaw::kMostNumbers>& numbers)
@@ -33,6 +43,9 @@ const std::vector<TissuePreset>& tissuePresets()
     static const char* const kElastography =
         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
                           "shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it");
+    static const char* const kUltrasound =
+        QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Young's modulus by shear-wave ultrasound (Arda et al. 2011, "
+                                                         "AJR 197:532), as a fingertip of 5 mm radius feels it");
     static const std::vector<TissuePreset> presets{
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Very soft organ"), kChosen, linear(0.07)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft organ"), kChosen, linear(0.25)},
@@ -40,9 +53,38 @@ const std::vector<TissuePreset>& tissuePresets()
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Firm lump"), kChosen, linear(0.80)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Hard lump"), kChosen, linear(1.30)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Bone"), kChosen, linear(2.00, 0.0005)},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, healthy (2.3 kPa)"), kElastography, linear(0.092)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, healthy (2.3 kPa)"), kElastography,
+         healthy(AnatomyKind::Liver)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, fibrotic (5.9 kPa)"), kElastography, linear(0.236)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, malignant (10.1 kPa)"), kElastography, linear(0.404)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Kidney (5.0 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Kidney)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Spleen (2.9 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Spleen)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Pancreas (4.8 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Pancreas)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Thyroid (11.0 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Thyroid)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Salivary gland (10.9 kPa)"), kUltrasound,
+         healthy(AnatomyKind::SalivaryGland)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Muscle at rest (11.1 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Muscle)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Tendon (51.5 kPa)"), kUltrasound,
+         healthy(AnatomyKind::Tendon)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Prostate (17.0 kPa)"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
+                           "Young's modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it"),
+         healthy(AnatomyKind::Prostate)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Breast (3.2 kPa)"),
+         QT_TRANSLATE_NOOP(
+             "palpate::ui::StructurePanel",
+             "Young's modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it"),
+         healthy(AnatomyKind::Breast)},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Lymph node"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
+                           "number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by "
+                           "shear-wave ultrasound)"),
+         healthy(AnatomyKind::LymphNode)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, stiffer with depth"),
          QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
                            "shape after Carter et al. 2001 (exponential), numbers chosen"),

@@ -26,7 +26,9 @@ struct BuriedLump
 {
     std::string name;
     std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
-    double ratio = 4.4; ///< rho: its modulus by the organ's; liver malignancies by MR elastography: 4.4
+    /// rho: its modulus by the organ's, a malignant tumour of the liver: 4.4. Nothing: not known; then the lump changes
+    /// nothing and has no verdict.
+    std::optional<RatioRange> ratio = RatioRange(4.4);
 };
 
 struct FeltOptions
@@ -53,9 +55,10 @@ enum class Verdict : std::uint8_t
     ByTrainedHand, ///< 14 % or more
     Plainly,       ///< 28 % or more
     NotJudged,     ///< wherever it could be felt the model does not hold
+    NotKnown,      ///< how stiff the lump is, is not known
 };
-inline constexpr std::array<std::string_view, 4> kVerdictNames{"not by hand", "by a trained hand", "plainly",
-                                                               "not judged"};
+inline constexpr std::array<std::string_view, 5> kVerdictNames{"not by hand", "by a trained hand", "plainly",
+                                                               "not judged", "stiffness ratio not known"};
 /// @param ratio  k/k0; of a soft place its inverse counts
 [[nodiscard]] Verdict verdictOf(double ratio) noexcept;
 
@@ -80,15 +83,18 @@ struct FeltSurface
     struct LumpPress
     {
         std::optional<std::size_t> best;  ///< vertex where it is felt most; of those that are judged
-        Stiffening felt;                  ///< there
+        double share = 0.0;               ///< S there, whatever the ratio
+        Stiffening felt;                  ///< there, for the typical ratio
         std::array<double, 3> area_mm2{}; ///< that is judged, where it is felt by kTold_percent or more
         Verdict verdict = Verdict::NotByHand;
+        /// For the ends of the ratio's range; the same as `verdict` where one ratio is known.
+        Verdict verdictAtLow = Verdict::NotByHand, verdictAtHigh = Verdict::NotByHand;
     };
     struct Lump
     {
         std::string name;
         std::size_t given = 0; ///< its number among the lumps that were given
-        double ratio = 1.0;
+        std::optional<RatioRange> ratio;
         double leastCover_mm = 0.0; ///< from the organ's vertices to the lump; 0 where it sticks out
         std::vector<LumpPress> press;
     };
@@ -107,8 +113,14 @@ struct FeltSurface
     std::vector<std::string> notes;      ///< what was left out and why, one sentence each
 };
 
+/// @return the verdict and what it rests on: "by a trained hand", and where the ratio is a range and its ends decide
+/// otherwise "by a trained hand (at 1: not by hand; at 5.2: plainly)"
+/// @param ratio  of the lump
+[[nodiscard]] std::string verdictText(const FeltSurface::LumpPress& press, const std::optional<RatioRange>& ratio);
+
 /// Computes what can be felt of lumps through an organ's surface.
-/// Lumps are taken in their order; one that is open, inside out, or wholly outside the organ is left out, with a note.
+/// Lumps are taken in their order; one whose ratio is not known has its cover and no verdict; one that is open, inside
+/// out, or wholly outside the organ is left out, with a note.
 /// @param name  the organ's, for messages
 /// @return OutOfRange for a radius, press or ratio out of range, and for a radius so small that the surface would need
 /// more than kMostRefined triangles; Unsupported where the organ has no sure inside; Empty

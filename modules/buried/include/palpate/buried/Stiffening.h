@@ -14,6 +14,24 @@ struct Stiffening
     friend bool operator==(const Stiffening&, const Stiffening&) = default;
 };
 
+/// How many times as stiff as its organ a lump is, where only a range is known [1].
+struct RatioRange
+{
+    RatioRange(double ratio) noexcept // NOLINT: a known ratio is a range of one number
+        : RatioRange(ratio, ratio, ratio)
+    {
+    }
+    RatioRange(double lowest, double most, double highest) noexcept
+        : low(lowest)
+        , typical(most)
+        , high(highest)
+    {
+    }
+    double low, typical, high; ///< > 0, ascending
+    [[nodiscard]] bool isRange() const noexcept { return low != high; }
+    friend bool operator==(const RatioRange&, const RatioRange&) = default;
+};
+
 /// What takes part in a press: a lump's share of the elastic energy, and how stiff it is.
 struct LumpShare
 {

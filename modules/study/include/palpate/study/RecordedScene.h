@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/study/BuriedLumps.h"
+
 #include <palpate/core/Status.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/MeasureSession.h>
@@ -12,8 +14,10 @@
 namespace palpate::study {
 
 /// Opens a scene file, a mesh file, a folder of mesh files, or what a recording was made on.
+/// @param felt  gets what was computed of lumps that are felt through their organ; may be null
 [[nodiscard]] core::Result<meshio::LoadedScene> openScene(const std::filesystem::path& path,
-                                                          const meshio::ReadOptions& options = {});
+                                                          const meshio::ReadOptions& options = {},
+                                                          std::vector<FeltOrgan>* felt = nullptr);
 
 /// Says for a recording which scene it is made on: its absolute path, its path from the recording's folder where it
 /// lies in it or below, and of a scene file its hash.

@@ -30,14 +30,6 @@ class FeltPanel : public QWidget
         Cover,
         FirstPress ///< and one column for each of FeltOverlay::kPress_mm
     };
-    /// How stiff a lump is against its organ, by its kind.
-    struct RatioPreset
-    {
-        const char* name; ///< to be translated
-        double ratio;
-    };
-    [[nodiscard]] static const std::vector<RatioPreset>& ratioPresets();
-
     /// Both must outlive this.
     FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* parent = nullptr);
 
@@ -51,8 +43,8 @@ class FeltPanel : public QWidget
     {
         Typed,
         Moduli,
-        Tissues,
-        FirstPreset
+        Automatic, ///< by tissues or names
+        FirstPublished
     };
     /// A lump in the table.
     struct Row

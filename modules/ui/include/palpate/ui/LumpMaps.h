@@ -79,6 +79,7 @@ class LumpMaps : public QObject
         std::string name, inside;
         std::optional<double> ratio, young_kPa, radius_mm;
         double stiffness_N_per_mm = 0.0;
+        core::LawKind law = core::LawKind::Linear;
         bool isPalpable = false;
         const void* surface = nullptr;
         friend bool operator==(const Cause&, const Cause&) = default;

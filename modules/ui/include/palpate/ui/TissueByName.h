@@ -9,10 +9,10 @@
 
 namespace palpate::ui {
 
-/// How structures are felt and shown by what their names say (meshio::anatomyKind), with the numbers of
-/// `tissuePresets`: a lump is hard and opaque, bone is bone, an organ is soft, and translucent when others lie in it;
-/// the hand passes through vessels, nerves and ducts while anything else is felt. A structure with a map of its own
-/// keeps its tissue.
+/// How structures are felt and shown by what their names say (study::namedStiffness_N_per_mm): healthy tissue as it was
+/// measured, a lump by the published ratio to its organ, and opaque; an organ is translucent when others lie in it; the
+/// hand passes through vessels, nerves and ducts while anything else is felt. What no name says stays as it is, as does
+/// a structure with a map of its own.
 /// @param layering  what lies in what, row by row; seeming to lie in something open counts here
 /// @param first  structures before this row are left alone
 /// @return those that this changes

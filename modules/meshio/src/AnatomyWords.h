@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/meshio/AnatomyKind.h"
+
+#include <array>
+#include <string_view>
+
+namespace palpate::meshio::internal {
+
+/// Phrases that mean the same for touch and colour.
+struct AnatomyWords
+{
+    AnatomyKind kind;
+    std::array<int, 3> rgb;   ///< 0 … 255
+    std::string_view phrases; ///< lower case, singular, separated by commas
+};
+
+/// @return the group of phrases that decides a name; nullptr when it has none of them.
+[[nodiscard]] const AnatomyWords* anatomyWords(std::string_view name);
+
+} // namespace palpate::meshio::internal
