@@ -69,6 +69,9 @@ void printFindings(const std::vector<core::Finding>& findings)
         print("%zu. %s (%s)", ++number, one.name.c_str(), one.hasPlace ? core::nameOf(one.type).data() : "note");
         if (!one.structure.empty()) {
             print(" on %s", one.structure.c_str());
+            if (const std::string organ = study::organOf(one); !organ.empty()) {
+                print(" in %s", organ.c_str());
+            }
         }
         if (one.hasPlace) {
             print(" at (%.1f %.1f %.1f) mm", one.p_W.x(), one.p_W.y(), one.p_W.z());

@@ -8,6 +8,7 @@
 #include <palpate/session/Findings.h>
 #include <palpate/study/FindingsFile.h>
 #include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/FeltWords.h>
 
 #include <QDateTime>
 #include <QLocale>
@@ -82,20 +83,22 @@ bool FindingsDesk::mark()
     core::Finding one = markedNow();
     one.name = tr("Finding %1").arg(m_parts.document.findings().size() + 1).toStdString();
     const TouchReading& felt = m_parts.touch.reading();
-    one.structure = felt.structure.toStdString();
+    const FeltStructure on = feltStructure(felt);
+    one.structure = on.name.toStdString();
     one.p_W = touch.p_WG;
-    one.force_N = touch.f_W.norm();
-    one.depth_mm = (touch.p_WG - touch.p_WH).norm();
+    one.force_N = on.force_N;
+    one.depth_mm = on.depth_mm;
     for (const FeltLayer& layer : felt.layers) {
-        if (felt.layers.size() > 1) {
-            one.layers.push_back({layer.name.toStdString(), layer.force_N, layer.depth_mm});
+        if (!on.inside.isEmpty()) { // all that was touched, the organ first
+            one.layers.push_back({layer.name.toStdString(), layer.along_N, layer.depth_mm});
         }
     }
-    const QString name = QString::fromStdString(one.name);
-    Q_EMIT said(
-        felt.layers.size() > 1
-            ? tr("%1 marked: %2").arg(name, layersText(felt.layers))
-            : tr("%1 marked on %2 with %3 N").arg(name, felt.structure, QLocale().toString(*one.force_N, 'f', 2)));
+    QString line = tr("%1 marked on %2 with %3 N")
+                       .arg(QString::fromStdString(one.name), whereText(on), QLocale().toString(on.force_N, 'f', 2));
+    if (on.stiffnessRatio) {
+        line += tr(", stiffness %1").arg(feltChangeText(*on.stiffnessRatio));
+    }
+    Q_EMIT said(line);
     m_parts.document.addFinding(one);
     m_parts.panel.select(static_cast<int>(m_parts.document.findings().size()) - 1);
     return true;

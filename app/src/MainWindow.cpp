@@ -386,6 +386,7 @@ void MainWindow::setPalpating(bool isPalpating)
     }
     m_palpation->setPalpating(isPalpating);
     showStatus();
+    showWhatPlays(); // whose force limit is shown
 }
 
 void MainWindow::letGo()

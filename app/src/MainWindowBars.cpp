@@ -104,7 +104,10 @@ void MainWindow::showWhatPlays()
                             m_fitAction, m_feltAction, m_snapshotAction, m_importFindingsAction}) {
         action->setEnabled(hasScene);
     }
-    const double limit_N = hasRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;
+    // The limit is that of the hand whose force is shown: of a recording only while it plays.
+    const bool isLiveHand = m_palpation != nullptr && (m_palpation->isPalpating() || !m_live.usesPointer());
+    const bool showsRecording = isPlaying || (hasRecording && !isLiveHand);
+    const double limit_N = showsRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;
     m_touch->setForceLimit(limit_N);
     m_viewport->view().cursor().setForceLimit(limit_N);
 }

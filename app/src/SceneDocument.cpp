@@ -116,9 +116,15 @@ void SceneDocument::followName(int row, const QString& before, const QString& af
     }
     bool isAny = false;
     for (core::Finding& finding : m_rest.findings) {
-        if (ui::readableName(finding.structure) == before) {
-            finding.structure = after.toStdString();
-            isAny = true;
+        std::vector<std::string*> names{&finding.structure};
+        for (core::FeltLayer& layer : finding.layers) {
+            names.push_back(&layer.structure);
+        }
+        for (std::string* name : names) {
+            if (ui::readableName(*name) == before) {
+                *name = after.toStdString();
+                isAny = true;
+            }
         }
     }
     if (isAny) {

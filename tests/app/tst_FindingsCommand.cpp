@@ -78,15 +78,15 @@ class FindingsCommand : public QObject
     static QByteArray table(const QByteArray& moment, const QByteArray& others)
     {
         return "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,"
-               "note\r\n"
+               "note,inside,total_force_N\r\n"
                "a,'=pea,lump,liver,0.1,-2,3,LPS,12,2.5,5,0.5," +
                moment +
-               ",\"hard, \"\"as a pea\"\"\"\r\n"
+               ",\"hard, \"\"as a pea\"\"\",,2.5\r\n"
                "b,vein,keep away,,-5,6,7,LPS,,,,," +
                others +
-               ",\r\n"
+               ",,,\r\n"
                "c,Note 3,other,,,,,,,,,," +
-               others + ",cirrhotic\r\n";
+               others + ",cirrhotic,,\r\n";
     }
 
   private Q_SLOTS:

@@ -119,17 +119,36 @@ class FindingsFile : public QObject
     void theTableIsOneThatSpreadsheetsReadAndDoNotCompute()
     {
         const std::string expected =
-            "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,note"
-            "\r\n"
-            "a,'=SUM(A1),lump,liver,0.1,-2,1e-300,LPS,12,2.5,5,0.5,1.5,r.palpate,\"hard,\n\"\"as a pea\"\"\"\r\n"
-            "b,edge,keep away,,-5,6,7,LPS,,,,,,,\r\n"
-            "c,Gefäß 血管,lump,,1,1,1,LPS,20,,,,,,\r\n"
-            "d,Note 4,other,,,,,,,,,,,,'-1 is no number\r\n";
+            "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,"
+            "note,"
+            "inside,total_force_N\r\n"
+            "a,'=SUM(A1),lump,liver,0.1,-2,1e-300,LPS,12,2.5,5,0.5,1.5,r.palpate,\"hard,\n\"\"as a pea\"\"\",,2.5\r\n"
+            "b,edge,keep away,,-5,6,7,LPS,,,,,,,,,\r\n"
+            "c,Gefäß 血管,lump,,1,1,1,LPS,20,,,,,,,,\r\n"
+            "d,Note 4,other,,,,,,,,,,,,'-1 is no number,,\r\n";
         QCOMPARE(QString::fromStdString(study::findingsCsv(several())), QString::fromStdString(expected));
         // Less deep than a millimetre says nothing of stiffness; without an id the number stands there.
         const std::string shallow =
             study::findingsCsv({{.name = "@x", .p_W = {0, 0, 0}, .force_N = 1.0, .depth_mm = 0.5}});
-        QVERIFY2(shallow.ends_with("\r\n1,'@x,other,,0,0,0,LPS,,1,0.5,,,,\r\n"), shallow.c_str());
+        QVERIFY2(shallow.ends_with("\r\n1,'@x,other,,0,0,0,LPS,,1,0.5,,,,,,1\r\n"), shallow.c_str());
+    }
+
+    /// What was felt is named, with the organ around it and its own numbers; a lump as a layer and one that is felt
+    /// through its organ alike.
+    void aLumpIsNamedWithItsOrgan()
+    {
+        core::Finding layer{.name = "a", .structure = "lump", .force_N = 3.5, .depth_mm = 5.0};
+        layer.layers = {{"liver", 2.5, 12.5}, {"lump", 3.5, 5.0}};
+        core::Finding through{.name = "b", .structure = "lump", .force_N = 2.0, .depth_mm = 8.0};
+        through.layers = {{"liver", 2.0, 8.0}};
+        QCOMPARE(study::organOf(layer), std::string("liver"));
+        QCOMPARE(study::organOf(through), std::string("liver"));
+        const std::string table = study::findingsCsv({layer, through});
+        QVERIFY2(table.find("1,a,other,lump,0,0,0,LPS,,3.5,5,0.7,,,,liver,6\r\n") != std::string::npos, table.c_str());
+        QVERIFY2(table.find("2,b,other,lump,0,0,0,LPS,,2,8,0.25,,,,liver,2\r\n") != std::string::npos, table.c_str());
+        const std::string markups = study::findingsMarkups({layer, through});
+        QVERIFY(markups.find("lump in liver, 3.50 N, 5.00 mm deep, 0.70 N/mm") != std::string::npos);
+        QVERIFY(markups.find("lump in liver, 2.00 N, 8.00 mm deep, 0.25 N/mm") != std::string::npos);
     }
 
     void markupsFollowTheSchemaAndShowTheirColours()

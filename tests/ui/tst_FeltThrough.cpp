@@ -5,6 +5,7 @@
 
 #include <palpate/ui/FeltWay.h>
 #include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/LumpUnder.h>
 #include <palpate/ui/StructurePanel.h>
 
 #include <QComboBox>
@@ -78,6 +79,26 @@ class FeltThrough : public QObject
         QCOMPARE(model.feltStructures(kAny)[1].layer, 0U);
         model.undoStack().redo();
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !isLumpTouched(model), kLimit_ms);
+    }
+
+    /// The lump under the hand has a name, and the change there is the map's.
+    void theLumpUnderTheHandIsNamed()
+    {
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(liverWithLump());
+        QVERIFY(!ui::lumpUnder(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not felt through the liver yet
+        through(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        const core::Vec3 place = model.rows()[0].loaded.surface->mesh.vertices.front();
+        const auto& below = model.rows()[0].loaded.feltBelow;
+        const auto under = ui::lumpUnder(model, 0, place, 4.0);
+        QVERIFY(under && under->row == 1);
+        QCOMPARE(under->ratio, double{below[2].front()});
+        QCOMPARE(ui::lumpUnder(model, 0, place, 3.0)->ratio,
+                 0.5 * double{below[1].front()} + 0.5 * double{below[2].front()});
+        QCOMPARE(ui::lumpUnder(model, 0, place, 30.0)->ratio, double{below[3].front()});
+        QVERIFY(!ui::lumpUnder(model, 1, place, 4.0));
     }
 
     void handAndPictureHaveTheSameNumbers()

@@ -74,6 +74,51 @@ class Panels : public QObject
         QVERIFY(!says(panel, QStringLiteral("very fine mesh here: the force follows late")));
         QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
     }
+    /// What is marked is what was felt: the innermost layer, or the lump below, with its own numbers.
+    void whatIsFeltIsNamedBeforeItsOrgan()
+    {
+        ui::TouchReading reading{1.0, 6.0, 12.4, QStringLiteral("liver"), 0.8, 1};
+        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
+        reading.lump = QStringLiteral("tumour");
+        reading.lumpRatio = 1.09; // below what a trained hand notices
+        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
+        reading.lumpRatio = 1.55;
+        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("tumour in liver"));
+        QCOMPARE(ui::feltStructure(reading).force_N, 6.0);
+        ui::TouchPanel panel;
+        panel.resize(900, 500);
+        panel.show(reading);
+        QStringList spoken;
+        for (const QLabel* label : panel.findChildren<QLabel*>()) {
+            spoken << label->accessibleName();
+        }
+        QVERIFY2(spoken.contains(QStringLiteral("over tumour: +55 %, plainly felt")), qPrintable(spoken.join(QLatin1Char(0x7c))));
+        reading.lump.clear();
+        reading.layers = {{QStringLiteral("liver"), {}, 2.5, 2.4, 12.4}, {QStringLiteral("lump"), {}, 3.7, 3.6, 5.8}};
+        const ui::FeltStructure felt = ui::feltStructure(reading);
+        QCOMPARE(ui::whereText(felt), QStringLiteral("lump in liver"));
+        QVERIFY(felt.force_N == 3.6 && felt.depth_mm == 5.8);
+    }
+    /// The parts that are shown add up to the force, also where the layers push in different directions.
+    void layersAddUpToTheForce()
+    {
+        servo::TickRecord tick;
+        tick.felt.structure = 0;
+        tick.felt.contactCount = 2;
+        tick.felt.contacts[0] = {{}, core::Vec3::UnitZ(), core::Vec3(0.6, 0.0, 0.8), 3.0, 1.0, 0, 0, 0, {}};
+        tick.felt.contacts[1] = {{}, core::Vec3::UnitZ(), core::Vec3(-1.0, 0.5, 4.26), 3.4, 1.0, 1, 0, 1, {}};
+        tick.felt.f_W = tick.felt.contacts[0].f_W + tick.felt.contacts[1].f_W;
+        const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), [](std::uint32_t number) {
+            return ui::LayerLook{QString::number(number), {}};
+        });
+        QVERIFY(layers[0].force_N + layers[1].force_N > tick.felt.f_W.norm() + 0.1); // lengths do not
+        const QString text = ui::layersText(layers);
+        double shown = 0.0;
+        for (const QString& layer : text.split(QStringLiteral(" · "))) {
+            shown += layer.split(QLatin1Char(' '))[1].toDouble();
+        }
+        QVERIFY2(std::abs(shown - tick.felt.f_W.norm()) < 0.0101, qPrintable(text));
+    }
     void eachLayerIsNamedWithItsShare()
     {
         ui::TouchPanel panel;
@@ -81,12 +126,14 @@ class Panels : public QObject
         ui::TouchReading reading{1.0, 6.0, 12.4, QStringLiteral("liver"), 0.8, 1};
         reading.layers = {{QStringLiteral("liver"), QColor(221, 130, 101), 2.5, 2.5, 12.4},
                           {QStringLiteral("lump <20 mm>"), QColor(144, 238, 144), 3.5, 3.5, 5.83}};
-        QCOMPARE(ui::layersText(reading.layers), QStringLiteral("liver 2.5 N · lump <20 mm> 3.5 N, 5.8 mm in"));
+        QCOMPARE(ui::layersText(reading.layers),
+                 QStringLiteral("liver 2.50 N · lump <20 mm> 3.50 N, pressed in 5.8 mm"));
         panel.show(reading);
         QVERIFY(says(panel, QStringLiteral("liver · lump <20 mm>")));
         QVERIFY(says(panel, QStringLiteral("12.4 mm deep · 0.80 N/mm")));
         QVERIFY(says(panel, ui::layersMarkup(reading.layers)));
-        QVERIFY(ui::layersMarkup(reading.layers).contains(QStringLiteral("lump &lt;20 mm&gt;</b> 3.5 N, 5.8 mm in")));
+        QVERIFY(ui::layersMarkup(reading.layers)
+                    .contains(QStringLiteral("lump &lt;20 mm&gt;</b> 3.50 N, pressed in 5.8 mm")));
         const int height = panel.findChild<ui::TouchChart*>()->height();
         reading.layers.pop_back();
         panel.show(reading);
@@ -108,7 +155,7 @@ class Panels : public QObject
                                  haptics::Friction::Slides};
         const auto look = [](std::uint32_t) { return ui::LayerLook{QStringLiteral("liver"), Qt::red}; };
         const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), look);
-        QCOMPARE(ui::layersText(layers), QStringLiteral("liver 1.5 N, slides 0.30 N"));
+        QCOMPARE(ui::layersText(layers), QStringLiteral("liver 1.53 N, slides 0.30 N"));
         core::Tissue tissue;
         tissue.friction_static = 0.5;
         tissue.friction_dynamic = 0.2;

@@ -27,6 +27,19 @@ std::string digits(double value)
     return QByteArray::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
 }
 
+/// The force on the hand: the layers' parts along it add up to it. In older files that of the finding is the whole.
+std::optional<double> totalForce_N(const Finding& finding)
+{
+    if (organOf(finding).empty()) {
+        return finding.force_N;
+    }
+    double sum_N = 0.0;
+    for (const core::FeltLayer& layer : finding.layers) {
+        sum_N += layer.force_N;
+    }
+    return sum_N;
+}
+
 std::string numberCell(const std::optional<double>& value)
 {
     return value ? digits(*value) : std::string();
@@ -36,8 +49,10 @@ std::string numberCell(const std::optional<double>& value)
 QString description(const Finding& finding)
 {
     QStringList felt;
+    const std::string organ = organOf(finding);
     if (!finding.structure.empty()) {
-        felt << QString::fromStdString(finding.structure);
+        felt << QString::fromStdString(finding.structure) +
+                    (organ.empty() ? QString() : QStringLiteral(" in ") + QString::fromStdString(organ));
     }
     const auto add = [&](const std::optional<double>& value, const char* unit) {
         if (value) {
@@ -95,6 +110,12 @@ QJsonObject display(FindingType type, double size_mm)
 
 } // namespace
 
+std::string organOf(const Finding& finding)
+{
+    const std::vector<core::FeltLayer>& layers = finding.layers;
+    return layers.empty() || layers.front().structure == finding.structure ? std::string() : layers.front().structure;
+}
+
 std::string findingsCsv(const std::vector<Finding>& findings)
 {
     std::string out = std::string(kFindingColumns) + "\r\n";
@@ -115,6 +136,8 @@ std::string findingsCsv(const std::vector<Finding>& findings)
         cells.push_back(one.recording ? core::csvCell(std::filesystem::path(one.recording->file).filename().string())
                                       : std::string());
         cells.push_back(core::csvCell(one.note));
+        cells.push_back(core::csvCell(organOf(one)));
+        cells.push_back(numberCell(totalForce_N(one)));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             out += (i > 0 ? "," : "") + cells[i];
         }

@@ -28,9 +28,11 @@ bool sharesGodObject(const servo::TickRecord& tick, std::size_t i)
 /// @param isInner  how deep the outermost layer is pressed in stands elsewhere
 QString shareText(const FeltLayer& layer, bool isInner)
 {
-    const QString share = isInner ? QCoreApplication::translate("FeltLayers", "%1 N, %2 mm in")
-                                        .arg(number(layer.force_N), number(layer.depth_mm))
-                                  : QCoreApplication::translate("FeltLayers", "%1 N").arg(number(layer.force_N));
+    // Its part along the whole force, with as many digits: these add up to it, the lengths of the vectors do not.
+    const QString along = QLocale().toString(layer.along_N, 'f', 2);
+    const QString share =
+        isInner ? QCoreApplication::translate("FeltLayers", "%1 N, pressed in %2 mm").arg(along, number(layer.depth_mm))
+                : QCoreApplication::translate("FeltLayers", "%1 N").arg(along);
     return layer.friction == haptics::Friction::None ? share : share + QStringLiteral(", ") + frictionText(layer);
 }
 

@@ -4,6 +4,8 @@
 #include "palpate/ui/StructureModel.h"
 #include "palpate/ui/TouchPanel.h"
 
+#include <palpate/study/FindingsFile.h>
+
 #include <QColor>
 #include <QCoreApplication>
 #include <QLocale>
@@ -46,6 +48,13 @@ QString tipOf(const core::Finding& finding)
 }
 
 } // namespace
+
+QString whereText(const core::Finding& finding)
+{
+    const std::string organ = study::organOf(finding);
+    const QString structure = readableName(finding.structure);
+    return organ.empty() ? structure : FindingsModel::tr("%1 in %2").arg(structure, readableName(organ));
+}
 
 QString typeName(core::FindingType type)
 {
@@ -233,7 +242,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const
     case Name:
         return QString::fromStdString(finding.name);
     case Where:
-        return readableName(finding.structure);
+        return whereText(finding);
     case Size:
         return sizeText(finding.size_mm);
     case Force:
@@ -263,13 +272,13 @@ QVariant FindingsModel::headerData(int section, Qt::Orientation orientation, int
     case Name:
         return tr("Name");
     case Where:
-        return isTip ? tr("The structure that was touched") : tr("Where");
+        return isTip ? tr("The structure that was felt, and the organ that it lies in") : tr("Where");
     case Size:
         return isTip ? tr("Size across, as you judge it [mm]") : tr("Size");
     case Force:
-        return isTip ? tr("Force when it was marked [N]") : tr("N");
+        return isTip ? tr("Force of this structure when it was marked [N]") : tr("N");
     case Depth:
-        return isTip ? tr("Depth when it was marked [mm]") : tr("mm");
+        return isTip ? tr("Depth in this structure when it was marked [mm]") : tr("mm");
     case Note:
         return tr("Note");
     default:

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PalpationController.h"
 
+#include "palpate/ui/LumpUnder.h"
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
+
 #include <palpate/study/EffortDepth.h>
 
 #include <QLocale>
@@ -214,9 +216,10 @@ QString PalpationController::text() const
         }
         const double force_N = m_effort.force_N(seconds(core::monotonicNow_ns()));
         const QString pressed = number(std::max(0.0, m_pressed_mm));
-        return m_isSlidOff
-                   ? tr("pressing %1 mm, slid off the edge").arg(pressed)
-                   : tr("pressing with %1 of %2 N, %3 mm").arg(QLocale().toString(force_N, 'f', 1), most, pressed);
+        return m_isSlidOff ? tr("pressing %1 mm, slid off the edge").arg(pressed)
+                           : tr("aims at %1 of %2 N, reaches %3 N, %4 mm")
+                                 .arg(QLocale().toString(force_N, 'f', 1), most,
+                                      QLocale().toString(m_live.newest().felt.f_W.norm(), 'f', 1), pressed);
     }
     if (!isPressing()) {
         return tr("presses %1 mm").arg(number(depth_mm()));
@@ -427,6 +430,10 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
+        if (const auto under = lumpUnder(m_model, tick.felt.structure, tick.felt.p_WG, reading.depth_mm)) {
+            reading.lump = readableName(m_model.structure(under->row).name);
+            reading.lumpRatio = under->ratio;
+        }
     }
     Q_EMIT touched(reading);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Playback.h"
 
+#include "palpate/ui/LumpUnder.h"
+
 #include <algorithm>
 
 namespace palpate::ui {
@@ -134,6 +136,22 @@ std::vector<FeltLayer> Playback::layersOf(const servo::TickRecord& tick) const
     return feltLayers(tick, tick.felt.f_W.norm(), [&](std::uint32_t number) { return lookOf(tick, number); });
 }
 
+/// Names the lump that is felt through what is touched, where the open scene has it.
+void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) const
+{
+    const std::string name = m_recording->structureName(tick, static_cast<std::uint32_t>(tick.felt.structure));
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (m_model.structure(row).name != name) {
+            continue;
+        }
+        if (const auto under = lumpUnder(m_model, row, tick.felt.p_WG, reading.depth_mm)) {
+            reading.lump = readableName(m_model.structure(under->row).name);
+            reading.lumpRatio = under->ratio;
+        }
+        return;
+    }
+}
+
 void Playback::feed(const servo::TickRecord& tick, double time_s)
 {
     TouchReading reading;
@@ -148,6 +166,7 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
         reading.force_N = tick.felt.f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
+        addLump(reading, tick);
     }
     m_touch.show(reading);
 }

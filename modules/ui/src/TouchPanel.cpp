@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/TouchPanel.h"
 
+#include "palpate/ui/FeltWords.h"
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchChart.h"
 
@@ -28,6 +29,24 @@ QString forceText(double force_N)
 QString depthText(double depth_mm)
 {
     return QLocale().toString(depth_mm, 'f', depth_mm < 0.95 ? 2 : 1);
+}
+
+FeltStructure feltStructure(const TouchReading& reading)
+{
+    const bool isTold = buried::verdictOf(reading.lumpRatio) != buried::Verdict::NotByHand;
+    if (reading.layers.size() > 1) {
+        const FeltLayer& inner = reading.layers.back();
+        return {inner.name, reading.structure, inner.along_N, inner.depth_mm, {}};
+    }
+    if (!reading.lump.isEmpty() && isTold) {
+        return {reading.lump, reading.structure, reading.force_N, reading.depth_mm, reading.lumpRatio};
+    }
+    return {reading.structure, {}, reading.force_N, reading.depth_mm, {}};
+}
+
+QString whereText(const FeltStructure& felt)
+{
+    return felt.inside.isEmpty() ? felt.name : TouchPanel::tr("%1 in %2").arg(felt.name, felt.inside);
 }
 
 QString touchText(const TouchReading& reading)
@@ -65,8 +84,8 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_structure->setMinimumWidth(10);
     m_layers->setTextFormat(Qt::RichText);
     m_layers->setAccessibleDescription(tr("Touched structures, the outermost first, with their forces and depths"));
-    m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its share of the force [N],\n"
-                            "and how deep the hand is in it [mm]"));
+    m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its part along the force [N], which add\n"
+                            "up to it, and how deep the hand is in it [mm]"));
     m_layers->setMinimumWidth(10);
     m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     keepFont(*m_layers, kRows, QFont::Normal);
@@ -158,6 +177,17 @@ void TouchPanel::setLayers(std::vector<FeltLayer> layers)
     m_layers->setText(layersMarkup(layers));
 }
 
+/// What is felt through the structure here, in the room of the layers.
+void TouchPanel::showLump(const TouchReading& reading)
+{
+    const QString change = feltChangeText(reading.lumpRatio);
+    const QString verdict = saysOf(buried::verdictOf(reading.lumpRatio));
+    m_layers->setAccessibleName(tr("over %1: %2, %3").arg(reading.lump, change, verdict));
+    const QString name = m_layers->fontMetrics().elidedText(reading.lump, Qt::ElideMiddle, std::max(80, width() - 160));
+    m_layers->setText(QStringLiteral("<p style='white-space:pre'>%1<br>%2</p>")
+                          .arg(tr("over %1: %2").arg(name.toHtmlEscaped(), change), verdict));
+}
+
 void TouchPanel::show(const TouchReading& reading)
 {
     m_reading = reading;
@@ -174,6 +204,9 @@ void TouchPanel::show(const TouchReading& reading)
                                                                                      ? tr("slid off the edge")
                                                                                      : tr("the hand is free"));
     setLayers(reading.layers);
+    if (!reading.lump.isEmpty() && reading.layers.size() < 2) {
+        showLump(reading);
+    }
     m_late->setText(reading.isAtBound ? tr("very fine mesh here: the force follows late") : QString());
     double along_N = 0.0;
     for (const FeltLayer& layer : reading.layers) {

@@ -17,7 +17,12 @@ namespace palpate::study {
 
 /// The columns of `findingsCsv`.
 inline constexpr const char* kFindingColumns =
-    "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,note";
+    "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,note,inside,"
+    "total_force_N";
+
+/// @return the organ that the structure of a finding lies in: the outermost layer that was touched, where that is
+/// another one; empty where there is none.
+[[nodiscard]] std::string organOf(const core::Finding& finding);
 
 /// @return a table after RFC 4180 in UTF-8, a row a finding, the head first. Numbers give the same doubles back; a text
 /// that a spreadsheet would compute gets a `'` before it.

@@ -54,7 +54,8 @@ using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 /// The structures that a tick touches: the outermost layer first, in a layer the one that pushes most.
 /// @param shown_N  length of the force that the hand gets [N]: shares are those of the model, in proportion
 [[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
-/// "liver 2.5 N · lump 20 mm 3.5 N, 5.8 mm in"; of a single layer its name.
+/// "liver 2.53 N · lump 20 mm 3.48 N, pressed in 5.8 mm"; of a single layer its name. The forces are the parts along
+/// the whole, which add up to it.
 [[nodiscard]] QString layersText(const std::vector<FeltLayer>& layers);
 /// The same as rich text, a line a layer, each behind a mark in the structure's colour.
 [[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);

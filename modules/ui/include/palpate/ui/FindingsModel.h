@@ -71,6 +71,8 @@ class FindingsModel : public QAbstractTableModel
     std::vector<core::Finding> m_findings;
 };
 
+/// "lump 20 mm in liver": what was felt, and the organ around it.
+[[nodiscard]] QString whereText(const core::Finding& finding);
 /// "lump" in the person's language.
 [[nodiscard]] QString typeName(core::FindingType type);
 /// "●": the shape that the view draws.

@@ -48,6 +48,7 @@ class Playback : public QObject
   private:
     void step();
     void showMoment(double time_s);
+    void addLump(TouchReading& reading, const servo::TickRecord& tick) const;
     void feed(const servo::TickRecord& tick, double time_s);
     [[nodiscard]] LayerLook lookOf(const servo::TickRecord& tick, std::uint32_t number) const;
     [[nodiscard]] std::vector<FeltLayer> layersOf(const servo::TickRecord& tick) const;

@@ -7,6 +7,9 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
+#include <vector>
+
 class QLabel;
 
 namespace palpate::ui {
@@ -27,7 +30,22 @@ struct TouchReading
     bool isSlidOff = false;          ///< pressed, but the surface has given way to the side
     bool isAtBound = false;          ///< the solver stopped at its bound: the force is that of where it got to
     std::vector<FeltLayer> layers{}; ///< outermost first
+    QString lump{};                  ///< that is felt through `structure` here; empty: none
+    double lumpRatio = 1.0;          ///< stiffness here by that without the lump [1]
 };
+
+/// What is felt under the hand, of all that is touched: the innermost layer, a lump before the organ that it is felt
+/// through.
+struct FeltStructure
+{
+    QString name, inside; ///< `inside` is the organ around it; empty: none
+    double force_N = 0.0; ///< its share along the force on the hand
+    double depth_mm = 0.0;
+    std::optional<double> stiffnessRatio{}; ///< of a lump that is felt through its organ
+};
+[[nodiscard]] FeltStructure feltStructure(const TouchReading& reading);
+/// "lump 20 mm in liver"
+[[nodiscard]] QString whereText(const FeltStructure& felt);
 
 /// What the hand feels, in numbers large enough for arm's length, and its last ten seconds.
 class TouchPanel : public QWidget
@@ -58,6 +76,7 @@ class TouchPanel : public QWidget
     void fitFont();
     void setLine(const QString& structure, const QString& detail);
     void setLayers(std::vector<FeltLayer> layers);
+    void showLump(const TouchReading& reading);
 
     TouchReading m_reading;
     TouchHistory m_history;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/LumpUnder.h"
+
+#include <palpate/buried/FeltSurface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace palpate::ui {
+
+namespace {
+
+/// k/k0 at a vertex, linear between the presses, as the hand feels it.
+double ratioAt(const std::vector<std::vector<float>>& below, std::size_t vertex, double depth_mm)
+{
+    for (std::size_t i = 1; i < below.size(); ++i) {
+        const double from_mm = haptics::kFeltPress_mm[i - 1], to_mm = haptics::kFeltPress_mm[i];
+        if (depth_mm < to_mm) {
+            const double part = std::max(0.0, (depth_mm - from_mm) / (to_mm - from_mm));
+            return (1.0 - part) * double{below[i - 1][vertex]} + part * double{below[i][vertex]};
+        }
+    }
+    return double{below.back()[vertex]};
+}
+
+/// A lump's share far from it, but for a factor that all have: its volume by the fourth power of its distance.
+double shareOf(const meshio::LoadedStructure& lump, const core::Vec3& p_W)
+{
+    const geometry::MeshReport& report = lump.surface->report;
+    return std::abs(report.volume_mm3) / std::pow((report.bounds.center() - p_W).norm() + 1e-3, 4.0);
+}
+
+} // namespace
+
+std::optional<LumpUnder> lumpUnder(const StructureModel& model, int organRow, const core::Vec3& p_WG, double depth_mm)
+{
+    const meshio::LoadedStructure& organ = model.rows()[static_cast<std::size_t>(organRow)].loaded;
+    if (organ.feltBelow.size() != haptics::kFeltPress_mm.size() || organ.surface == nullptr) {
+        return std::nullopt;
+    }
+    std::optional<LumpUnder> under;
+    double most = 0.0;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const StructureRow& lump = model.rows()[static_cast<std::size_t>(row)];
+        if (lump.isRemoved || !lump.loaded.isFeltThrough || lump.loaded.surface == nullptr ||
+            model.organAround(row) != organRow) {
+            continue;
+        }
+        if (const double share = shareOf(lump.loaded, p_WG); share > most) {
+            most = share;
+            under = LumpUnder{row, 1.0};
+        }
+    }
+    const std::vector<core::Vec3>& vertices = organ.surface->mesh.vertices;
+    if (!under || organ.feltBelow.front().size() != vertices.size()) {
+        return std::nullopt;
+    }
+    const auto nearest = std::min_element(vertices.begin(), vertices.end(), [&](const auto& a, const auto& b) {
+        return (a - p_WG).squaredNorm() < (b - p_WG).squaredNorm();
+    });
+    under->ratio = ratioAt(organ.feltBelow, static_cast<std::size_t>(nearest - vertices.begin()), depth_mm);
+    const double least = std::log1p(buried::kTold_percent[0] / 100.0);
+    return std::abs(std::log(under->ratio)) >= least ? under : std::nullopt;
+}
+
+} // namespace palpate::ui
