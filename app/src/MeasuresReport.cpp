@@ -3,7 +3,39 @@
 
 #include "Console.h"
 
+#include <cstdio>
+#include <optional>
+#include <string>
+
 namespace palpate::app {
+
+namespace {
+
+std::string percentText(const std::optional<double>& percent)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%+.3g %%", percent.value_or(0.0));
+    return percent ? text : "none";
+}
+
+void printLump(const session::LumpSearch& one)
+{
+    print("  %s in %s: greatest change under the hand in the recorded ticks %s\n", one.lump.c_str(), one.organ.c_str(),
+          percentText(one.recorded_percent).c_str());
+    if (!one.predicted_percent) {
+        print("    model of felt lumps (felt.md): no prediction, its stiffness ratio is not known\n");
+    } else if (!one.share()) {
+        print("    model of felt lumps (felt.md), an estimate: %s predicted; no hand tells it by pressing\n",
+              percentText(one.predicted_percent).c_str());
+    } else {
+        print(
+            "    model of felt lumps (felt.md), an estimate: %s predicted; pressed hard enough to feel it over %.3g %% "
+            "of the %.3g cm² from where a trained hand tells it\n",
+            percentText(one.predicted_percent).c_str(), 100.0 * *one.share(), 0.01 * one.told_mm2);
+    }
+}
+
+} // namespace
 
 void printMeasures(const session::SessionMeasures& m)
 {
@@ -30,8 +62,7 @@ void printMeasures(const session::SessionMeasures& m)
         const std::int64_t presses = phases == m.structurePhases.end()
                                          ? 0
                                          : session::summary(phases->second, session::Phase::Kind::Press).phases;
-        print("  %s: contact %.3f s, pressed %lld times, its share of the force peak %.4g N, mean %.4g N, 95th "
-              "percentile "
+        print("  %s: contact %.3f s, pressed %lld times, force of its layer peak %.4g N, mean %.4g N, 95th percentile "
               "%.4g N, peak depth %.4g mm\n",
               name.c_str(), part.time_s, static_cast<long long>(presses), part.peakForce_N, part.meanForce_N,
               part.p95Force_N, part.peakDepth_mm);
@@ -42,14 +73,7 @@ void printMeasures(const session::SessionMeasures& m)
               surface.longestDwell_s);
     }
     for (const session::LumpSearch& one : m.lumps) {
-        if (!one.share()) {
-            print("  %s in %s: no hand tells it by pressing (an estimate)\n", one.lump.c_str(), one.organ.c_str());
-            continue;
-        }
-        print("  %s in %s: pressed hard enough to feel it over %.3g %% of the %.3g cm² from where a trained hand tells "
-              "it; greatest change under the hand %.3g %% (an estimate)\n",
-              one.lump.c_str(), one.organ.c_str(), 100.0 * *one.share(), 0.01 * one.told_mm2,
-              one.greatestChange_percent);
+        printLump(one);
     }
     for (const session::FindingMeasures& one : m.findings) {
         if (!one.finding.hasPlace) {

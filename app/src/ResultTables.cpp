@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <optional>
 #include <utility>
 
 using namespace palpate;
@@ -22,6 +23,11 @@ struct ResultTexts
 QString number(double value, int digits = 2)
 {
     return QLocale().toString(value, 'f', digits);
+}
+
+QString orDash(const std::optional<double>& value)
+{
+    return value ? number(*value, 0) : QStringLiteral("–");
 }
 
 QString count(std::int64_t value)
@@ -108,7 +114,7 @@ ResultTable findingTable(const session::SessionMeasures& m)
         }
         table.rows.push_back(
             {ui::typeSign(one.finding.type) + QLatin1Char(' ') + QString::fromStdString(one.finding.name),
-             ui::readableName(one.finding.structure), ui::clockText(one.marked_s),
+             ui::whereText(one.finding), ui::clockText(one.marked_s),
              one.firstTouched_s ? ui::clockText(*one.firstTouched_s) : ResultTexts::tr("never"), number(one.dwell_s, 1),
              count(one.visits), number(one.meanForce_N), number(one.peakForce_N)});
     }
@@ -130,13 +136,14 @@ ResultTable noteTable(const session::SessionMeasures& m)
 ResultTable lumpTable(const session::SessionMeasures& m)
 {
     ResultTable table{
-        ResultTexts::tr("Pressed hard enough to feel the lump (an estimate)"),
+        ResultTexts::tr("Lumps: what was recorded, and what the model predicts (an estimate)"),
         {{ResultTexts::tr("Lump"), ResultTexts::tr("In"), ResultTexts::tr("Felt by a trained hand from [cm²]"),
-          ResultTexts::tr("Of that pressed hard enough [%]"), ResultTexts::tr("Greatest change under the hand [%]")}}};
+          ResultTexts::tr("Of that pressed hard enough [%]"), ResultTexts::tr("Greatest change recorded [%]"),
+          ResultTexts::tr("Predicted by the model [%]")}}};
     for (const session::LumpSearch& one : m.lumps) {
         table.rows.push_back({ui::readableName(one.lump), ui::readableName(one.organ), number(0.01 * one.told_mm2, 1),
                               one.share() ? number(100.0 * *one.share(), 1) : ResultTexts::tr("not by hand"),
-                              number(one.greatestChange_percent, 0)});
+                              orDash(one.recorded_percent), orDash(one.predicted_percent)});
     }
     return table;
 }

@@ -35,7 +35,9 @@ class SearchedLumps : public QObject
     static Vec3 onOrgan(const Vec3& towards) { return kRadius_mm * towards.normalized(); }
 
     /// @param places  where the organ is pressed, a tick each
-    session::LumpSearch searched(const std::vector<Vec3>& places, double depth_mm, std::uint32_t structure = 0)
+    /// @param lump_N  force of the lump's own layer as well, where it is felt as one
+    session::LumpSearch searched(const std::vector<Vec3>& places, double depth_mm, std::uint32_t structure = 0,
+                                 double lump_N = 0.0)
     {
         QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath(QStringLiteral("a.palpate")).toStdString();
@@ -43,6 +45,7 @@ class SearchedLumps : public QObject
         record.generation = 1;
         for (const char* name : {"organ", "lump"}) {
             record.structures.emplace_back().name = name;
+            record.structures.back().tissue.stiffness_N_per_mm = 0.2;
         }
         auto writer = session::RecordingWriter::create(file, {});
         if (!writer.isOk() || !writer.value()->addScene(record).isOk()) {
@@ -61,6 +64,11 @@ class SearchedLumps : public QObject
             tick.felt.constraints = 1;
             tick.felt.contactCount = 1;
             tick.felt.contacts[0] = {places[i], n_W, tick.felt.f_W, depth_mm, 1.0, structure, 0, 0, {}};
+            if (lump_N > 0.0) {
+                tick.felt.contacts[1] = {places[i] - 8.0 * n_W, n_W, lump_N * n_W, depth_mm - 8.0, 1.0, 1, 0, 1, {}};
+                tick.felt.contactCount = 2;
+                tick.felt.f_W += lump_N * n_W;
+            }
             if (!writer.value()->append(tick).isOk()) {
                 return {};
             }
@@ -98,7 +106,8 @@ class SearchedLumps : public QObject
         QCOMPARE(light.organ, std::string("organ"));
         QVERIFY2(light.told_mm2 > 200.0, qPrintable(QString::number(light.told_mm2)));
         QCOMPARE(light.share().value(), 0.0);
-        QVERIFY(light.greatestChange_percent > 1.0 && light.greatestChange_percent < 14.0);
+        QVERIFY(light.predicted_percent.value() > 1.0 && light.predicted_percent.value() < 14.0);
+        QVERIFY(!light.recorded_percent); // no tick deep enough
     }
 
     void onePressFeelsItWhereItWasMade()
@@ -111,8 +120,9 @@ class SearchedLumps : public QObject
         how.press_mm = {0.0, 2.0, 4.0, 8.0};
         const auto felt = study::feltSurface(m_scene, study::organsWithLumps(m_scene).value()[0], how);
         const double best = 100.0 * (felt.value().lumps[0].press[3].felt.estimate - 1.0);
-        QVERIFY2(std::abs(one.greatestChange_percent / best - 1.0) < 0.02,
-                 qPrintable(QString::number(one.greatestChange_percent)));
+        QVERIFY2(std::abs(one.predicted_percent.value() / best - 1.0) < 0.02,
+                 qPrintable(QString::number(one.predicted_percent.value())));
+        QVERIFY(std::abs(one.recorded_percent.value()) < 1e-9); // the recording was made without the lump
         QVERIFY(std::abs(one.told_mm2 / felt.value().lumps[0].press[3].area_mm2[1] - 1.0) < 1e-4);
     }
 
@@ -128,7 +138,22 @@ class SearchedLumps : public QObject
     {
         QCOMPARE(searched({onOrgan(Vec3(1, 0, 0))}, 8.0).share().value(), 0.0);
         QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).share().value(), 0.0); // of its own layer
-        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).greatestChange_percent, 0.0);
+        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).predicted_percent.value(), 0.0);
+    }
+
+    /// What the ticks hold is said, whatever model felt it: a lump as a layer adds its own force.
+    void whatWasRecordedIsSaidBesideThePrediction()
+    {
+        const auto layered = searched({Vec3(0, 0, kRadius_mm)}, 12.0, 0, 2.16);
+        QVERIFY(std::abs(layered.recorded_percent.value() - 90.0) < 1e-9); // 2.16 N beside 0.2 N/mm x 12 mm
+        QVERIFY(layered.predicted_percent.value() > 10.0 && layered.predicted_percent.value() < 60.0);
+        m_scene.structures[1].description.tissue = core::Tissue();
+        m_scene.structures[0].description.tissue = core::Tissue();
+        const auto unknown = searched({Vec3(0, 0, kRadius_mm)}, 12.0, 0, 2.16);
+        m_scene.structures[0].description.tissue.stiffness_N_per_mm = 0.2;
+        m_scene.structures[1].description.tissue.stiffness_N_per_mm = 0.6;
+        QVERIFY(!unknown.predicted_percent && !unknown.share()); // its ratio is not known
+        QVERIFY(std::abs(unknown.recorded_percent.value() - 90.0) < 1e-9);
     }
 
     void whatNoHandTellsHasNoShare()

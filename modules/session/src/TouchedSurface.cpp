@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace palpate::session {
@@ -66,6 +67,7 @@ void TouchedSurface::split(const geometry::TriangleMesh& mesh, double longest_mm
 
 TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distance_mm)
     : m_distance_mm(distance_mm)
+    , m_given(mesh.vertices.size())
 {
     split(mesh, 0.5 * distance_mm);
     const std::size_t count = m_mesh.vertices.size();
@@ -97,11 +99,13 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
     }
 }
 
-void TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, double dt_s)
+std::optional<std::uint32_t> TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, double dt_s)
 {
+    std::optional<std::uint32_t> nearest;
     if (!p_WG.allFinite()) {
-        return;
+        return nearest;
     }
+    double nearest_mm2 = std::numeric_limits<double>::infinity();
     const Cell middle = cellOf(p_WG);
     const double square_mm2 = m_distance_mm * m_distance_mm;
     for (std::int64_t x = -1; x <= 1; ++x) {
@@ -113,7 +117,12 @@ void TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, doub
                 }
                 for (std::uint32_t i = found->second.first; i < found->second.second; ++i) {
                     const std::uint32_t vertex = m_order[i];
-                    if ((m_mesh.vertices[vertex] - p_WG).squaredNorm() <= square_mm2) {
+                    const double away_mm2 = (m_mesh.vertices[vertex] - p_WG).squaredNorm();
+                    if (away_mm2 <= square_mm2) {
+                        if (vertex < m_given && away_mm2 < nearest_mm2) {
+                            nearest = vertex;
+                            nearest_mm2 = away_mm2;
+                        }
                         m_dwell_s[vertex] += dt_s;
                         m_peakForce_N[vertex] = std::max(m_peakForce_N[vertex], force_N);
                         m_peakDepth_mm[vertex] = std::max(m_peakDepth_mm[vertex], depth_mm);
@@ -122,6 +131,7 @@ void TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, doub
             }
         }
     }
+    return nearest;
 }
 
 double TouchedSurface::coveredArea_mm2() const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/FindingsFile.h"
 #include "palpate/study/SessionExport.h"
 
 #include <QJsonArray>
@@ -78,6 +79,7 @@ QJsonArray findingsJson(const std::vector<session::FindingMeasures>& findings)
                         {"size_mm", orNull(m.finding.size_mm)},
                         {"name", text(m.finding.name)},
                         {"structure", text(m.finding.structure)},
+                        {"inside", text(organOf(m.finding))},
                         {"position_mm", QJsonArray{m.finding.p_W.x(), m.finding.p_W.y(), m.finding.p_W.z()}},
                         {"marked_s", m.marked_s},
                         {"force_when_marked_N", orNull(m.finding.force_N)},
@@ -137,7 +139,8 @@ QJsonArray lumpsJson(const std::vector<session::LumpSearch>& lumps)
                                {"told_area_mm2", one.told_mm2},
                                {"pressed_area_mm2", one.pressed_mm2},
                                {"pressed_hard_enough", orNull(one.share())},
-                               {"greatest_change_percent", one.greatestChange_percent}});
+                               {"greatest_change_percent", orNull(one.recorded_percent)},
+                               {"predicted_change_percent", orNull(one.predicted_percent)}});
     }
     return out;
 }

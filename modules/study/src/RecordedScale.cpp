@@ -9,18 +9,13 @@
 
 namespace palpate::study {
 
-namespace {
-
-/// The law's force [N] as it was felt.
-double lawForce(const session::StructureRecord& on, double depth_mm)
+double lawForce_N(const session::StructureRecord& on, double depth_mm)
 {
     const auto bytes = std::as_bytes(std::span(on.lawTable.data(), on.lawTable.size()));
     const auto table = haptics::ForceTable::fromBytes(bytes);
     return !on.lawTable.empty() && table.isOk() ? table.value()->force(depth_mm)
                                                 : on.tissue.stiffness_N_per_mm * depth_mm;
 }
-
-} // namespace
 
 void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH)
 {
@@ -35,7 +30,7 @@ void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, cons
         const bool isShared = contact.depth_mm != (contact.p_WG - tick.p_WH).norm();
         const core::Vec3 push_W =
             isShared ? core::Vec3(contact.depth_mm * contact.n_W) : core::Vec3(contact.p_WG - tick.p_WH);
-        const double depth = push_W.norm(), force = lawForce(on, depth);
+        const double depth = push_W.norm(), force = lawForce_N(on, depth);
         if (depth > 0.0 && force > 0.0) {
             const core::Vec3 spring_W = contact.f_W + on.tissue.damping_Ns_per_mm * v_WH;
             contact.stiffnessScale = std::max(0.0, spring_W.dot(push_W) / (depth * force));

@@ -2,14 +2,19 @@
 #include "palpate/study/SearchedLumps.h"
 
 #include "palpate/study/BuriedLumps.h"
+#include "palpate/study/RecordedScale.h"
 
-#include <palpate/haptics/TissueMap.h>
+#include <palpate/core/Finding.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace palpate::study {
 
@@ -28,6 +33,7 @@ struct Searched
     std::string organ;
     buried::FeltSurface felt;
     std::unique_ptr<session::TouchedSurface> touched; ///< on the surface of `felt`
+    std::vector<std::optional<double>> recorded;      ///< greatest change of each lump in the ticks, as a ratio
 };
 
 /// |ln k/k0| at a vertex for a depth, between the depths that are known; 0 where nothing is pressed.
@@ -66,8 +72,16 @@ void judge(const Searched& searched, std::vector<LumpSearch>& out)
     const buried::FeltSurface& felt = searched.felt;
     const std::vector<double> area_mm2 = areas(felt.surface);
     std::vector<LumpSearch> lumps;
-    for (const buried::FeltSurface::Lump& lump : felt.lumps) {
-        lumps.push_back({lump.name, searched.organ, 0.0, 0.0, 0.0});
+    for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
+        LumpSearch& lump = lumps.emplace_back();
+        lump.lump = felt.lumps[i].name;
+        lump.organ = searched.organ;
+        if (felt.lumps[i].ratio) {
+            lump.predicted_percent = 0.0;
+        }
+        if (searched.recorded[i]) {
+            lump.recorded_percent = 100.0 * (*searched.recorded[i] - 1.0);
+        }
     }
     for (std::size_t v = 0; v < felt.lump.size(); ++v) {
         if (felt.lump[v] == 0 || felt.notJudged[v] != 0) {
@@ -75,7 +89,11 @@ void judge(const Searched& searched, std::vector<LumpSearch>& out)
         }
         LumpSearch& lump = lumps[felt.lump[v] - 1u];
         const double met = changeAt(felt, v, searched.touched->peakDepth_mm()[v]);
-        lump.greatestChange_percent = std::max(lump.greatestChange_percent, 100.0 * std::expm1(met));
+        const bool isSofter = felt.lumps[felt.lump[v] - 1u].ratio->typical < 1.0;
+        const double percent = 100.0 * std::expm1(isSofter ? -met : met);
+        if (std::abs(percent) > std::abs(*lump.predicted_percent)) {
+            lump.predicted_percent = percent;
+        }
         if (changeAt(felt, v, felt.press.back().press_mm) >= kTold) {
             lump.told_mm2 += area_mm2[v];
             lump.pressed_mm2 += met >= kTold ? area_mm2[v] : 0.0;
@@ -84,50 +102,111 @@ void judge(const Searched& searched, std::vector<LumpSearch>& out)
     out.insert(out.end(), lumps.begin(), lumps.end());
 }
 
+/// Goes over the ticks of a recording.
+class Ticks
+{
+  public:
+    Ticks(const session::RecordingReader& reader, std::vector<Searched>& all)
+        : m_reader(reader)
+        , m_all(all)
+    {
+    }
+
+    void add(const servo::TickRecord& tick)
+    {
+        const core::Vec3 v_WH = session::follows(m_before, tick)
+                                    ? core::Vec3((tick.p_WH - m_before->p_WH) / m_reader.info().dt_s)
+                                    : core::Vec3::Zero();
+        const auto contacts = std::span(tick.felt.contacts).first(tick.felt.contactCount);
+        for (const haptics::Contact& contact : contacts) {
+            const std::string_view name = m_reader.structureName(tick.scene, contact.structure);
+            for (Searched& one : m_all) {
+                if (one.organ == name) {
+                    const auto place =
+                        one.touched->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, m_reader.info().dt_s);
+                    noteChange(one, place, tick, contact, v_WH);
+                }
+            }
+        }
+        m_before = tick;
+    }
+
+  private:
+    /// By how much the hand was pushed back more than the organ alone would have at the same depth.
+    void noteChange(Searched& organ, const std::optional<std::uint32_t>& place, const servo::TickRecord& tick,
+                    const haptics::Contact& on, const core::Vec3& v_WH) const
+    {
+        const session::SceneRecord* scene = m_reader.scene(tick.scene);
+        const core::Vec3 push_W = on.p_WG - tick.p_WH;
+        const double depth_mm = push_W.norm();
+        if (scene == nullptr || on.structure >= scene->structures.size() || depth_mm < core::kLeastFeltDepth_mm) {
+            return;
+        }
+        core::Vec3 all_W = core::Vec3::Zero();
+        std::vector<std::string_view> touched;
+        const auto springOf = [&](const haptics::Contact& one) {
+            const session::StructureRecord& structure = scene->structures[one.structure];
+            return core::Vec3(one.f_W + structure.tissue.damping_Ns_per_mm * v_WH);
+        };
+        for (const haptics::Contact& one : std::span(tick.felt.contacts).first(tick.felt.contactCount)) {
+            if (one.structure < scene->structures.size()) {
+                all_W += springOf(one);
+                touched.push_back(scene->structures[one.structure].name);
+            }
+        }
+        // The organ alone: its layer's force, friction included, without what maps and lumps below scale it by.
+        const core::Vec3 own_W = springOf(on);
+        const double law_N = lawForce_N(scene->structures[on.structure], depth_mm);
+        const double pushed_N = own_W.dot(push_W) / depth_mm;
+        if (!(law_N > 0.0 && pushed_N > 0.0)) {
+            return;
+        }
+        const double alone_N = law_N * own_W.norm() / pushed_N;
+        const double change = all_W.norm() / alone_N;
+        for (std::size_t i = 0; i < organ.felt.lumps.size(); ++i) {
+            const bool isTouched = std::find(touched.begin(), touched.end(), organ.felt.lumps[i].name) != touched.end();
+            const bool isOver = place && organ.felt.lump[*place] == i + 1;
+            std::optional<double>& greatest = organ.recorded[i];
+            if ((isTouched || isOver) && (!greatest || std::abs(std::log(change)) > std::abs(std::log(*greatest)))) {
+                greatest = change;
+            }
+        }
+    }
+
+    const session::RecordingReader& m_reader;
+    std::vector<Searched>& m_all;
+    std::optional<servo::TickRecord> m_before;
+};
+
 } // namespace
 
 Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
                                               double distance_mm, const std::function<bool(double)>& progress)
 {
-    const auto organs = organsWithLumps(scene);
+    auto organs = feltOrgans(scene, {}, nullptr, progress);
     if (!organs.isOk()) {
-        return std::vector<LumpSearch>();
+        return organs.status();
     }
     std::vector<Searched> all;
-    for (const OrganWithLumps& organ : organs.value()) {
-        buried::FeltOptions how;
-        how.radius_mm = organ.radius_mm;
-        how.press_mm.assign(haptics::kFeltPress_mm.begin(), haptics::kFeltPress_mm.end());
-        how.progress = progress;
-        auto felt = feltSurface(scene, organ, how);
-        if (felt.isOk()) {
-            auto touched = std::make_unique<session::TouchedSurface>(felt.value().surface, distance_mm);
-            all.push_back(
-                {scene.structures[organ.organ].description.name, std::move(felt).value(), std::move(touched)});
-        } else if (felt.status().code() == StatusCode::Cancelled) {
-            return felt.status();
-        }
+    for (FeltOrgan& organ : organs.value()) {
+        auto touched = std::make_unique<session::TouchedSurface>(organ.felt.surface, distance_mm);
+        const std::size_t lumps = organ.felt.lumps.size();
+        all.push_back({scene.structures[organ.organ.organ].description.name, std::move(organ.felt), std::move(touched),
+                       std::vector<std::optional<double>>(lumps)});
     }
     if (all.empty()) {
         return std::vector<LumpSearch>();
     }
     bool isCancelled = false;
     std::int64_t ticks = 0;
+    Ticks sums(reader, all);
     constexpr std::int64_t kAsk = 100000;
-    const Status read = reader.forEach(
-        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-        [&](const servo::TickRecord& tick) {
-            for (const haptics::Contact& contact : std::span(tick.felt.contacts).first(tick.felt.contactCount)) {
-                const std::string_view name = reader.structureName(tick.scene, contact.structure);
-                for (Searched& one : all) {
-                    if (one.organ == name) {
-                        one.touched->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, reader.info().dt_s);
-                    }
-                }
-            }
-            isCancelled = ++ticks % kAsk == 0 && progress && !progress(1.0);
-            return !isCancelled;
-        });
+    const Status read = reader.forEach(std::numeric_limits<std::int64_t>::min(),
+                                       std::numeric_limits<std::int64_t>::max(), [&](const servo::TickRecord& tick) {
+                                           sums.add(tick);
+                                           isCancelled = ++ticks % kAsk == 0 && progress && !progress(1.0);
+                                           return !isCancelled;
+                                       });
     if (!read.isOk()) {
         return read;
     }

@@ -41,13 +41,19 @@ struct SurfaceMeasures
     [[nodiscard]] double coverage() const noexcept { return area_mm2 > 0.0 ? coveredArea_mm2 / area_mm2 : 0.0; }
 };
 
-/// How an organ was searched for one lump in it: see resources/docs/measures.md. An estimate, as what can be felt is.
+/// How an organ was searched for one lump in it: see resources/docs/measures.md. All but `recorded_percent` is an
+/// estimate, as what can be felt is.
 struct LumpSearch
 {
     std::string lump, organ;
-    double told_mm2 = 0.0;             ///< of the organ's surface, where a trained hand tells the lump when it presses
-    double pressed_mm2 = 0.0;          ///< of that, where the hand pressed deep enough to
-    double greatestChange_percent = 0; ///< of the stiffness under the hand by the lump, over all of the session
+    double told_mm2 = 0.0;    ///< of the organ's surface, where a trained hand tells the lump when it presses
+    double pressed_mm2 = 0.0; ///< of that, where the hand pressed deep enough to
+    /// Greatest change of the force under the hand over the lump, by that of the organ alone at the same depth, in the
+    /// recording's own ticks [%]; nothing where none was deep enough to say.
+    std::optional<double> recorded_percent;
+    /// Greatest change of the stiffness that the model predicts for the places and depths reached [%]; nothing where
+    /// the lump's stiffness ratio is not known.
+    std::optional<double> predicted_percent;
 
     /// Nothing: no hand tells it from anywhere.
     [[nodiscard]] std::optional<double> share() const

@@ -4,7 +4,9 @@
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -22,8 +24,9 @@ class TouchedSurface
     TouchedSurface(const geometry::TriangleMesh& mesh, double distance_mm);
 
     /// Takes a tick in contact. @param p_WG  contact point [mm]
+    /// @return the nearest of the vertices that were given; nothing where none is within the distance
     /// @par Cost of the vertices within about the distance
-    void add(const core::Vec3& p_WG, double force_N, double depth_mm, double dt_s);
+    std::optional<std::uint32_t> add(const core::Vec3& p_WG, double force_N, double depth_mm, double dt_s);
 
     /// The vertices that were given come first.
     [[nodiscard]] const geometry::TriangleMesh& mesh() const noexcept { return m_mesh; }
@@ -47,6 +50,7 @@ class TouchedSurface
     [[nodiscard]] Cell cellOf(const core::Vec3& p) const;
 
     double m_distance_mm;
+    std::size_t m_given; ///< vertices that were given
     geometry::TriangleMesh m_mesh;
     std::vector<double> m_share_mm2; ///< area that a vertex stands for
     std::vector<double> m_dwell_s;

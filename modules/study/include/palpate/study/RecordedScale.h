@@ -6,6 +6,9 @@
 
 namespace palpate::study {
 
+/// The force [N] that a recorded structure's own law gives at a depth, without maps, lumps below and damping.
+[[nodiscard]] double lawForce_N(const session::StructureRecord& on, double depth_mm);
+
 /// Finds by how much maps and lumps below scaled the laws of what a recorded tick touches, which a recording does not
 /// keep: the force along the spring is `s F(d) - b v`, and all but s is known. Where a map varied the damping, the
 /// tissue's own is taken for it.
