@@ -95,7 +95,7 @@ device::HandScript palpationScript()
     stroke(script, -85, 20, -5, 34, 5.0, 1.8);
     stroke(script, -5, 34, -8, 14, 5.0, 0.4);
     script.moveTo(front(-8, 14), 16.0, 0.3);
-    stroke(script, -8, 14, -82, -2, 16.0, 1.8); // deep enough to graze the larger lump
+    stroke(script, -8, 14, -82, -2, 16.0, 1.8); // deep, beside the larger lump
     script.moveTo(front(-82, -2), 5.0, 0.2);
     stroke(script, -82, -2, -70, -30, 5.0, 0.5);
     script.moveTo(front(-70, -30), -4.0, 0.3);

@@ -23,6 +23,9 @@ struct PhantomStructure
     std::uint32_t layer;
 };
 
+/// How many times as stiff as the organ the lumps are.
+inline constexpr double kLumpRatio = 3.0;
+
 /// The two lumps: 20 mm across under the front of the right lobe, 12 mm across under the front of the left.
 [[nodiscard]] std::array<Lump, 2> lumps();
 

@@ -7,6 +7,7 @@
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Replay.h>
+#include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 
 #include <algorithm>
@@ -53,13 +54,14 @@ core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::pat
     return {};
 }
 
-core::Status write(const std::filesystem::path& folder)
+/// The scene of the phantom. @param buried  how its lumps are felt: through the liver, or as layers below it
+meshio::SceneFile describe(const std::vector<phantom::PhantomStructure>& phantom, const std::filesystem::path& folder,
+                           meshio::BuriedTouch buried)
 {
-    std::vector<phantom::PhantomStructure> phantom = phantom::makePhantom();
-    std::vector<meshio::MeshStructure> meshes;
     meshio::SceneFile scene;
-    for (phantom::PhantomStructure& structure : phantom) {
-        meshio::SceneStructure described;
+    scene.buried = buried;
+    for (const phantom::PhantomStructure& structure : phantom) {
+        meshio::SceneStructure& described = scene.structures.emplace_back();
         described.mesh = std::filesystem::absolute(folder / "phantom.vtp");
         described.part = structure.name;
         described.name = structure.name;
@@ -67,15 +69,29 @@ core::Status write(const std::filesystem::path& folder)
         described.opacity = structure.opacity;
         described.palpable = structure.palpable;
         described.tissue.stiffness_N_per_mm = structure.stiffness_N_per_mm;
-        described.layer = structure.layer;
-        scene.structures.push_back(described);
-        meshes.push_back({structure.name, std::move(structure.mesh), structure.colour});
+        if (structure.layer > 0 && buried == meshio::BuriedTouch::Felt) {
+            described.inside = phantom.front().name;
+            described.young_ratio = phantom::kLumpRatio;
+        } else {
+            described.layer = structure.layer;
+        }
     }
     meshio::SceneCamera camera;
     camera.position_W = {-70, -430, 110};
     camera.focus_W = {4, 4, 4};
     scene.camera = camera;
+    return scene;
+}
 
+core::Status write(const std::filesystem::path& folder)
+{
+    std::vector<phantom::PhantomStructure> phantom = phantom::makePhantom();
+    const meshio::SceneFile scene = describe(phantom, folder, meshio::BuriedTouch::Felt);
+    const meshio::SceneFile layered = describe(phantom, folder, meshio::BuriedTouch::Layers);
+    std::vector<meshio::MeshStructure> meshes;
+    for (phantom::PhantomStructure& structure : phantom) {
+        meshes.push_back({structure.name, std::move(structure.mesh), structure.colour});
+    }
     if (core::Status status = meshio::writeMesh(folder / "phantom.vtp", meshes); !status.isOk()) {
         return status;
     }
@@ -88,8 +104,11 @@ core::Status write(const std::filesystem::path& folder)
     if (core::Status status = meshio::writeScene(scenePath, scene); !status.isOk()) {
         return status;
     }
+    if (core::Status status = meshio::writeScene(folder / "phantom-layers.palpate.json", layered); !status.isOk()) {
+        return status;
+    }
     // Felt as it will be opened, so that a replay on the scene file gives back the same bits.
-    core::Result<meshio::LoadedScene> loaded = meshio::loadScene(scenePath);
+    core::Result<meshio::LoadedScene> loaded = study::openScene(scenePath);
     if (!loaded.isOk()) {
         return loaded.status();
     }
@@ -185,7 +204,7 @@ core::Status check(const std::filesystem::path& folder)
     if (!status.isOk()) {
         return status;
     }
-    const core::Result<meshio::LoadedScene> kept = meshio::loadScene(folder / "phantom.palpate.json");
+    const core::Result<meshio::LoadedScene> kept = study::openScene(folder / "phantom.palpate.json");
     return kept.isOk() ? verify(kept.value(), folder / "palpation.palpate", false) : kept.status();
 }
 
