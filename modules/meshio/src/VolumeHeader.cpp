@@ -11,6 +11,8 @@
 
 #include <vtk_zlib.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
