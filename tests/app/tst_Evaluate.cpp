@@ -89,6 +89,8 @@ class Evaluate : public QObject
         QTest::newRow("folder that can't be made") << QStringList{"organs", "--out", "m.csv/x"};
         QTest::newRow("unit") << QStringList{"organs", "--unit", "inch", "--out", "x"};
         QTest::newRow("lumps of a scene") << QStringList{"organs", "--felt", "--out", "x"};
+        QTest::newRow("no path") << QStringList{"organs", "--seeds", "0", "--out", "x"};
+        QTest::newRow("seeds") << QStringList{"organs", "--seeds", "many", "--out", "x"};
         QTest::newRow("stiffness") << QStringList{"organs", "--stiffness", "-1", "--out", "x"};
     }
     void wrongCommandLinesEndWithCode2()

@@ -2,19 +2,27 @@
 // The reference solvers where the answer is known in closed form, and against the product.
 #include "TestRunner.h"
 
+#include <palpate/evaluation/CornerForce.h>
 #include <palpate/evaluation/ExactSolver.h>
 #include <palpate/evaluation/LagrangeElimination.h>
+#include <palpate/evaluation/PaperBody.h>
 #include <palpate/evaluation/PaperSolver.h>
 #include <palpate/evaluation/ProductSolver.h>
 #include <palpate/evaluation/RaySolver.h>
 #include <palpate/evaluation/Shapes.h>
+#include <palpate/evaluation/Subject.h>
 #include <palpate/evaluation/VectorFieldSolver.h>
+#include <palpate/meshio/MeshFile.h>
+
+#include <QFile>
+#include <QTemporaryDir>
 
 #include <cmath>
 #include <numbers>
 
 using namespace palpate;
 using namespace palpate::evaluation;
+using geometry::TriangleMesh;
 
 namespace {
 
@@ -124,6 +132,69 @@ class References : public QObject
         // The HIP leaves below the edge: the top's plane holds for one more tick.
         QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 10)).norm() < 1e-6);
         QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 8)).norm() < 1e-6);
+    }
+
+    /// Errors are taken of a copy that finds its facets through boxes: it must be the same solver.
+    void paperGivesTheSameBitsThroughBoxes()
+    {
+        for (const TriangleMesh& mesh : {shapes::bumpySphere(10, 20.0, 0.03), paperBody(), shapes::fan(40, -6.0),
+                                         shapes::soup(shapes::groove(0.3))}) {
+            const Surface surface(geometry::repair(mesh));
+            PaperSolver all(surface), near(surface, PaperSolver::Search::Boxes);
+            int contacts = 0;
+            for (const std::uint64_t seed : {1, 2}) {
+                for (const HandMotion& motion : standardMotions(surface, seed, 500)) {
+                    all.start(motion.p_WH.front());
+                    near.start(motion.p_WH.front());
+                    for (const Vec3& hip : motion.p_WH) {
+                        const SolverStep a = all.step(hip), b = near.step(hip);
+                        QVERIFY(a.p_WG == b.p_WG && a.constraints == b.constraints && a.iterations == b.iterations);
+                        contacts += a.constraints > 0 ? 1 : 0;
+                    }
+                }
+            }
+            QVERIFY(contacts > 500);
+        }
+    }
+
+    /// Figure 3: summed fields give 1 - cos of the angle between the surfaces times the right force, a god-object the
+    /// right force. Perpendicular is right, obtuse too stiff, parallel twice, acute too soft.
+    void forceInACornerIsWhatFigure3Says()
+    {
+        const std::vector<CornerForce> corners = forceInCorners();
+        QCOMPARE(corners.size(), std::size_t(17));
+        QCOMPARE(corners.front().angle_deg, 20.0);
+        QCOMPARE(corners.back().angle_deg, 180.0);
+        for (const CornerForce& c : corners) {
+            const double expected = 1.0 - std::cos(c.angle_deg * std::numbers::pi / 180.0);
+            QVERIFY2(
+                std::abs(c.vectorField - expected) < 1e-9,
+                qPrintable(QString("%1 degrees: %2, expected %3").arg(c.angle_deg).arg(c.vectorField).arg(expected)));
+            QVERIFY2(std::abs(c.godObject - 1.0) < 1e-8,
+                     qPrintable(QString("%1 degrees: %2").arg(c.angle_deg).arg(c.godObject)));
+        }
+    }
+
+    void paperBodyHas616TrianglesAndAnInside()
+    {
+        const geometry::RepairedMesh body = geometry::repair(paperBody());
+        QCOMPARE(body.mesh.triangles.size(), std::size_t(616));
+        const Surface surface(body);
+        QVERIFY(surface.isClosed());
+        QCOMPARE(surface.componentCount(), 1u);
+        QCOMPARE(surface.winding(Vec3::Zero()), 1);
+    }
+
+    void theBundledPaperBodyIsThatMesh()
+    {
+        QTemporaryDir folder;
+        const QString made = folder.filePath("shuttle.stl");
+        const meshio::MeshStructure structure{"shuttle", paperBody(), {}};
+        QVERIFY(meshio::writeMesh(made.toStdString(), {&structure, 1}).isOk());
+        QFile kept(QString(PALPATE_SOURCE_DIR) + "/data/paper/shuttle.stl"), again(made);
+        QVERIFY(kept.open(QIODevice::ReadOnly) && again.open(QIODevice::ReadOnly));
+        QCOMPARE(kept.size(), qint64(84 + 50 * 616));
+        QVERIFY(kept.readAll() == again.readAll());
     }
 
     void eliminationSolvesInFewerOperationsThanThePaperStates()

@@ -13,12 +13,15 @@
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace palpate;
 using namespace palpate::evaluation;
 
 namespace {
+
+constexpr double kLong_s = 1000.0; // nothing is left out for lack of time, however busy the machine is
 
 /// How many columns a line of comma-separated values has.
 qsizetype columnsOf(const QByteArray& line)
@@ -77,6 +80,7 @@ class Report : public QObject
         }();
         EvaluateOptions options;
         options.isQuick = true;
+        options.seconds = kLong_s;
         options.withHardCases = options.withLaidMotions = false;
         int calls = 0;
         double last = 0.0;
@@ -119,31 +123,140 @@ class Report : public QObject
         QCOMPARE(m_evaluation.subjects[0].hash.size(), std::size_t(64));
     }
 
+    Trial trialOf(Knob knob, double value, const std::string& solver = "Palpate") const
+    {
+        for (const Trial& t : m_evaluation.trials) {
+            if (t.solver == solver && t.knob == knob && t.knobValue == value) {
+                return t;
+            }
+        }
+        return Trial{};
+    }
+
     void errorsAreWhatTheSettingsCost()
     {
-        const auto find = [&](Knob knob, double value) {
-            for (const Trial& t : m_evaluation.trials) {
-                if (t.solver == "Palpate" && t.knob == knob && t.knobValue == value) {
-                    return t;
-                }
-            }
-            return Trial{};
-        };
-        const Trial product = find(Knob::Solver, 0.0);
+        const Trial product = trialOf(Knob::Solver, 0.0);
         QVERIFY(product.position_mm.count > 300);
         QVERIFY(product.position_mm.p99 <= 1e-6);
         QVERIFY(product.residual_mm.max <= 1e-6);
         QCOMPARE(product.popThroughs, std::size_t(0));
         for (const double radius : {0.5, 1.0, 2.0}) {
-            const Trial ball = find(Knob::Radius, radius);
+            const Trial ball = trialOf(Knob::Radius, radius);
             QVERIFY(ball.position_mm.count > 100);
             QVERIFY(ball.position_mm.p50 <= 1e-6 && ball.residual_mm.max <= 1e-6);
             QCOMPARE(ball.popThroughs, std::size_t(0));
         }
-        QVERIFY(find(Knob::Decimated, 0.5).position_mm.p50 < find(Knob::Decimated, 0.05).position_mm.p50);
+        QVERIFY(trialOf(Knob::Decimated, 0.5).position_mm.p50 < trialOf(Knob::Decimated, 0.05).position_mm.p50);
         // 100 mm/s: a force that is held for 2 ms lags by 0.2 mm of the hand's way.
-        const double slow = find(Knob::Rate, 500.0).position_mm.p50, fast = find(Knob::Rate, 4000.0).position_mm.p50;
+        const double slow = trialOf(Knob::Rate, 500.0).position_mm.p50,
+                     fast = trialOf(Knob::Rate, 4000.0).position_mm.p50;
         QVERIFY(slow > 4.0 * fast && slow < 12.0 * fast);
+    }
+
+    /// One rule for all: what is run at one rate is judged in the same ticks, those in which either touches.
+    void everyTickInContactCounts()
+    {
+        std::size_t exactTicks = 0;
+        for (const Trial& t : m_evaluation.trials) {
+            if (t.isReference) {
+                exactTicks = t.ticks;
+                QCOMPARE(t.ticks, t.wanted);
+                continue;
+            }
+            QCOMPARE(t.ticks, t.wanted);
+            QCOMPARE(t.ticks, exactTicks * static_cast<std::size_t>(t.rate_Hz) / 1000);
+            QVERIFY2(t.position_mm.count == t.force_N.count && t.force_N.count == t.forcePercent.count,
+                     t.solver.c_str());
+            QVERIFY(t.elsewhere <= t.position_mm.count);
+            QCOMPARE(t.elsewhere, t.elsewhere_mm.count);
+            QCOMPARE(t.pathPosition_mm.values.size(), std::size_t(1));
+            QVERIFY(std::abs(t.pathPosition_mm.median - t.position_mm.mean) <= 1e-12 + 1e-9 * t.position_mm.mean);
+        }
+        const Trial product = trialOf(Knob::Solver, 0.0);
+        QCOMPARE(product.sameState.ticks, product.position_mm.count);
+        const Trial paper = trialOf(Knob::Solver, 0.0, "paper (brute force)");
+        QCOMPARE(paper.position_mm.count >= product.position_mm.count, true);
+        QVERIFY(paper.elsewhere > 0); // it needs two ticks for a convex edge
+        // Apart is apart, in whatever ticks: nothing that is far away is left out.
+        QVERIFY(paper.position_mm.max >= paper.elsewhere_mm.max);
+        QVERIFY(paper.elsewhere_mm.max >= paper.elsewhere_mm.p50 && paper.elsewhere_mm.p50 > 1e-3);
+    }
+
+    /// At 1 kHz the hand's samples are the solver's own: its error is that of the solver, not of the rate.
+    void solverAndRateErrorsAreApart()
+    {
+        const Trial solver = trialOf(Knob::Solver, 0.0), rate = trialOf(Knob::Rate, 1000.0);
+        QVERIFY(solver.position_mm.p50 <= 1e-9);
+        QVERIFY(rate.position_mm.p50 > 0.01);
+        QVERIFY(rate.elsewhere_mm.max >= 0.0 && rate.elsewhere < rate.position_mm.count / 2);
+    }
+
+    void percentilesNeedTicks()
+    {
+        const auto tail = [](std::size_t count) {
+            std::vector<double> values;
+            for (std::size_t i = 1; i <= count; ++i) {
+                values.push_back(static_cast<double>(i));
+            }
+            return tailOf(percentilesOf(values));
+        };
+        QCOMPARE(QString(tail(10000).name), QString("99.9 %"));
+        QCOMPARE(tail(10000).value, 9990.0);
+        QCOMPARE(QString(tail(9999).name), QString("99 %"));
+        QCOMPARE(tail(1000).value, 990.0);
+        QCOMPARE(QString(tail(999).name), QString("most"));
+        QCOMPARE(tail(999).value, 999.0);
+        QVERIFY(!reportHtml(m_evaluation).empty());
+        for (const QJsonValue& t :
+             QJsonDocument::fromJson(QByteArray::fromStdString(resultsJson(m_evaluation)))["trials"].toArray()) {
+            const QJsonObject time = t["time_us"].toObject();
+            QCOMPARE(time["p99_9"].isNull(), time["count"].toInt() < 10000);
+        }
+    }
+
+    void pathsAreSpreadAndTheirNumberIsChosen()
+    {
+        const auto subject = subjectOf("ball", shapes::bumpySphere(6, 60.0, 0.01));
+        EvaluateOptions options;
+        options.withHardCases = false;
+        options.isQuick = true;
+        options.seconds = kLong_s;
+        options.seed = 11;
+        options.seeds = 4;
+        const Evaluation e = evaluate({subject}, {}, options);
+        QCOMPARE(e.subjects[0].paths, (std::vector<std::string>{"seed 11", "seed 12", "seed 13", "seed 14"}));
+        for (const Trial& t : e.trials) {
+            if (t.isReference) {
+                continue;
+            }
+            QCOMPARE(t.pathPosition_mm.values.size(), std::size_t(4));
+            QVERIFY(t.pathPosition_mm.low <= t.pathPosition_mm.medianLow);
+            QVERIFY(t.pathPosition_mm.medianLow <= t.pathPosition_mm.median);
+            QVERIFY(t.pathPosition_mm.median <= t.pathPosition_mm.medianHigh);
+            QVERIFY(t.pathPosition_mm.medianHigh <= t.pathPosition_mm.high);
+        }
+        // The next seeds give other paths, and the same seed the same.
+        options.seed = 14;
+        options.seeds = 1;
+        const Evaluation last = evaluate({subject}, {}, options);
+        QCOMPARE(last.trials[1].pathPosition_mm.values[0], e.trials[1].pathPosition_mm.values[3]);
+        QCOMPARE(last.trials[3].pathPosition_mm.values[0], e.trials[3].pathPosition_mm.values[3]);
+        QVERIFY(e.trials[3].pathPosition_mm.values[0] != e.trials[3].pathPosition_mm.values[3]);
+        QVERIFY(reportHtml(last).find("from one path of the hand") != std::string::npos);
+    }
+
+    void thePapersOwnRowIsTheFirst()
+    {
+        QCOMPARE(m_evaluation.paperBody.size(), std::size_t(2));
+        const Trial& paper = m_evaluation.paperBody[0];
+        QCOMPARE(paper.triangles, std::size_t(616));
+        QCOMPARE(paper.solver, std::string("paper (brute force)"));
+        QCOMPARE(paper.ticks, paper.wanted);
+        QVERIFY(paper.time_us.count > 1000 && paper.time_us.p50 < 1000.0);
+        QCOMPARE(m_evaluation.paperBody[1].popThroughs, std::size_t(0));
+        const std::string chart = chartSvg(m_evaluation);
+        const std::size_t own = chart.find("paper, its 616 triangles"), next = chart.find("Palpate: ");
+        QVERIFY(own != std::string::npos && next != std::string::npos && own < next);
     }
 
     void aSecondRunGivesTheSameErrors()
@@ -152,6 +265,7 @@ class Report : public QObject
         EvaluateOptions options;
         options.withHardCases = options.withLaidMotions = false;
         options.isQuick = true;
+        options.seconds = kLong_s;
         const HandMotion motion = standardMotions(subject->layers[0].surface, 9, 150).front();
         const Evaluation a = evaluate({subject}, {motion}, options), b = evaluate({subject}, {motion}, options);
         for (std::size_t i = 0; i < a.trials.size(); ++i) {
@@ -174,6 +288,7 @@ class Report : public QObject
         }
         EvaluateOptions options;
         options.isQuick = true;
+        options.seconds = kLong_s;
         options.withHardCases = options.withLaidMotions = false;
         const Evaluation e = evaluate({subject}, {press}, options);
         QCOMPARE(e.subjects[0].layers, std::size_t(2));
@@ -195,6 +310,7 @@ class Report : public QObject
         const auto subject = subjectOf("ball", shapes::bumpySphere(6, 60.0, 0.01));
         EvaluateOptions options;
         options.isQuick = true;
+        options.seeds = 5;
         options.seconds = 1e-3;
         const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(!e.isCancelled);
@@ -211,7 +327,7 @@ class Report : public QObject
         options.progress = [](double, const std::string&) { return false; };
         const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(e.isCancelled);
-        QVERIFY(e.trials.empty());
+        QVERIFY(e.trials.empty() && e.paperBody.empty());
         QVERIFY(reportHtml(e).find("Cancelled") != std::string::npos);
     }
 
@@ -225,15 +341,15 @@ class Report : public QObject
 
         const QJsonObject json = QJsonDocument::fromJson(contentOf(out + "/results.json")).object();
         QCOMPARE(json["trials"].toArray().size(), qsizetype(m_evaluation.trials.size()));
-        for (const char* key :
-             {"machine", "seed", "subjects", "hard_cases", "cost_by_size", "elimination_operations"}) {
+        for (const char* key : {"machine", "seed", "subjects", "hard_cases", "cost_by_size", "elimination_operations",
+                                "paper_body", "corner_force"}) {
             QVERIFY2(json.contains(key), key);
         }
         QVERIFY(!json["machine"].toObject()["build"].toString().isEmpty());
 
         const QList<QByteArray> lines = contentOf(out + "/results.csv").trimmed().split('\n');
-        QCOMPARE(lines.size(),
-                 qsizetype(m_evaluation.trials.size() + m_evaluation.sizes.size() + m_evaluation.tissues.size() + 1));
+        QCOMPARE(lines.size(), qsizetype(m_evaluation.trials.size() + m_evaluation.paperBody.size() +
+                                         m_evaluation.sizes.size() + m_evaluation.tissues.size() + 1));
         for (const QByteArray& line : lines) {
             QCOMPARE(columnsOf(line), columnsOf(lines[0]));
         }

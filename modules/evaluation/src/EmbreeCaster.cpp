@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/RaySolver.h"
 
-#ifdef PALPATE_HAS_EMBREE
+#ifdef PALPATE_EMBREE
+#if PALPATE_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
+#include <cstdint>
 #endif
 
 namespace palpate::evaluation {
 
-#ifdef PALPATE_HAS_EMBREE
+#ifdef PALPATE_EMBREE
 
 namespace {
 
@@ -64,9 +69,13 @@ class EmbreeCaster : public SegmentCaster
         query.ray.tfar = 1.0f;
         query.ray.mask = ~0u;
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if PALPATE_EMBREE >= 4
+        rtcIntersect1(m_scene, &query);
+#else
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         rtcIntersect1(m_scene, &context, &query);
+#endif
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
             return false;
         }

@@ -6,6 +6,7 @@
 #include "Machine.h"
 #include "VtkMesh.h"
 #include "palpate/evaluation/LagrangeElimination.h"
+#include "palpate/evaluation/PaperBody.h"
 #include "palpate/evaluation/PaperSolver.h"
 #include "palpate/evaluation/ProductSolver.h"
 #include "palpate/evaluation/RaySolver.h"
@@ -13,20 +14,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace palpate::evaluation {
 
 namespace {
 
-constexpr Times kQuick{2.5, 0.3, 1.0, 600, 64};
-constexpr Times kFull{60.0, 3.0, 20.0, 3000, 256};
-constexpr double kNoLimit_s = 1e6;
-constexpr double kFullSize_mm = 100.0;  // what is smaller gets a smaller fingertip
-constexpr double kBallTruthShare = 0.7; // of the time for a ball: the exact one is brute force
-// Of a limited time, the subjects' share; the spheres and the hard cases get the rest. And the truth's share of that.
-constexpr double kSubjectsShare = 0.6, kTruthShare = 0.3;
+constexpr Extent kQuick{3, 600, 2.0, 22.0, 1.0, 1.0, 64};
+constexpr Extent kFull{16, 1000, 20.0, 560.0, 6.0, 20.0, 256};
+constexpr double kFullSize_mm = 100.0; // what is smaller gets a smaller fingertip
+constexpr double kSubjectsShare = 0.6; // of the time; the spheres and the hard cases get the rest
+constexpr double kFirstShare = 0.3;    // of what is left, for one piece of the first path
 constexpr int kTissueSphere = 32;      // 20,480 triangles
-constexpr double kDecimation_s = 2e-5; // for each triangle removed, until it has been measured
+constexpr std::size_t kStride = 4;     // base samples of a tick at 1 kHz
+constexpr double kDecimation_s = 2e-5; // for each triangle removed, where it was slow
+constexpr std::uint32_t kFewestTriangles = 8;
 
 std::string percent(double share)
 {
@@ -40,19 +42,93 @@ std::string ballOf(double radius_mm)
     return "ball of " + shortNumber(radius_mm) + " mm";
 }
 
+/// One solver for each layer of a subject, or none where a layer's is not in this build.
+template<class Make>
+LayerSolvers solversOf(const Subject& subject, const Make& make)
+{
+    LayerSolvers solvers;
+    for (std::size_t l = 0; l < subject.layers.size(); ++l) {
+        solvers.push_back(make(subject.layers[l].surface, l));
+        if (solvers.back() == nullptr) {
+            return {};
+        }
+    }
+    return solvers;
+}
+
+std::vector<const Surface*> surfacesOf(const Subject& subject)
+{
+    std::vector<const Surface*> surfaces;
+    for (const SubjectLayer& layer : subject.layers) {
+        surfaces.push_back(&layer.surface);
+    }
+    return surfaces;
+}
+
+LayerSolvers productOn(const Subject& subject, const std::shared_ptr<const haptics::HapticScene>& scene,
+                       std::uint32_t iterations = 0)
+{
+    return solversOf(subject, [&](const Surface&, std::size_t layer) {
+        return std::make_unique<ProductSolver>(scene, "Palpate", iterations, layer);
+    });
+}
+
+LayerSolvers paperOn(const Subject& subject, PaperSolver::Search search)
+{
+    return solversOf(subject, [search](const Surface& surface, std::size_t) {
+        return std::make_unique<PaperSolver>(surface, search);
+    });
+}
+
+std::size_t samplesOf(const HandPaths& path)
+{
+    std::size_t samples = 0;
+    for (const HandMotion& motion : path.motions) {
+        samples += motion.p_WH.size();
+    }
+    return samples;
+}
+
 } // namespace
 
 Evaluator::Evaluator(const EvaluateOptions& options, std::size_t subjects)
     : m_options(options)
-    , m_times(options.isQuick ? kQuick : kFull)
-    , m_limit_s(options.seconds > 0.0 ? options.seconds : kNoLimit_s)
+    , m_extent(options.isQuick ? kQuick : kFull)
     , m_subjects(static_cast<double>(subjects))
-    , m_parts(m_subjects * kPartsOfASubject + (options.withHardCases ? 6 : 0) + 2)
-    , m_decimation_s(kDecimation_s)
 {
-    m_times.truth /= m_subjects;
-    m_times.other /= m_subjects;
-    m_times.bruteForce /= m_subjects;
+    m_extent.limit_s = options.seconds > 0.0 ? options.seconds : m_extent.limit_s;
+    m_extent.seeds = options.seeds > 0 ? options.seeds : m_extent.seeds;
+    m_extent.bruteForce_s /= m_subjects;
+}
+
+bool Evaluator::next(const std::string& what)
+{
+    m_result.isCancelled =
+        m_result.isCancelled || (m_options.progress && !m_options.progress(std::min(1.0, m_done / m_parts), what));
+    m_done += 1.0;
+    return !m_result.isCancelled;
+}
+
+std::vector<HandPaths> Evaluator::pathsOn(const Surface& surface, const std::vector<HandMotion>& given)
+{
+    std::vector<HandPaths> paths;
+    for (int i = 0; i < m_extent.seeds && (given.empty() || m_options.withLaidMotions); ++i) {
+        const std::uint64_t seed = m_options.seed + static_cast<std::uint64_t>(i);
+        paths.push_back({"seed " + std::to_string(seed), standardMotions(surface, seed, m_extent.motion_ms)});
+    }
+    for (const HandMotion& motion : given) {
+        paths.push_back({motion.name, {motion}});
+        std::vector<Vec3>& samples = paths.back().motions.front().p_WH;
+        const auto most = static_cast<std::size_t>(m_extent.given_s * HandMotion::kBase_Hz);
+        if (samples.size() > most) {
+            samples.resize(most);
+            const std::string line = motion.name + ": all but its first " + shortNumber(m_extent.given_s) + " s";
+            if (std::find(m_result.leftOut.begin(), m_result.leftOut.end(), line) == m_result.leftOut.end()) {
+                m_result.leftOut.push_back(line);
+            }
+        }
+    }
+    return paths;
 }
 
 Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& subjects,
@@ -62,23 +138,28 @@ Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& sub
     m_result.seed = m_options.seed;
     m_result.isQuick = m_options.isQuick;
     m_result.vectorField = measureVectorField();
+    m_result.corners = forceInCorners();
     elimination();
+    const double pathCount = m_extent.seeds + static_cast<double>(given.size());
+    m_parts = m_subjects * pathCount * 3.0 + (m_options.withHardCases ? m_subjects * pathCount : 0.0) + 3.0;
     double remaining = m_subjects;
     for (const auto& subject : subjects) {
-        std::vector<HandMotion> motions;
-        if (given.empty() || m_options.withLaidMotions) {
-            motions = standardMotions(subject->layers.front().surface, m_options.seed, m_times.motion_ms);
-        }
-        motions.insert(motions.end(), given.begin(), given.end());
+        const std::vector<HandPaths> paths = pathsOn(subject->layers.front().surface, given);
         if (m_result.motions.empty()) {
-            for (const HandMotion& motion : motions) {
-                m_result.motions.push_back(motion.name);
+            for (const HandPaths& path : {paths.front(), paths.back()}) {
+                for (const HandMotion& motion : path.motions) {
+                    if (std::find(m_result.motions.begin(), m_result.motions.end(), motion.name) ==
+                        m_result.motions.end()) {
+                        m_result.motions.push_back(motion.name);
+                    }
+                }
             }
         }
-        const double left = std::max(0.0, kSubjectsShare * m_limit_s - elapsed_s());
-        evaluateSubject(*subject, motions, left / remaining);
+        const double left = std::max(0.0, kSubjectsShare * m_extent.limit_s - elapsed_s());
+        evaluateSubject(*subject, paths, elapsed_s() + left / remaining);
         remaining -= 1.0;
     }
+    evaluatePaperBody();
     feelSpheres();
     if (m_options.withHardCases && !m_result.isCancelled) {
         runHard();
@@ -97,135 +178,121 @@ void Evaluator::elimination()
     }
 }
 
-void Evaluator::feel(Trial description, LayerSolvers solvers, const std::vector<const Surface*>& own, bool isOnTruth,
-                     double seconds, bool fromContact)
+void Evaluator::addPart(Trial description, const std::vector<const Surface*>& own, bool isOnTruth, LayerSolvers solvers,
+                        LayerSolvers timed)
 {
-    description.subject = m_subject->name;
+    description.subject = m_exact.subject;
     description.solver = solvers.front()->name();
     for (const Surface* surface : own) {
         description.triangles += surface->triangleCount();
     }
-    TrialRun run(std::move(description), own, isOnTruth);
-    for (std::size_t i = 0; i < m_motions->size(); ++i) {
-        run.feel(solvers, (*m_motions)[i], m_truths[i], seconds / static_cast<double>(m_motions->size()), fromContact);
-        if (i == 0 && run.result().knob == Knob::Solver) {
-            m_result.series.push_back(run.series());
-        }
-    }
-    m_result.trials.push_back(run.result());
+    m_marks.push_back({TrialRun(std::move(description), own, isOnTruth), std::move(solvers), std::move(timed)});
 }
 
-/// @param make  makes the solver of one layer, told its surface and its number
-template<class Make>
-void Evaluator::feelOn(const Subject& subject, Trial description, bool isGodObject, double seconds, bool fromContact,
-                       const Make& make)
+/// The product as it is, with one pass a tick, at four rates and with three balls.
+void Evaluator::addProducts(const Subject& subject)
 {
-    LayerSolvers solvers;
-    std::vector<const Surface*> own;
-    for (std::size_t l = 0; l < subject.layers.size(); ++l) {
-        own.push_back(&subject.layers[l].surface);
-        solvers.push_back(make(subject.layers[l].surface, l));
-        if (solvers.back() == nullptr) {
-            return; // not in this build
-        }
-    }
-    feel(std::move(description), std::move(solvers), own, isGodObject, seconds, fromContact);
-}
-
-void Evaluator::findTruth(const Subject& subject, double seconds)
-{
-    m_truths.clear();
-    Trial exact;
-    exact.subject = subject.name;
-    exact.solver = "exact";
-    exact.triangles = subject.triangleCount();
-    exact.isReference = true;
-    for (const HandMotion& motion : *m_motions) {
-        if (!next(subject.name + ": exact, " + motion.name)) {
-            return;
-        }
-        const Truth& truth =
-            m_truths.emplace_back(truthOf(subject, motion, seconds / static_cast<double>(m_motions->size())));
-        exact.ticks += truth.samples / 4;
-        exact.wanted += motion.p_WH.size() / 4;
-        if (exact.time_us.count == 0 || truth.time_us.p50 > exact.time_us.p50) {
-            exact.time_us = truth.time_us;
-        }
-    }
-    m_result.trials.push_back(exact);
-}
-
-std::vector<Evaluator::Part> Evaluator::partsOf(const Subject& subject)
-{
-    using Solver = std::unique_ptr<ReferenceSolver>;
-    std::vector<Part> parts;
-    const auto product = [this, &subject](const Trial& trial, std::uint32_t iterations) {
-        return [this, &subject, trial, iterations](double seconds) {
-            feelOn(subject, trial, true, seconds, false, [&](const Surface&, std::size_t layer) -> Solver {
-                return std::make_unique<ProductSolver>(subject.scene, "Palpate", iterations, layer);
-            });
-        };
-    };
-    parts.push_back({"Palpate", product({}, 0)});
+    const std::vector<const Surface*> own = surfacesOf(subject);
     Trial onePass;
     onePass.knob = Knob::OnePass;
     onePass.setting = "one pass a tick";
-    parts.push_back({"one pass a tick", product(onePass, 1)});
-    // Smaller on what is small.
-    const double size = std::min(1.0, subject.bounds().sizes().maxCoeff() / kFullSize_mm);
-    for (const double radius : {0.5, 1.0, 2.0}) {
-        parts.push_back(
-            {ballOf(size * radius), [this, &subject, size, radius](double s) { feelBall(subject, size * radius, s); }});
-    }
+    addPart(onePass, own, true, productOn(subject, subject.scene, 1));
     for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
         Trial trial;
         trial.knob = Knob::Rate;
         trial.knobValue = trial.rate_Hz = rate;
         trial.setting = "force held at " + std::to_string(std::lround(rate)) + " Hz";
-        parts.push_back({trial.setting, product(trial, 0)});
+        addPart(trial, own, true, productOn(subject, subject.scene));
     }
-    const auto other = [&](const std::string& what, bool isGodObject, bool isBruteForce, auto make) {
-        parts.push_back({what, [this, &subject, isGodObject, isBruteForce, make](double seconds) {
-                             feelOn(subject, {}, isGodObject,
-                                    std::min(seconds, isBruteForce ? m_times.bruteForce : m_times.other), isBruteForce,
-                                    make);
-                         }});
-    };
-    other("VTK locator", true, false, [](const Surface& surface, std::size_t) -> Solver {
-        return std::make_unique<RaySolver>(surface, makeVtkCaster(surface));
-    });
-    other("Embree", true, false, [](const Surface& surface, std::size_t) -> Solver {
+    const double size = std::min(1.0, subject.bounds().sizes().maxCoeff() / kFullSize_mm);
+    for (const double radius : {0.5, 1.0, 2.0}) {
+        Trial trial;
+        trial.knob = Knob::Radius;
+        trial.knobValue = trial.fingertip_mm = size * radius;
+        trial.setting = ballOf(trial.fingertip_mm);
+        addPart(trial, own, true,
+                productOn(subject,
+                          std::make_shared<haptics::HapticScene>(subject.scene->structures(), trial.fingertip_mm)));
+    }
+}
+
+void Evaluator::addOthers(const Subject& subject)
+{
+    const std::vector<const Surface*> own = surfacesOf(subject);
+    addPart({}, own, true, solversOf(subject, [](const Surface& surface, std::size_t) {
+                return std::make_unique<RaySolver>(surface, makeVtkCaster(surface));
+            }));
+    LayerSolvers embree = solversOf(subject, [](const Surface& surface, std::size_t) -> std::unique_ptr<RaySolver> {
         auto caster = makeEmbreeCaster(surface);
         return caster == nullptr ? nullptr : std::make_unique<RaySolver>(surface, std::move(caster));
     });
-    other("paper", true, true,
-          [](const Surface& surface, std::size_t) -> Solver { return std::make_unique<PaperSolver>(surface); });
-    other("vector field", false, true,
-          [](const Surface& surface, std::size_t) -> Solver { return std::make_unique<VectorFieldSolver>(surface); });
+    const std::string noEmbree =
+        "Embree: not in this build; install libembree-dev (Debian), configure with cmake and build again";
+    if (!embree.empty()) {
+        addPart({}, own, true, std::move(embree));
+    } else if (std::find(m_result.leftOut.begin(), m_result.leftOut.end(), noEmbree) == m_result.leftOut.end()) {
+        m_result.leftOut.push_back(noEmbree);
+    }
+    // Its god-object may be a roundoff behind a facet: no state to start the exact solver from.
+    addPart({}, own, false, paperOn(subject, PaperSolver::Search::Boxes),
+            paperOn(subject, PaperSolver::Search::BruteForce));
+    using Overlap = VectorFieldSolver::Overlap;
+    const auto field = [&](Overlap overlap) {
+        addPart({}, own, false, solversOf(subject, [overlap](const Surface& surface, std::size_t) {
+                    return std::make_unique<VectorFieldSolver>(surface, overlap);
+                }));
+    };
+    field(Overlap::Nearest);
     const auto isWorthSumming = [](const SubjectLayer& layer) {
         return layer.surface.componentCount() > 1 && layer.surface.componentCount() < 100;
     };
     if (std::any_of(subject.layers.begin(), subject.layers.end(), isWorthSumming)) {
-        other("vector field, summed", false, true, [](const Surface& surface, std::size_t) -> Solver {
-            return std::make_unique<VectorFieldSolver>(surface, VectorFieldSolver::Overlap::Sum);
-        });
+        field(Overlap::Sum);
     }
-    for (const double share : {0.5, 0.25, 0.1, 0.05, 0.01}) {
-        parts.push_back(
-            {percent(share), [this, &subject, share](double seconds) { feelDecimated(subject, share, seconds); }});
-    }
-    return parts;
 }
 
-void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions, double seconds)
+/// Each copy is made from the one before, which takes a quarter of the time of making each from all triangles.
+void Evaluator::addDecimated(const Subject& subject, double end_s)
 {
-    if (m_result.isCancelled) {
-        return;
+    std::vector<geometry::TriangleMesh> fewer;
+    for (const SubjectLayer& layer : subject.layers) {
+        fewer.push_back(layer.surface.repaired().mesh);
     }
-    m_subject = &subject;
-    m_motions = &motions;
-    m_fewer.clear();
-    m_subjectEnd_s = elapsed_s() + seconds;
+    double perTriangle_s = kDecimation_s;
+    for (const double share : {0.5, 0.25, 0.1, 0.05, 0.01}) {
+        double removed = 0.0;
+        for (std::size_t l = 0; l < fewer.size(); ++l) {
+            removed +=
+                static_cast<double>(fewer[l].triangles.size()) - share * subject.layers[l].surface.triangleCount();
+        }
+        const double before_s = elapsed_s();
+        if (removed * perTriangle_s > end_s - before_s) {
+            leaveOut(subject.name + ": " + percent(share));
+            continue;
+        }
+        std::vector<const Surface*> own;
+        LayerSolvers solvers;
+        for (std::size_t l = 0; l < fewer.size(); ++l) {
+            const auto now = static_cast<double>(fewer[l].triangles.size());
+            fewer[l] = decimated(fewer[l], share * subject.layers[l].surface.triangleCount() / std::max(1.0, now));
+            m_fewer.push_back(std::make_unique<Surface>(geometry::repair(fewer[l])));
+            own.push_back(m_fewer.back().get());
+            if (own.back()->triangleCount() < kFewestTriangles) {
+                return;
+            }
+            solvers.push_back(std::make_unique<ProductSolver>(sceneOf(own.back()->repaired()), "Palpate"));
+        }
+        perTriangle_s = std::max(kDecimation_s, (elapsed_s() - before_s) / std::max(1.0, removed));
+        Trial trial;
+        trial.knob = Knob::Decimated;
+        trial.knobValue = share;
+        trial.setting = percent(share);
+        addPart(trial, own, false, std::move(solvers));
+    }
+}
+
+void Evaluator::describe(const Subject& subject)
+{
     SubjectInfo info;
     info.name = subject.name;
     info.hash = subject.hash;
@@ -238,105 +305,163 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandMo
     info.bytes = subject.scene->byteSize();
     info.build_ms = subject.build_ms;
     m_result.subjects.push_back(std::move(info));
+    m_exact = {};
+    m_exact.subject = subject.name;
+    m_exact.solver = "exact";
+    m_exact.triangles = subject.triangleCount();
+    m_exact.isReference = true;
+    m_exactTime_us.clear();
+}
 
-    findTruth(subject, std::min(m_times.truth, kTruthShare * seconds));
-    const std::vector<Part> parts = partsOf(subject);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (!next(subject.name + ": " + parts[i].what, (kPartsOfASubject - 3.0) / static_cast<double>(parts.size()))) {
-            return;
+void Evaluator::makeParts(const Subject& subject, double end_s)
+{
+    m_marks.clear();
+    m_fewer.clear();
+    addPart({}, surfacesOf(subject), true, productOn(subject, subject.scene));
+    const auto fits = [&](const char* what) {
+        if (elapsed_s() <= end_s) {
+            return true;
         }
-        const double left = m_subjectEnd_s - elapsed_s();
-        if (i > 0 && left <= 0.0) {
-            m_result.leftOut.push_back(subject.name + ": " + parts[i].what + ", for lack of time");
+        leaveOut(subject.name + ": " + what);
+        return false;
+    };
+    if (fits("one pass, rates and balls")) {
+        addProducts(subject);
+    }
+    if (fits("the other solvers")) {
+        addOthers(subject);
+    }
+    addDecimated(subject, end_s);
+}
+
+void Evaluator::feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths,
+                           bool isFirst)
+{
+    const auto limit_s = [&] { return std::max(0.0, end_s - elapsed_s()) * (isFirst ? kFirstShare : 1.0); };
+    const Truth truth = truthOf(subject, motion, kStride, limit_s());
+    m_exact.ticks += truth.ticks;
+    m_exact.wanted += (motion.p_WH.size() + kStride - 1) / kStride;
+    m_exactTime_us.push_back(truth.time_us.p50);
+    Truth fast; // all samples: made when a rate asks for it
+    for (Part& part : m_marks) {
+        const Trial& trial = part.run.description();
+        if (trial.knob == Knob::Radius) {
+            const Truth ball = truthOf(subject, motion, kStride, limit_s(), trial.fingertip_mm);
+            part.run.feel(part.solvers, motion, ball, limit_s());
             continue;
         }
-        parts[i].measure(std::min(m_times.other, left / static_cast<double>(parts.size() - i)));
+        if (trial.knob == Knob::Rate && fast.ticks == 0) {
+            fast = truthOf(subject, motion, 1, limit_s());
+        }
+        if (!part.timed.empty()) {
+            part.run.time(part.timed, motion, truth,
+                          std::min(limit_s(), m_extent.bruteForce_s / static_cast<double>(paths)));
+        }
+        part.run.feel(part.solvers, motion, trial.knob == Knob::Rate ? fast : truth, limit_s());
+    }
+}
+
+void Evaluator::feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst)
+{
+    for (const HandMotion& motion : path.motions) {
+        if (!next(subject.name + ": " + path.name + ", " + motion.name)) {
+            return;
+        }
+        feelMotion(subject, motion, end_s, paths, isFirst);
+        for (const Part& part : m_marks) {
+            if (isFirst && &motion == &path.motions.front() && part.run.description().knob == Knob::Solver) {
+                m_result.series.push_back(part.run.series());
+            }
+        }
+    }
+    for (Part& part : m_marks) {
+        part.run.endPath();
+    }
+}
+
+void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPaths>& paths, double end_s)
+{
+    if (m_result.isCancelled || !next(subject.name + ": solvers")) {
+        return;
+    }
+    describe(subject);
+    makeParts(subject, end_s);
+    const double started_s = elapsed_s();
+    std::size_t done = 0; // samples
+    std::vector<std::string> run;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        // Whole paths only, or the marks would not be of the same paths.
+        const double perSample_s = done > 0 ? (elapsed_s() - started_s) / static_cast<double>(done) : 0.0;
+        if (i > 0 && elapsed_s() + perSample_s * static_cast<double>(samplesOf(paths[i])) > end_s) {
+            leaveOut(subject.name + ": " + paths[i].name);
+            continue;
+        }
+        feelPath(subject, paths[i], end_s, paths.size(), i == 0);
+        if (m_result.isCancelled) {
+            return;
+        }
+        done += samplesOf(paths[i]);
+        run.push_back(paths[i].name);
+    }
+    m_result.subjects.back().paths = std::move(run);
+    m_exact.time_us = percentilesOf(m_exactTime_us);
+    m_result.trials.push_back(m_exact);
+    for (const Part& part : m_marks) {
+        m_result.trials.push_back(part.run.result());
     }
     markFront(m_result.trials, subject.name);
 }
 
-/// A ball has a truth of its own: where the exact ball is.
-void Evaluator::feelBall(const Subject& subject, double fingertip_mm, double seconds)
+/// What the paper had: its solver, brute force, on a body of as many triangles as its space shuttle; and the product.
+void Evaluator::evaluatePaperBody()
 {
-    std::vector<Truth> truths;
-    for (const HandMotion& motion : *m_motions) {
-        truths.push_back(
-            truthOf(subject, motion, kBallTruthShare * seconds / static_cast<double>(m_motions->size()), fingertip_mm));
-    }
-    const auto scene = std::make_shared<haptics::HapticScene>(subject.scene->structures(), fingertip_mm);
-    Trial trial;
-    trial.knob = Knob::Radius;
-    trial.knobValue = trial.fingertip_mm = fingertip_mm;
-    trial.setting = ballOf(fingertip_mm);
-    std::swap(truths, m_truths);
-    feelOn(subject, trial, true, (1.0 - kBallTruthShare) * seconds, false,
-           [&](const Surface&, std::size_t layer) -> std::unique_ptr<ReferenceSolver> {
-               return std::make_unique<ProductSolver>(scene, "Palpate", 0, layer);
-           });
-    std::swap(truths, m_truths);
-}
-
-/// Each copy is made from the one before, which takes a quarter of the time of making each from all triangles.
-void Evaluator::feelDecimated(const Subject& subject, double share, double seconds)
-{
-    if (m_fewer.empty()) {
-        for (const SubjectLayer& layer : subject.layers) {
-            m_fewer.push_back(layer.surface.repaired().mesh);
-        }
-    }
-    double removed = 0.0;
-    for (std::size_t l = 0; l < m_fewer.size(); ++l) {
-        removed += static_cast<double>(m_fewer[l].triangles.size()) - share * subject.layers[l].surface.triangleCount();
-    }
-    if (removed * m_decimation_s > m_subjectEnd_s - elapsed_s()) {
-        m_result.leftOut.push_back(subject.name + ": " + percent(share) + ", for lack of time");
-        return;
-    }
-    const double before = elapsed_s();
-    for (std::size_t l = 0; l < m_fewer.size(); ++l) {
-        const auto now = static_cast<double>(m_fewer[l].triangles.size());
-        m_fewer[l] = decimated(m_fewer[l], share * subject.layers[l].surface.triangleCount() / std::max(1.0, now));
-    }
-    m_decimation_s = std::max(kDecimation_s, (elapsed_s() - before) / std::max(1.0, removed));
-    std::vector<Surface> surfaces;
-    std::vector<const Surface*> own;
-    LayerSolvers solvers;
-    surfaces.reserve(m_fewer.size());
-    for (const geometry::TriangleMesh& mesh : m_fewer) {
-        own.push_back(&surfaces.emplace_back(geometry::repair(mesh)));
-        if (own.back()->triangleCount() < 8) {
+    const auto body = subjectOf("paper's 616 triangles", paperBody());
+    m_exact = {};
+    m_exact.subject = body->name;
+    m_marks.clear();
+    const std::vector<const Surface*> own = surfacesOf(*body);
+    addPart({}, own, false, paperOn(*body, PaperSolver::Search::BruteForce));
+    addPart({}, own, true, productOn(*body, body->scene));
+    for (const HandPaths& path : pathsOn(body->layers.front().surface, {})) {
+        if (!next("the paper's 616 triangles: " + path.name)) {
             return;
         }
-        solvers.push_back(std::make_unique<ProductSolver>(sceneOf(own.back()->repaired()), "Palpate"));
+        for (const HandMotion& motion : path.motions) {
+            const Truth truth = truthOf(*body, motion, kStride, m_extent.bruteForce_s);
+            for (Part& part : m_marks) {
+                part.run.feel(part.solvers, motion, truth, m_extent.bruteForce_s);
+            }
+        }
+        for (Part& part : m_marks) {
+            part.run.endPath();
+        }
     }
-    Trial trial;
-    trial.knob = Knob::Decimated;
-    trial.knobValue = share;
-    trial.setting = percent(share);
-    feel(trial, std::move(solvers), own, false, seconds);
+    for (const Part& part : m_marks) {
+        m_result.paperBody.push_back(part.run.result());
+    }
 }
 
 void Evaluator::feelSpheres()
 {
-    for (int n = 8; n <= m_times.largestSphere; n *= 2) {
-        if (!next("sphere of " + std::to_string(20 * n * n) + " triangles", 0.3)) {
+    for (int n = 8; n <= m_extent.largestSphere; n *= 2) {
+        if (!next("sphere of " + std::to_string(20 * n * n) + " triangles")) {
             return;
         }
-        for (SizePoint& point : costOnSphere(n, m_times.other, m_times.bruteForce)) {
+        for (SizePoint& point : costOnSphere(n, m_extent.sphere_s, m_extent.bruteForce_s)) {
             m_result.sizes.push_back(std::move(point));
         }
     }
     m_result.ratios = ratiosOf(m_result.sizes);
-    m_result.tissues = costOfTissue(kTissueSphere, m_times.other);
+    m_result.tissues = costOfTissue(kTissueSphere, m_extent.sphere_s);
 }
 
 void Evaluator::runHard()
 {
-    const double from = m_done / m_parts;
+    const double from = std::min(1.0, m_done / m_parts);
     const HardCaseChoice choice = m_options.isQuick ? HardCaseChoice::Quick : HardCaseChoice::Ordinary;
     bool isTimeUp = false;
     m_result.hardCases = runHardCases(choice, [&](double share, const std::string& what) {
-        isTimeUp = isTimeUp || elapsed_s() > m_limit_s;
+        isTimeUp = isTimeUp || elapsed_s() > m_extent.limit_s;
         return !isTimeUp && (!m_options.progress || m_options.progress(from + share * (1.0 - from), what));
     });
     if (const std::size_t missing = hardCaseCount(choice) - m_result.hardCases.size(); missing > 0) {

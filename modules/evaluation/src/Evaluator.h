@@ -6,18 +6,31 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace palpate::evaluation {
 
-/// Seconds that parts may take, over all motions of a subject.
-struct Times
+/// How much is run, and the seconds that parts may take.
+struct Extent
 {
-    double truth, bruteForce, other;
-    int motion_ms;
+    int seeds;
+    int motion_ms;       ///< of each laid motion
+    double given_s;      ///< of a given motion
+    double limit_s;      ///< for all of it
+    double bruteForce_s; ///< for the times of a brute-force solver, over all paths of a subject
+    double sphere_s;     ///< for a solver on one sphere
     int largestSphere;
+};
+
+/// Motions that together give one value of each spread.
+struct HandPaths
+{
+    std::string name; ///< "seed 1", or that of a given motion
+    std::vector<HandMotion> motions;
 };
 
 /// Runs every solver and every knob within its time; see evaluate().
@@ -28,51 +41,48 @@ class Evaluator
     Evaluation run(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given);
 
   private:
-    static constexpr double kPartsOfASubject = 16.0; // about, for the progress
-
-    /// One thing that is measured of a subject.
+    /// One mark in the making: its solvers live through all paths of a subject.
     struct Part
     {
-        std::string what;
-        std::function<void(double)> measure; ///< told the seconds that it may take
+        TrialRun run;
+        LayerSolvers solvers;
+        LayerSolvers timed; ///< where `solvers` are a faster copy: what the times are taken of
     };
 
     [[nodiscard]] double elapsed_s() const
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
     }
-    bool next(const std::string& what, double weight = 1.0)
-    {
-        m_result.isCancelled =
-            m_result.isCancelled || (m_options.progress && !m_options.progress(std::min(1.0, m_done / m_parts), what));
-        m_done += weight;
-        return !m_result.isCancelled;
-    }
-    void evaluateSubject(const Subject& subject, const std::vector<HandMotion>& motions, double seconds);
-    void findTruth(const Subject& subject, double seconds);
-    [[nodiscard]] std::vector<Part> partsOf(const Subject& subject);
-    void feel(Trial description, LayerSolvers solvers, const std::vector<const Surface*>& own, bool isOnTruth,
-              double seconds, bool fromContact = false);
-    template<class Make>
-    void feelOn(const Subject& subject, Trial description, bool isGodObject, double seconds, bool fromContact,
-                const Make& make);
-    void feelBall(const Subject& subject, double fingertip_mm, double seconds);
-    void feelDecimated(const Subject& subject, double share, double seconds);
+    /// @return false when the run is cancelled
+    bool next(const std::string& what);
+    void leaveOut(const std::string& what) { m_result.leftOut.push_back(what + ", for lack of time"); }
+
+    [[nodiscard]] std::vector<HandPaths> pathsOn(const Surface& surface, const std::vector<HandMotion>& given);
+    void describe(const Subject& subject);
+    void makeParts(const Subject& subject, double end_s);
+    void addPart(Trial description, const std::vector<const Surface*>& own, bool isOnTruth, LayerSolvers solvers,
+                 LayerSolvers timed = {});
+    void addProducts(const Subject& subject);
+    void addOthers(const Subject& subject);
+    void addDecimated(const Subject& subject, double end_s);
+    void evaluateSubject(const Subject& subject, const std::vector<HandPaths>& paths, double end_s);
+    void feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst);
+    void feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths, bool isFirst);
+    void evaluatePaperBody();
     void feelSpheres();
     void runHard();
     void elimination();
 
     const EvaluateOptions& m_options;
-    Times m_times;
-    double m_limit_s, m_subjects, m_parts, m_done = 0.0;
+    Extent m_extent;
+    double m_subjects, m_parts = 1.0, m_done = 0.0;
     std::chrono::steady_clock::time_point m_started = std::chrono::steady_clock::now();
     Evaluation m_result;
-    const Subject* m_subject = nullptr;
-    const std::vector<HandMotion>* m_motions = nullptr;
-    std::vector<Truth> m_truths;
-    std::vector<geometry::TriangleMesh> m_fewer; ///< the last decimated copy of each layer
-    double m_decimation_s;                       ///< for each triangle removed, as measured last
-    double m_subjectEnd_s = 0.0;
+    // Of the subject at hand.
+    std::vector<Part> m_marks;
+    std::vector<std::unique_ptr<Surface>> m_fewer; ///< surfaces of the decimated copies
+    Trial m_exact;
+    std::vector<double> m_exactTime_us; ///< medians of the motions
 };
 
 } // namespace palpate::evaluation

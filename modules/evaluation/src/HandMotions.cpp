@@ -147,14 +147,16 @@ HandMotion resampled(std::string name, const std::vector<Vec3>& p_WH, double dt_
 
 std::vector<HandMotion> standardMotions(const Surface& surface, std::uint64_t seed, int milliseconds)
 {
-    HandMotion noisy = slide(surface, seed + 2, milliseconds);
+    // Four streams of random numbers a seed, none of which another seed has.
+    const std::uint64_t first = 4 * seed;
+    HandMotion noisy = slide(surface, first + 2, milliseconds);
     noisy.name = "slide with noise";
     const double noise_mm = std::min(0.1, 1e-3 * surface.bounds().sizes().maxCoeff());
-    Dice dice(seed + 3);
+    Dice dice(first + 3);
     for (Vec3& p : noisy.p_WH) {
         p += noise_mm / std::sqrt(3.0) * dice.normal3();
     }
-    return {slide(surface, seed, milliseconds), poke(surface, seed + 1, milliseconds), std::move(noisy)};
+    return {slide(surface, first, milliseconds), poke(surface, first + 1, milliseconds), std::move(noisy)};
 }
 
 } // namespace palpate::evaluation

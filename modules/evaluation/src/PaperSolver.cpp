@@ -3,19 +3,38 @@
 
 #include "palpate/evaluation/LagrangeElimination.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace palpate::evaluation {
 
-PaperSolver::PaperSolver(const Surface& surface)
+PaperSolver::PaperSolver(const Surface& surface, Search search)
+    : m_surface(surface)
+    , m_search(search)
     // A float of the paper's time resolves 1e-7; a double far less, so 1e-10 of the scene covers its rounding.
-    : m_roundoff_mm(1e-10 * surface.magnitude_mm())
+    , m_roundoff_mm(1e-10 * surface.magnitude_mm())
 {
     for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
         Facet f{surface.corner(i, 0), surface.corner(i, 1), surface.corner(i, 2), Vec3::Zero(), surface.isTwoSided(i)};
         f.n = (f.b - f.a).cross(f.c - f.a).normalized();
         m_facets.push_back(f);
     }
+    m_near.resize(m_facets.size());
+    std::iota(m_near.begin(), m_near.end(), 0u);
+}
+
+/// Facets that a move from the god-object to `target` can meet. A facet counts as met up to a roundoff beyond its
+/// edges, which is farther beyond a sharp corner: the margin covers corners of a tenth of a degree.
+void PaperSolver::findNear(const Vec3& target)
+{
+    if (m_search == Search::BruteForce) {
+        return;
+    }
+    const double margin = 1200.0 * m_roundoff_mm;
+    m_near.clear();
+    m_surface.appendNear(Box(m_god.cwiseMin(target).array() - margin, m_god.cwiseMax(target).array() + margin), m_near);
+    std::sort(m_near.begin(), m_near.end());
 }
 
 /// The paper's two conditions: positive distance of the old god-object and negative distance of the target, and the
@@ -59,7 +78,9 @@ SolverStep PaperSolver::step(const Vec3& p_WH)
     while (count < planes.size()) {
         const Facet* first = nullptr;
         double least = 2.0, sideMet = 1.0;
-        for (const Facet& facet : m_facets) {
+        findNear(target);
+        for (const std::uint32_t i : m_near) {
+            const Facet& facet = m_facets[i];
             double share = 0.0, side = 1.0;
             if (&facet != held[0] && &facet != held[1] && meets(facet, target, share, side) && share < least) {
                 first = &facet;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace palpate::evaluation {
 
@@ -70,24 +71,30 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
     std::vector<double> times{0.12, 2.0 * kBudget_us}, errors;
     std::vector<const Trial*> shown;
     double spring_mm = 0.0;
+    if (!evaluation.paperBody.empty()) {
+        shown.push_back(&evaluation.paperBody.front()); // where it began
+    }
     for (const Trial& t : evaluation.trials) {
-        if (t.subject != subject || t.isReference || t.position_mm.count == 0 || t.time_us.count == 0) {
-            continue;
+        if (t.subject == subject && !t.isReference) {
+            shown.push_back(&t);
+            spring_mm = t.knob == Knob::Solver && t.solver == "Palpate" ? t.spring_mm : spring_mm;
         }
-        shown.push_back(&t);
-        times.insert(times.end(), {t.time_us.p50, t.time_us.p999});
-        errors.insert(errors.end(), {std::max(kFloor_mm, t.position_mm.mean), std::max(kFloor_mm, t.position_mm.p99)});
-        if (t.knob == Knob::Solver && t.solver == "Palpate") {
-            spring_mm = t.spring_mm;
+    }
+    std::erase_if(shown, [](const Trial* t) { return t->position_mm.count == 0 || t->time_us.count == 0; });
+    for (const Trial* t : shown) {
+        times.insert(times.end(), {t->pathTime_us.median, tailOf(t->time_us).value});
+        for (const double v : t->pathPosition_mm.values) {
+            errors.push_back(std::max(kFloor_mm, v));
         }
     }
     const double jnd_mm = spring_mm * kForceJnd_percent / 100.0;
     if (jnd_mm > 0.0) {
         errors.insert(errors.end(), {jnd_mm, 0.1 * jnd_mm});
     }
-    const ChartAxis x =
-        ChartAxis::decades(times, "time per tick in contact [µs]: median, whisker to the 99.9th percentile");
-    const ChartAxis y = ChartAxis::decades(errors, "position error [mm]: mean, whisker to the 99th percentile");
+    const ChartAxis x = ChartAxis::decades(
+        times, "time per tick in contact [µs]: median of the paths, whisker to the slowest ticks (right)");
+    const ChartAxis y =
+        ChartAxis::decades(errors, "mean position error [mm]: median of the paths, whisker another path");
     SvgChart chart(1120, 500, x, y);
     if (jnd_mm > 0.0) {
         chart.addBand(y.low, 0.1 * jnd_mm, "#eef7f4");
@@ -98,28 +105,49 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
     std::vector<std::array<double, 2>> front;
     for (const Trial* t : shown) {
         if (t->isOnFront) {
-            front.push_back({t->time_us.p50, std::max(kFloor_mm, t->position_mm.mean)});
+            front.push_back({t->pathTime_us.median, std::max(kFloor_mm, t->pathPosition_mm.median)});
         }
     }
     std::sort(front.begin(), front.end());
     chart.addLine(front, "#0b7a75", 1.6, true);
     for (const Trial* t : shown) {
+        const Tail tail = tailOf(t->time_us);
+        const bool isPaperBody = t->subject != subject;
         SvgChart::Mark mark;
-        mark.x = t->time_us.p50;
-        mark.xEnd = t->time_us.p999;
-        mark.y = std::max(kFloor_mm, t->position_mm.mean);
-        mark.yEnd = t->position_mm.p99;
+        mark.x = t->pathTime_us.median;
+        mark.xLow = t->pathTime_us.low;
+        mark.xEnd = std::max(tail.value, t->pathTime_us.high);
+        mark.y = std::max(kFloor_mm, t->pathPosition_mm.median);
+        mark.yLow = std::max(kFloor_mm, t->pathPosition_mm.low);
+        mark.yEnd = t->pathPosition_mm.high;
         mark.shape = shapeOf(*t);
         mark.colour = colourOf(t->solver);
-        mark.isHollow = t->knob == Knob::Rate || t->knob == Knob::Radius;
+        mark.isHollow = isPaperBody || t->knob == Knob::Rate || t->knob == Knob::Radius;
         mark.isStrong = t->knob == Knob::Solver && t->solver == "Palpate";
-        mark.label = labelOf(*t);
-        mark.tooltip = t->solver + (t->setting.empty() ? "" : ", " + t->setting) + ": " + shortNumber(t->time_us.p50) +
-                       " µs median, " + shortNumber(t->time_us.p999) + " µs 99.9 %, error " +
-                       shortNumber(t->position_mm.mean) + " mm mean, 99 % " + shortNumber(t->position_mm.p99) + " mm";
+        mark.label = isPaperBody ? "paper, its " + core::grouped(t->triangles) + " triangles" : labelOf(*t);
+        mark.tooltip = (isPaperBody ? mark.label : t->solver + (t->setting.empty() ? "" : ", " + t->setting)) + ": " +
+                       shortNumber(t->pathTime_us.median) + " µs median, " + shortNumber(tail.value) + " µs " +
+                       tail.name + "; mean error " + shortNumber(t->pathPosition_mm.median) + " mm, another path " +
+                       shortNumber(t->pathPosition_mm.low) + " to " + shortNumber(t->pathPosition_mm.high) +
+                       " mm; most of a tick " + shortNumber(t->position_mm.max) + " mm";
         chart.add(mark);
     }
     return chart.svg("Time per tick against position error on " + subject);
+}
+
+std::string cornerChart(const Evaluation& evaluation)
+{
+    std::vector<std::array<double, 2>> field, god;
+    for (const CornerForce& c : evaluation.corners) {
+        field.push_back({c.angle_deg, c.vectorField});
+        god.push_back({c.angle_deg, c.godObject});
+    }
+    SvgChart chart(560, 380, ChartAxis::linear({180.0}, "angle between the surfaces [°]"),
+                   ChartAxis::linear({2.0}, "force over the right force"));
+    chart.addHorizontalRule(1.0, "right");
+    chart.addLine(field, colourOf("vector field, sum"), 2.2, false, "vector field, sum");
+    chart.addLine(god, colourOf("Palpate"), 2.2, false, "Palpate");
+    return chart.svg("Force in the corner of two surfaces over the angle between them");
 }
 
 std::string costBySizeChart(const Evaluation& evaluation)
@@ -128,7 +156,7 @@ std::string costBySizeChart(const Evaluation& evaluation)
     std::map<std::string, std::vector<const SizePoint*>> bySolver;
     for (const SizePoint& p : evaluation.sizes) {
         sizes.push_back(static_cast<double>(p.triangles));
-        times.insert(times.end(), {p.time_us.p50, p.time_us.p999});
+        times.insert(times.end(), {p.time_us.p50, tailOf(p.time_us).value});
         bySolver[p.solver].push_back(&p);
     }
     SvgChart chart(560, 380, ChartAxis::decades(sizes, "triangles"), ChartAxis::decades(times, "time per tick [µs]"));
@@ -136,7 +164,7 @@ std::string costBySizeChart(const Evaluation& evaluation)
         std::vector<std::array<double, 2>> median, tail;
         for (const SizePoint* p : points) {
             median.push_back({static_cast<double>(p->triangles), p->time_us.p50});
-            tail.push_back({static_cast<double>(p->triangles), p->time_us.p999});
+            tail.push_back({static_cast<double>(p->triangles), tailOf(p->time_us).value});
         }
         chart.addLine(tail, colourOf(solver), 1.0, true);
         chart.addLine(median, colourOf(solver), 2.2);

@@ -12,6 +12,8 @@ namespace palpate::evaluation {
 
 /// Time a tick against error, one mark for each trial of the subject, with the front and the reference lines.
 [[nodiscard]] std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::string& subject);
+/// Figure 3 of the paper: force in the corner between two surfaces over their angle.
+[[nodiscard]] std::string cornerChart(const Evaluation& evaluation);
 /// What a tick costs by the number of triangles.
 [[nodiscard]] std::string costBySizeChart(const Evaluation& evaluation);
 /// Error of each solver over the first motion on the subject.

@@ -10,6 +10,9 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace palpate::evaluation {
 
@@ -37,10 +40,43 @@ QString text(const std::string& s)
     return QString::fromStdString(s);
 }
 
+bool hasP999(const Percentiles& p)
+{
+    return p.count >= kFewestForP999;
+}
+
 QJsonObject object(const Percentiles& p)
 {
-    return {{"count", qint64(p.count)}, {"mean", p.mean}, {"p50", p.p50}, {"p99", p.p99},
-            {"p99_9", p.p999},          {"max", p.max}};
+    return {{"count", qint64(p.count)},
+            {"mean", p.mean},
+            {"p50", p.p50},
+            {"p99", p.p99},
+            {"p99_9", hasP999(p) ? QJsonValue(p.p999) : QJsonValue()},
+            {"max", p.max}};
+}
+
+QJsonObject object(const Spread& s)
+{
+    QJsonArray values;
+    for (const double v : s.values) {
+        values.append(v);
+    }
+    return {{"by_path", values},
+            {"median", s.median},
+            {"median_low", s.medianLow},
+            {"median_high", s.medianHigh},
+            {"median_confidence", s.confidence},
+            {"spread_low", s.low},
+            {"spread_high", s.high}};
+}
+
+QJsonObject object(const SameState& s)
+{
+    return {{"ticks", qint64(s.ticks)},
+            {"parted", qint64(s.parted)},
+            {"parted_mm_max", s.parted_mm},
+            {"spring_longer_mm_max", s.longer_mm},
+            {"others_mm_max", s.together_mm}};
 }
 
 QJsonArray array(const std::vector<std::int64_t>& values)
@@ -82,7 +118,14 @@ QJsonObject object(const Trial& t)
             {"direction_error_deg", object(t.direction_deg)},
             {"residual_mm", object(t.residual_mm)},
             {"pop_throughs", qint64(t.popThroughs)},
-            {"ticks_in_another_minimum", qint64(t.otherMinimum)},
+            {"ticks_apart", qint64(t.elsewhere)},
+            {"apart_mm", object(t.elsewhere_mm)},
+            {"apart_force_error_percent", object(t.elsewhereForcePercent)},
+            {"from_the_same_state", object(t.sameState)},
+            {"path_time_us", object(t.pathTime_us)},
+            {"path_mean_position_error_mm", object(t.pathPosition_mm)},
+            {"path_p99_force_error_percent", object(t.pathForcePercent)},
+            {"path_apart_percent", object(t.pathElsewherePercent)},
             {"ticks_by_iterations", array(t.iterations)},
             {"mean_spring_mm", t.spring_mm},
             {"is_reference", t.isReference},
@@ -114,7 +157,24 @@ QJsonObject object(const HardCaseResult& r)
 
 void appendPercentiles(std::string& out, const Percentiles& p)
 {
-    for (const double v : {p.mean, p.p50, p.p99, p.p999, p.max}) {
+    const auto append = [&out](double v) {
+        out += ',';
+        core::appendNumber(out, v);
+    };
+    append(p.mean);
+    append(p.p50);
+    append(p.p99);
+    if (hasP999(p)) {
+        append(p.p999);
+    } else {
+        out += ',';
+    }
+    append(p.max);
+}
+
+void appendSpread(std::string& out, const Spread& s)
+{
+    for (const double v : {s.median, s.medianLow, s.medianHigh, s.low, s.high}) {
         out += ',';
         core::appendNumber(out, v);
     }
@@ -126,31 +186,43 @@ std::string resultsCsv(const Evaluation& evaluation)
 {
     std::string out =
         "subject,solver,setting,knob,knob_value,triangles,rate_hz,ticks,ticks_of_motion,ticks_interrupted,pop_throughs,"
-        "ticks_in_another_minimum,is_on_pareto_front";
+        "ticks_apart,ticks_from_same_state,ticks_parted,is_on_pareto_front";
     for (const char* what : {"time_us", "free_time_us", "position_error_mm", "force_error_n", "force_error_percent",
                              "direction_error_deg", "residual_mm"}) {
         for (const char* share : {"mean", "p50", "p99", "p99_9", "max"}) {
             out += std::string(",") + what + "_" + share;
         }
     }
-    out += ",mesh_sha256,seed,cpu,compiler,build\n";
+    for (const char* what : {"path_time_us", "path_mean_position_error_mm", "path_p99_force_error_percent"}) {
+        for (const char* figure : {"median", "median_low", "median_high", "spread_low", "spread_high"}) {
+            out += std::string(",") + what + "_" + figure;
+        }
+    }
+    out += ",paths,mesh_sha256,seed,cpu,compiler,build\n";
     const auto origin = [&evaluation](const std::string& hash) {
         return ',' + hash + ',' + std::to_string(evaluation.seed) + ',' + core::csvCell(evaluation.machine.cpu) + ',' +
                core::csvCell(evaluation.machine.compiler) + ',' + core::csvCell(evaluation.machine.build) + '\n';
     };
-    for (const Trial& t : evaluation.trials) {
+    std::vector<Trial> trials = evaluation.trials;
+    trials.insert(trials.end(), evaluation.paperBody.begin(), evaluation.paperBody.end());
+    for (const Trial& t : trials) {
         out += core::csvCell(t.subject) + ',' + core::csvCell(t.solver) + ',' + core::csvCell(t.setting) + ',' +
                nameOf(t.knob) + ',';
         core::appendNumber(out, t.knobValue);
         out += ',' + std::to_string(t.triangles) + ',';
         core::appendNumber(out, t.rate_Hz);
         out += ',' + std::to_string(t.ticks) + ',' + std::to_string(t.wanted) + ',' + std::to_string(t.interrupted) +
-               ',' + std::to_string(t.popThroughs) + ',' + std::to_string(t.otherMinimum) + ',' +
+               ',' + std::to_string(t.popThroughs) + ',' + std::to_string(t.elsewhere) + ',' +
+               std::to_string(t.sameState.ticks) + ',' + std::to_string(t.sameState.parted) + ',' +
                (t.isOnFront ? "1" : "0");
         for (const Percentiles* p : {&t.time_us, &t.freeTime_us, &t.position_mm, &t.force_N, &t.forcePercent,
                                      &t.direction_deg, &t.residual_mm}) {
             appendPercentiles(out, *p);
         }
+        for (const Spread* spread : {&t.pathTime_us, &t.pathPosition_mm, &t.pathForcePercent}) {
+            appendSpread(out, *spread);
+        }
+        out += ',' + std::to_string(t.pathPosition_mm.values.size());
         const auto subject = std::find_if(evaluation.subjects.begin(), evaluation.subjects.end(),
                                           [&t](const SubjectInfo& s) { return s.name == t.subject; });
         out += origin(subject != evaluation.subjects.end() ? subject->hash : "");
@@ -162,9 +234,9 @@ std::string resultsCsv(const Evaluation& evaluation)
     }
     for (const SizePoint& p : points) {
         out += "sphere," + core::csvCell(p.solver) + ",,size," + std::to_string(p.triangles) + ',' +
-               std::to_string(p.triangles) + ",1000," + std::to_string(p.ticks) + ",,,,,";
+               std::to_string(p.triangles) + ",1000," + std::to_string(p.ticks) + ",,,,,,,";
         appendPercentiles(out, p.time_us);
-        out += std::string(30, ',') + origin("");
+        out += std::string(46, ',') + origin("");
     }
     return out;
 }
@@ -187,7 +259,7 @@ std::string hardCasesCsv(const Evaluation& evaluation)
 
 std::string resultsJson(const Evaluation& evaluation)
 {
-    QJsonArray subjects, trials, sizes, tissues, cases, advice, ratios, operations;
+    QJsonArray subjects, trials, paperBody, corners, sizes, tissues, cases, advice, ratios, operations;
     for (const SubjectInfo& s : evaluation.subjects) {
         QJsonArray structures;
         for (const SubjectStructure& structure : s.structures) {
@@ -197,6 +269,7 @@ std::string resultsJson(const Evaluation& evaluation)
         }
         subjects.append(QJsonObject{{"name", text(s.name)},
                                     {"structures", structures},
+                                    {"paths", array(s.paths)},
                                     {"sha256", text(s.hash)},
                                     {"triangles", qint64(s.triangles)},
                                     {"extent_mm", s.extent_mm},
@@ -205,6 +278,14 @@ std::string resultsJson(const Evaluation& evaluation)
     }
     for (const Trial& t : evaluation.trials) {
         trials.append(object(t));
+    }
+    for (const Trial& t : evaluation.paperBody) {
+        paperBody.append(object(t));
+    }
+    for (const CornerForce& c : evaluation.corners) {
+        corners.append(QJsonObject{{"angle_deg", c.angle_deg},
+                                   {"vector_field_over_right", c.vectorField},
+                                   {"god_object_over_right", c.godObject}});
     }
     for (const SizePoint& p : evaluation.sizes) {
         sizes.append(object(p));
@@ -232,7 +313,7 @@ std::string resultsJson(const Evaluation& evaluation)
     }
     const VectorFieldFigures& v = evaluation.vectorField;
     const QJsonObject all{{"format", "palpate evaluation"},
-                          {"version", 1},
+                          {"version", 2},
                           {"machine", QJsonObject{{"cpu", text(evaluation.machine.cpu)},
                                                   {"cores", evaluation.machine.cores},
                                                   {"load", evaluation.machine.load},
@@ -247,6 +328,8 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"motions", array(evaluation.motions)},
                           {"subjects", subjects},
                           {"trials", trials},
+                          {"paper_body", paperBody},
+                          {"corner_force", corners},
                           {"cost_by_size", sizes},
                           {"cost_of_tissue", tissues},
                           {"ratios", ratios},

@@ -61,19 +61,19 @@ void SvgChart::add(const Mark& mark)
     const double x = px(mark.x), y = py(mark.y), r = mark.isStrong ? 8.0 : 5.5;
     const std::string fill = mark.isHollow ? "#fff" : mark.colour;
     m_body += "<g><title>" + escaped(mark.tooltip) + "</title>";
-    if (mark.yEnd > mark.y) {
-        const double end = py(mark.yEnd);
-        m_body += text("<path d='M%.1f %.1fV%.1fM%.1f %.1fh8' stroke='%s' stroke-width='1.2' opacity='0.3' "
+    const double top = py(std::max(mark.y, mark.yEnd)), bottom = py(mark.yLow > 0.0 ? mark.yLow : mark.y);
+    if (mark.yEnd > mark.y || (mark.yLow > 0.0 && mark.yLow < mark.y)) {
+        m_body += text("<path d='M%.1f %.1fV%.1fM%.1f %.1fh8M%.1f %.1fh8' stroke='%s' stroke-width='1.2' opacity='0.4' "
                        "fill='none'/>",
-                       x, y, end, x - 4, end, mark.colour.c_str());
-        m_taken.push_back({x - 2, end, 4, y - end});
+                       x, bottom, top, x - 4, top, x - 4, bottom, mark.colour.c_str());
+        m_taken.push_back({x - 2, top, 4, bottom - top});
     }
-    if (mark.xEnd > mark.x) {
-        const double end = px(mark.xEnd);
-        m_body += text("<path d='M%.1f %.1fH%.1fM%.1f %.1fv8' stroke='%s' stroke-width='1.2' opacity='0.4' "
+    const double left = px(mark.xLow > 0.0 ? mark.xLow : mark.x), right = px(std::max(mark.x, mark.xEnd));
+    if (mark.xEnd > mark.x || (mark.xLow > 0.0 && mark.xLow < mark.x)) {
+        m_body += text("<path d='M%.1f %.1fH%.1fM%.1f %.1fv8M%.1f %.1fv8' stroke='%s' stroke-width='1.2' opacity='0.4' "
                        "fill='none'/>",
-                       x, y, end, end, y - 4, mark.colour.c_str());
-        m_taken.push_back({x, y - 2, end - x, 4});
+                       left, y, right, left, y - 4, right, y - 4, mark.colour.c_str());
+        m_taken.push_back({left, y - 2, right - left, 4});
     }
     const std::string style = text("fill='%s' stroke='%s' stroke-width='1.8'", fill.c_str(), mark.colour.c_str());
     switch (mark.shape) {

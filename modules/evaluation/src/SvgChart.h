@@ -28,6 +28,7 @@ class SvgChart
     {
         double x = 0.0, y = 0.0;
         double xEnd = 0.0, yEnd = 0.0; ///< whiskers to here when larger
+        double xLow = 0.0, yLow = 0.0; ///< and to here when smaller; 0 is none
         MarkShape shape = MarkShape::Circle;
         std::string colour;
         bool isHollow = false;

@@ -10,7 +10,7 @@
 
 namespace palpate::evaluation {
 
-/// What the exact solver says of one layer, sample by sample.
+/// What the exact solver says of one layer, tick by tick.
 struct LayerTruth
 {
     std::vector<Vec3> p_WG;                 ///< [mm]
@@ -18,16 +18,16 @@ struct LayerTruth
     std::vector<double> stiffness_N_per_mm; ///< of the tissue touched; in free space the layer's stiffest
 };
 
-/// What the exact solver says of a motion, at the base rate.
+/// What the exact solver says of a motion that it is given at one rate.
 struct Truth
 {
+    std::size_t stride = 1; ///< base samples of a tick: 4 at 1 kHz
     std::vector<LayerTruth> layers;
     std::vector<Vec3> f_W;        ///< the layers' springs in parallel; zero in free space [N]
     std::vector<char> isTouching; ///< any layer
-    Percentiles time_us;          ///< a tick at 1 kHz, of four samples
-    std::size_t samples = 0;      ///< computed; fewer than the motion has when time was up
-    std::size_t firstContact = 0;
-    double largest_N = 0.0; ///< force
+    Percentiles time_us;          ///< a tick
+    std::size_t ticks = 0;        ///< computed; fewer than the motion has when time was up
+    double largest_N = 0.0;       ///< force
 };
 
 /// One solver for each layer of a subject.
@@ -47,12 +47,12 @@ class TimeLimit
     std::chrono::time_point<std::chrono::steady_clock, std::chrono::duration<double>> m_end;
 };
 
-/// Runs the exact solver over a motion, at most `seconds` long.
-/// @param fingertip_mm  radius of the ball that touches, which is asked at 1 kHz only and held between; 0 is a point
-[[nodiscard]] Truth truthOf(const Subject& subject, const HandMotion& motion, double seconds,
+/// Runs the exact solver over every `stride`-th sample of a motion, at most `seconds` long.
+/// @param fingertip_mm  radius of the ball that touches; 0 is a point
+[[nodiscard]] Truth truthOf(const Subject& subject, const HandMotion& motion, std::size_t stride, double seconds,
                             double fingertip_mm = 0.0);
 
-/// Adds up one trial over its motions.
+/// Adds up one trial over the motions of its paths.
 class TrialRun
 {
   public:
@@ -61,28 +61,55 @@ class TrialRun
     TrialRun(Trial description, std::vector<const Surface*> own, bool isOnTruth);
 
     /// Feels one motion, at most `seconds` long, with all that is measured of it.
-    /// @param fromContact  starts just before the first contact, for solvers that get through few ticks
-    void feel(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds, bool fromContact);
+    /// @param truth  with the stride of the trial's rate; for Knob::Rate every sample of the motion
+    void feel(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
+    /// Takes only times, from just before the first contact on: of solvers too slow for a whole path. What `feel` took
+    /// of the same trial is no time then.
+    void time(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
+    /// Closes a path: the figures of its motions together are one value of each spread.
+    void endPath();
     [[nodiscard]] Trial result() const;
+    [[nodiscard]] const Trial& description() const noexcept { return m_trial; }
     /// Errors of the motion last felt. [mm]
     [[nodiscard]] const ErrorSeries& series() const noexcept { return m_series; }
 
   private:
-    void look(std::size_t layer, const Vec3& hip, const Vec3& god);
-    void take(const Truth& truth, std::size_t sample);
+    /// The solver against the truth, at one tick of it.
+    struct Errors
+    {
+        bool isTouching = false; ///< either of them
+        double position_mm = 0.0, force_N = 0.0, forcePercent = 0.0;
+        double direction_deg = -1.0; ///< negative: the force is too small to have one
+        double spring_mm = 0.0;
+    };
+    /// Values of a path's ticks, or of all of them.
+    struct Ticks
+    {
+        std::vector<double> time_us, position_mm, forcePercent;
+        std::size_t elsewhere = 0;
+    };
+
+    [[nodiscard]] Errors errorsAt(const Truth& truth, std::size_t index) const;
+    void take(const Errors& errors, double time_s);
+    void takeElsewhere(const Errors& errors);
+    void compareFromSameState(const std::vector<Vec3>& before, const Vec3& hipBefore, const Vec3& hip);
+    void takeResiduals(const Vec3& hip);
     [[nodiscard]] bool isPoppedThrough(std::size_t layer, const Vec3& spring);
+    double step(LayerSolvers& solvers, const Vec3& hip, bool isTouching, bool isTimed);
 
     Trial m_trial;
     std::vector<const Surface*> m_own;
     std::vector<std::unique_ptr<ExactSolver>> m_exact; ///< by layer; empty without residuals
     std::vector<SolverStep> m_steps;                   ///< of this tick, by layer
     std::vector<int> m_windingAtStart;
-    std::vector<char> m_isElsewhere;    ///< by layer
     std::vector<double> m_intrusion_mm; ///< of a ball, by layer, when last looked at
-    std::vector<double> m_time_us, m_interrupted_us, m_freeTime_us, m_position_mm, m_force_N, m_forcePercent,
-        m_direction_deg, m_residual_mm;
-    double m_springSum_mm = 0.0;
-    std::size_t m_residuals = 0;
+    double m_apart_mm;                  ///< what is farther from the exact one is elsewhere
+    Ticks m_path, m_all;
+    std::vector<double> m_interrupted_us, m_freeTime_us, m_force_N, m_direction_deg, m_residual_mm, m_elsewhere_mm,
+        m_elsewhereForcePercent;
+    std::vector<double> m_pathTime_us, m_pathPosition_mm, m_pathForcePercent, m_pathElsewherePercent;
+    double m_springSum_mm = 0.0, m_largestPosition_mm = 0.0;
+    bool m_isTimedApart = false;
     ErrorSeries m_series;
 };
 

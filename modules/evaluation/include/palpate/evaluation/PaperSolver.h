@@ -4,6 +4,10 @@
 #include "palpate/evaluation/ReferenceSolver.h"
 #include "palpate/evaluation/Surface.h"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace palpate::evaluation {
 
 /// Zilles & Salisbury as published: every triangle is tested against the line from the old god-object to the HIP; the
@@ -18,8 +22,15 @@ namespace palpate::evaluation {
 class PaperSolver : public ReferenceSolver
 {
   public:
+    /// How the facets on a line are found. Both give the same bits.
+    enum class Search
+    {
+        BruteForce, ///< every facet is tested, as published: what its time is measured with
+        Boxes,      ///< only those whose boxes are near the line: fast enough to take the errors of whole paths
+    };
+
     /// @param surface  must outlive this
-    explicit PaperSolver(const Surface& surface);
+    explicit PaperSolver(const Surface& surface, Search search = Search::BruteForce);
 
     [[nodiscard]] std::string name() const override { return "paper (brute force)"; }
     void start(const Vec3& p_WH) override { m_god = p_WH; }
@@ -32,8 +43,12 @@ class PaperSolver : public ReferenceSolver
         bool isTwoSided;
     };
     [[nodiscard]] bool meets(const Facet& facet, const Vec3& target, double& share, double& side) const;
+    void findNear(const Vec3& target);
 
+    const Surface& m_surface;
+    Search m_search;
     std::vector<Facet> m_facets;
+    std::vector<std::uint32_t> m_near; ///< facets to test, ascending
     double m_roundoff_mm;
     Vec3 m_god = Vec3::Zero();
 };

@@ -49,7 +49,7 @@ class RaySolver : public ReferenceSolver
 
 /// On vtkStaticCellLocator, VTK's fastest for lines.
 [[nodiscard]] std::unique_ptr<SegmentCaster> makeVtkCaster(const Surface& surface);
-/// On Embree 3, in single precision; null when this build was made without it.
+/// On Embree 4 or 3, in single precision; null when this build was made without it.
 [[nodiscard]] std::unique_ptr<SegmentCaster> makeEmbreeCaster(const Surface& surface);
 
 } // namespace palpate::evaluation
