@@ -15,7 +15,9 @@
 #include <palpate/study/StructureSources.h>
 
 #include <chrono>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace palpate::app {
 
@@ -233,6 +235,9 @@ Status ReplayRun::loadScene()
         m_sources = study::sourcesOf(loaded.value(), m_options.embeds);
         m_looks = looksOf(loaded.value());
     }
+    for (const meshio::LoadedStructure& structure : loaded.value().structures) {
+        m_isFeltThrough.push_back(structure.isFeltThrough ? 1 : 0);
+    }
     m_summary.emplace(m_cost, m_motion.dt_s);
     m_summary->reserve(m_motion.p_WH.size());
     const auto lumps = study::feltOrgans(loaded.value(), std::move(felt));
@@ -276,10 +281,33 @@ bool ReplayRun::take(const servo::TickRecord& tick, const session::StructureName
     return m_writeStatus.isOk();
 }
 
+/// A structure that the recording touched and the scene has, but does not touch by itself.
+Status ReplayRun::checkTouchedAlike(const session::SceneRecord& record) const
+{
+    for (const session::StructureRecord& structure : record.structures) {
+        for (std::size_t i = 0; structure.palpable && i < m_sources.size(); ++i) {
+            if (m_sources[i].sha256 != structure.source.sha256 || m_scene->structures()[i].surface != nullptr) {
+                continue;
+            }
+            const bool isFeltThrough = m_isFeltThrough[i] != 0;
+            return {StatusCode::Mismatch,
+                    m_options.scene.string() + ": structure \"" + structure.name +
+                        "\" was touched by itself in the recording (layer " + std::to_string(structure.layer) +
+                        "), here " +
+                        (isFeltThrough ? "it is felt through the structure around it" : "it is not palpable") +
+                        "; expected the scene that was recorded, or --force to replay the motion alone"};
+        }
+    }
+    return {};
+}
+
 Status ReplayRun::checkSameGeometry() const
 {
     const session::SurfacesByHash surfaces = study::surfacesByHash(*m_scene, m_sources);
     for (const session::SceneRecord& record : m_recording->scenes()) {
+        if (Status status = checkTouchedAlike(record); !status.isOk()) {
+            return status;
+        }
         if (const auto built = session::rebuildScene(record, surfaces); !built.isOk()) {
             return {built.status().code(), m_options.scene.string() + ": " + built.status().message() +
                                                "; expected the scene that was recorded, or --force"};

@@ -62,6 +62,7 @@ class ReplayRun
     core::Status loadMotion();
     core::Status loadScene();
     core::Status feel();
+    core::Status checkTouchedAlike(const session::SceneRecord& record) const;
     core::Status checkSameGeometry() const;
     core::Status feelRecording();
     core::Status feelLive();
@@ -86,6 +87,7 @@ class ReplayRun
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::vector<session::StructureSource> m_sources; ///< when hashes are needed
     std::string m_looks; ///< for a recording of surfaces that were smoothed or turned; empty: of none
+    std::vector<char> m_isFeltThrough;               ///< by structure: a lump without a surface of its own to touch
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;
