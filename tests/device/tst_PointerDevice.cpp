@@ -151,7 +151,7 @@ class PointerDevice : public QObject
 
     void findsEveryPresetByItsId()
     {
-        QCOMPARE(palpate::device::devicePresets().size(), std::size_t{7});
+        QCOMPARE(palpate::device::devicePresets().size(), std::size_t{8});
         for (const auto& preset : palpate::device::devicePresets()) {
             QVERIFY(palpate::device::findDevicePreset(preset.id) == &preset);
             QVERIFY(preset.maxForce_N > 0.0 && preset.maxForce_N <= palpate::device::kShownForceLimit_N);

@@ -7,10 +7,11 @@ namespace palpate::device {
 
 namespace {
 
-constexpr std::array<DevicePreset, 7> kPresets{{
+constexpr std::array<DevicePreset, 8> kPresets{{
     {"touch", "Touch", 3.3, 0.4, 0.004, 75.0, {0.045, 0.0005, 0.13, 0.055}},
     {"phantom-desktop", "PHANToM Desktop", 7.9, 1.0, 0.005, 100.0, {0.045, 0.0005, 0.03, 0.023}},
     {"phantom-premium-1.5", "PHANToM Premium 1.5", 8.5, 0.8, 0.005, 120.0, {0.075, 0.0005, 0.02, 0.03}},
+    {"phantom-1995", "PHANToM (1995)", 18.0, 0.8, 0.005, 120.0, {0.075, 0.0005, 0.02, 0.03}},
     {"falcon", "Falcon", 8.0, 3.0, 0.020, 40.0, {0.15, 0.001, 0.1, 0.06}},
     {"omega", "omega", 12.0, 5.0, 0.030, 75.0, {0.15, 0.001, 0.05, 0.01}},
     {"delta", "delta", 20.0, 5.0, 0.030, 150.0, {0.25, 0.001, 0.1, 0.03}},

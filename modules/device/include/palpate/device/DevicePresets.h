@@ -34,9 +34,9 @@ struct DevicePreset
     DeviceMechanics mechanics;
 };
 
-/// All presets: Touch, PHANToM Desktop, PHANToM Premium 1.5, Falcon, omega, delta, WoodenHaptics. Where makers give a
-/// range (Touch), the smaller and so safer end.
-/// @par Source Limits: the device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures.
+/// All presets. Where makers give a range (Touch), the smaller and so safer end.
+/// @par Source Limits: the device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures; for
+/// PHANToM (1995) the 18 N of Zilles & Salisbury, IROS 1995, and all else from its successor, the Premium 1.5.
 /// Mechanics: resources/docs/stability.md says of each number whether its maker states it or it is assumed.
 [[nodiscard]] std::span<const DevicePreset> devicePresets() noexcept;
 
