@@ -37,7 +37,7 @@ void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
 
 } // namespace
 
-/// A million ticks in all.
+/// 2.6 million ticks in all.
 class Adversary : public QObject
 {
     Q_OBJECT
@@ -105,7 +105,7 @@ class FoundSeeds : public QObject
     }
 };
 
-/// A hundred millions, of other seeds.
+/// 130 million ticks in all, of other seeds.
 class LongAdversary : public QObject
 {
     Q_OBJECT
