@@ -45,6 +45,9 @@ class SpreadOfPaths : public QObject
         QCOMPARE(nine.medianHigh, 8.0);
         QCOMPARE(nine.confidence, 1.0 - 20.0 / 512.0);
         QCOMPARE(spreadOf({1, 2, 3, 4, 5, 6, 7, 8}, 1e-12).medianLow, 1.0); // 2 to 7 would be 93 %
+        const Spread sixteen = spreadOf({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, 1e-12);
+        QCOMPARE(sixteen.medianLow, 4.0);
+        QCOMPARE(sixteen.confidence, 1.0 - 2.0 * (1 + 16 + 120 + 560) * 0x1p-16); // evaluate.md: 98 %
         QVERIFY(spreadOf({}, 1e-12).values.empty());
     }
 

@@ -155,8 +155,8 @@ Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& sub
                 }
             }
         }
-        const double left = std::max(0.0, kSubjectsShare * m_extent.limit_s - elapsed_s());
-        evaluateSubject(*subject, paths, elapsed_s() + left / remaining);
+        const double left = std::max(0.0, kSubjectsShare * m_extent.limit_s - (threadTime_s() - m_startedThread_s));
+        evaluateSubject(*subject, paths, threadTime_s() + left / remaining);
         remaining -= 1.0;
     }
     evaluatePaperBody();
@@ -265,7 +265,7 @@ void Evaluator::addDecimated(const Subject& subject, double end_s)
             removed +=
                 static_cast<double>(fewer[l].triangles.size()) - share * subject.layers[l].surface.triangleCount();
         }
-        const double before_s = elapsed_s();
+        const double before_s = threadTime_s();
         if (removed * perTriangle_s > end_s - before_s) {
             leaveOut(subject.name + ": " + percent(share));
             continue;
@@ -282,7 +282,7 @@ void Evaluator::addDecimated(const Subject& subject, double end_s)
             }
             solvers.push_back(std::make_unique<ProductSolver>(sceneOf(own.back()->repaired()), "Palpate"));
         }
-        perTriangle_s = std::max(kDecimation_s, (elapsed_s() - before_s) / std::max(1.0, removed));
+        perTriangle_s = std::max(kDecimation_s, (threadTime_s() - before_s) / std::max(1.0, removed));
         Trial trial;
         trial.knob = Knob::Decimated;
         trial.knobValue = share;
@@ -319,7 +319,7 @@ void Evaluator::makeParts(const Subject& subject, double end_s)
     m_fewer.clear();
     addPart({}, surfacesOf(subject), true, productOn(subject, subject.scene));
     const auto fits = [&](const char* what) {
-        if (elapsed_s() <= end_s) {
+        if (threadTime_s() <= end_s) {
             return true;
         }
         leaveOut(subject.name + ": " + what);
@@ -337,7 +337,7 @@ void Evaluator::makeParts(const Subject& subject, double end_s)
 void Evaluator::feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths,
                            bool isFirst)
 {
-    const auto limit_s = [&] { return std::max(0.0, end_s - elapsed_s()) * (isFirst ? kFirstShare : 1.0); };
+    const auto limit_s = [&] { return std::max(0.0, end_s - threadTime_s()) * (isFirst ? kFirstShare : 1.0); };
     const Truth truth = truthOf(subject, motion, kStride, limit_s());
     m_exact.ticks += truth.ticks;
     m_exact.wanted += (motion.p_WH.size() + kStride - 1) / kStride;
@@ -386,13 +386,13 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPa
     }
     describe(subject);
     makeParts(subject, end_s);
-    const double started_s = elapsed_s();
+    const double started_s = threadTime_s();
     std::size_t done = 0; // samples
     std::vector<std::string> run;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         // Whole paths only, or the marks would not be of the same paths.
-        const double perSample_s = done > 0 ? (elapsed_s() - started_s) / static_cast<double>(done) : 0.0;
-        if (i > 0 && elapsed_s() + perSample_s * static_cast<double>(samplesOf(paths[i])) > end_s) {
+        const double perSample_s = done > 0 ? (threadTime_s() - started_s) / static_cast<double>(done) : 0.0;
+        if (i > 0 && threadTime_s() + perSample_s * static_cast<double>(samplesOf(paths[i])) > end_s) {
             leaveOut(subject.name + ": " + paths[i].name);
             continue;
         }

@@ -20,7 +20,7 @@ struct Extent
     int seeds;
     int motion_ms;       ///< of each laid motion
     double given_s;      ///< of a given motion
-    double limit_s;      ///< for all of it
+    double limit_s;      ///< for all of it, on an idle machine
     double bruteForce_s; ///< for the times of a brute-force solver, over all paths of a subject
     double sphere_s;     ///< for a solver on one sphere
     int largestSphere;
@@ -49,6 +49,7 @@ class Evaluator
         LayerSolvers timed; ///< where `solvers` are a faster copy: what the times are taken of
     };
 
+    /// On the clock, for the hard cases: they are cut where the time is up.
     [[nodiscard]] double elapsed_s() const
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
@@ -65,6 +66,7 @@ class Evaluator
     void addProducts(const Subject& subject);
     void addOthers(const Subject& subject);
     void addDecimated(const Subject& subject, double end_s);
+    /// @param end_s  processor time at which no more is begun, here and below
     void evaluateSubject(const Subject& subject, const std::vector<HandPaths>& paths, double end_s);
     void feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst);
     void feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths, bool isFirst);
@@ -77,6 +79,7 @@ class Evaluator
     Extent m_extent;
     double m_subjects, m_parts = 1.0, m_done = 0.0;
     std::chrono::steady_clock::time_point m_started = std::chrono::steady_clock::now();
+    double m_startedThread_s = threadTime_s();
     Evaluation m_result;
     // Of the subject at hand.
     std::vector<Part> m_marks;

@@ -12,6 +12,8 @@
 #include <numeric>
 #include <utility>
 
+#include <time.h>
+
 namespace palpate::evaluation {
 
 namespace {
@@ -30,6 +32,14 @@ constexpr std::size_t kPopThroughEvery = 4; // ticks: the winding number costs m
 constexpr double kLeastError_mm = 1e-12, kLeastPercent = 1e-9, kLeastTime_us = 1e-3; // in logarithms
 
 } // namespace
+
+double threadTime_s()
+{
+    timespec time{};
+    return ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0
+               ? static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)
+               : 0.0;
+}
 
 Percentiles percentilesOf(std::vector<double> values)
 {
