@@ -24,6 +24,7 @@ constexpr Extent kQuick{3, 600, 2.0, 22.0, 1.0, 1.0, 64};
 constexpr Extent kFull{16, 1000, 20.0, 560.0, 6.0, 20.0, 256};
 constexpr double kFullSize_mm = 100.0; // what is smaller gets a smaller fingertip
 constexpr double kSubjectsShare = 0.6; // of the time; the spheres and the hard cases get the rest
+constexpr double kHardShare = 0.2;     // of the time, for the hard cases at least, however late it has become
 constexpr double kFirstShare = 0.3;    // of what is left, for one piece of the first path
 constexpr int kTissueSphere = 32;      // 20,480 triangles
 constexpr std::size_t kStride = 4;     // base samples of a tick at 1 kHz
@@ -460,8 +461,9 @@ void Evaluator::runHard()
     const double from = std::min(1.0, m_done / m_parts);
     const HardCaseChoice choice = m_options.isQuick ? HardCaseChoice::Quick : HardCaseChoice::Ordinary;
     bool isTimeUp = false;
+    const double end_s = std::max(m_extent.limit_s, elapsed_s() + kHardShare * m_extent.limit_s);
     m_result.hardCases = runHardCases(choice, [&](double share, const std::string& what) {
-        isTimeUp = isTimeUp || elapsed_s() > m_extent.limit_s;
+        isTimeUp = isTimeUp || elapsed_s() > end_s;
         return !isTimeUp && (!m_options.progress || m_options.progress(from + share * (1.0 - from), what));
     });
     if (const std::size_t missing = hardCaseCount(choice) - m_result.hardCases.size(); missing > 0) {

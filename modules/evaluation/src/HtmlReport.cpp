@@ -188,37 +188,26 @@ std::string listed(const std::vector<std::string>& names)
 }
 
 constexpr const char* kMethod =
-    "<p>Solver error: the solver and the exact one (long double, every side decided exactly, brute force) get the same "
-    "1,000 samples of the hand a second and run on from their own states. The position error is the distance of their "
-    "god-objects at each tick in which either touches, with several layers that of the layer where it is largest. No "
-    "tick "
-    "is left out, and the rule is the same for all solvers. Rate error: the product at each rate against the exact "
-    "solver "
-    "at 4 kHz; the force is held between ticks, and the error is taken just before the next one. Force: the layers' "
-    "springs together, each with the stiffness of the tissue that the exact god-object touches; in percent of the "
-    "exact "
-    "force, or of 2 % of its largest where that is more. Directions where it is at least 2 % of its largest.</p>"
-    "<p>Apart: share of the ticks in contact in which, given the same sample, the two god-objects are more than 0.001 "
-    "mm "
-    "apart (on what is smaller than 100 mm: 10⁻⁵ of its extent), and the largest distance. These are mostly ticks in "
-    "which "
-    "each rests in another minimum after a way parted, and they are part of all errors. Parts from one state: the "
-    "exact "
-    "solver is put into the solver's state before each tick in contact and gets the same sample; share of ticks that "
-    "end "
-    "apart, and the largest distance. Residual: how much nearer to the HIP legal moves could still bring the "
-    "god-object, "
-    "of every 16th tick. Balls: a fingertip of that radius against the exact ball; nearer than its radius to what it "
-    "faces "
-    "counts as a pop-through.</p>"
-    "<p>Spread: each path gives one value; the table has the median of the paths and below it the range in which one "
-    "more "
-    "path falls in 95 % of cases, if logarithms of the values are normally distributed. Tail: 99.9 % from 10,000 timed "
-    "ticks on, 99 % from 1,000 on, otherwise the slowest tick. Times are of the solver's step alone, by the monotonic "
-    "clock, in contact unless said otherwise; ticks in which another program took the core are not in them. The errors "
-    "of the paper's solver are those of a copy that finds its facets through boxes and gives the same bits; its times "
-    "are "
-    "of brute force, from the contact of each path on (ticks timed).</p>";
+    R"(<p>Solver error: the solver and the exact one (long double, every side decided exactly, brute force) get the same
+1,000 samples of the hand a second and run on from their own states. The position error is the distance of their
+god-objects at each tick in which either touches, with several layers that of the layer where it is largest. No tick
+is left out, and the rule is the same for all solvers. Rate error: the product at each rate against the exact solver
+at 4 kHz; the force is held between ticks, and the error is taken just before the next one. Force: the layers' springs
+together, each with the stiffness of the tissue that the exact god-object touches; in percent of the exact force, or
+of 2 % of its largest where that is more. Directions where it is at least 2 % of its largest.</p>
+<p>Apart: share of the ticks in contact in which, given the same sample, the two god-objects are more than 0.001 mm
+apart (on what is smaller than 100 mm: 10⁻⁵ of its extent), and the largest distance. These are mostly ticks in which
+each rests in another minimum after a way parted, and they are part of all errors. Parts from one state: the exact
+solver is put into the solver's state before each tick in contact and gets the same sample; share of ticks that end
+apart, and the largest distance. Residual: how much nearer to the HIP legal moves could still bring the god-object, of
+every 16th tick. Balls: a fingertip of that radius against the exact ball; nearer than its radius to what it faces
+counts as a pop-through. Pop-throughs are looked for in every fourth tick.</p>
+<p>Spread: each path gives one value; the table has the median of the paths and below it the range in which one more
+path falls in 95 % of cases, if logarithms of the values are normally distributed. Tail: 99.9 % from 10,000 timed
+ticks on, 99 % from 1,000 on, otherwise the slowest tick. Times are of the solver's step alone, by the monotonic
+clock, in contact unless said otherwise; ticks in which another program took the core are not in them. The errors of
+the paper's solver are those of a copy that finds its facets through boxes and gives the same bits; its times are of
+brute force, from the contact of each path on (ticks timed).</p>)";
 
 std::string methodSection(const Evaluation& evaluation)
 {
