@@ -211,9 +211,10 @@ class Document : public QObject
             ui::StructureModel model;
             SceneDocument document(model);
             QVERIFY(document.claimLeftover(left.fileName().toStdString()));
+            const ui::OpenedScene scene = opened(model, left.fileName().toStdString());
             {
                 const test::FileLimit full(0);
-                document.take(opened(model, left.fileName().toStdString()));
+                document.take(scene);
             }
             QCOMPARE(document.findings().size(), std::size_t{1});
             QCOMPARE(bytes(left.fileName()), before);
