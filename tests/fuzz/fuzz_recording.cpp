@@ -458,6 +458,6 @@ void tryInput(std::string_view bytes)
 
 } // namespace recording
 
-extern const Target kRecording{"recording", 100, recording::seeds, recording::tryInput};
+extern const Target kRecording{"recording", 10, recording::seeds, recording::tryInput};
 
 } // namespace palpate::fuzz

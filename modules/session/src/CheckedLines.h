@@ -48,7 +48,8 @@ class CheckedLines
     [[nodiscard]] const std::vector<Check>& blocks() const noexcept { return m_blocks; }
     /// Reads a block and holds it against its checksum. The newest one is kept, so that the same again costs nothing.
     /// @param number  in `blocks()`
-    /// @par Cost About 1 µs a tick more than reading it.
+    /// @par Cost 4.4 µs a tick, of which SHA-256, checks of type and range and the copy take 3; a seek to another block
+    /// 1 ms.
     [[nodiscard]] std::shared_ptr<const Block> block(std::size_t number) const;
     [[nodiscard]] const Covered& covered() const noexcept { return m_covered; }
 

@@ -310,6 +310,23 @@ constexpr Template kTemplates[] = {
     {QT_TRANSLATE_NOOP("palpate::ui::Engine",
                        "found a recording of version %1, expected at most %2: a newer Palpate made it"),
      0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "found the journal of several databases, which names another file to be deleted; Palpate writes "
+                       "none, so this was not made by Palpate; nothing was opened. Move it away to read the recording "
+                       "as it is"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "found something else than a file, expected the journal of a recording; nothing was opened. "
+                       "Move it away to read the recording as it is"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "found a database with a write-ahead log, expected one with a rollback journal, as Palpate "
+                       "writes it: another program changed it"),
+     0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what "
+                       "is whole)"),
+     0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "found no tick with a hand, expected at least one"), 0b0, Holds::Numbers},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "damaged: %1"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "file is not a database"), 0b0, Holds::Numbers},
