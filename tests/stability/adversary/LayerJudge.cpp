@@ -22,7 +22,10 @@ LayerJudge::LayerJudge(const RandomScene& scene, std::uint32_t layer, std::uint6
     , m_magnitude_mm(std::max(scene.bounds.min().cwiseAbs().maxCoeff(), scene.bounds.max().cwiseAbs().maxCoeff()))
 {
     for (const RandomStructure& one : scene.structures) {
-        m_structures.push_back(one.structure());
+        haptics::HapticStructure& structure = m_structures.emplace_back(one.structure());
+        if (!structure.maps.stiffness.isEmpty() && structure.maps.stiffness.bends == nullptr) {
+            structure.maps.stiffness = structure.maps.stiffness.withBends(*structure.surface);
+        }
         m_isRough = m_isRough || (one.layer == layer && one.tissue.hasFriction());
         m_hasDrag = m_hasDrag || (one.layer == layer && one.tissue.friction_drag_Ns_per_mm > 0.0);
     }
@@ -36,6 +39,7 @@ void LayerJudge::forget()
     m_sheets.assign(m_layer.sheets.size(), {});
     m_near_mm = 0.0;
     m_energy.forget();
+    m_shared.forget();
 }
 
 void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH, bool isRestJudged,
@@ -102,6 +106,13 @@ void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, co
         if (length > m_rounding_mm) {
             faults.push_back({"no force away from the HIP", length, "mm", m_god, tick.p_WG});
         }
+        return;
+    }
+    const double skins_mm = m_rounding_mm + m_layer.skin_mm;
+    if (const char* fault = m_shared.look(m_structures, tick, hip, skins_mm, m_scene.fingertip_mm == 0.0)) {
+        faults.push_back({fault, tick.f_W.norm(), "N", m_god, tick.p_WG});
+    }
+    if (isOfSeveral(tick)) {
         return;
     }
     // Where the bound stopped it, the contacts may be those of a place on the way.

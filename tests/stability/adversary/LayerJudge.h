@@ -3,6 +3,7 @@
 
 #include "EnergyJudge.h"
 #include "JudgedLayer.h"
+#include "SharedJudge.h"
 
 #include <palpate/haptics/Palpator.h>
 
@@ -75,6 +76,7 @@ class LayerJudge
     std::vector<BodyWatch> m_bodies;
     std::vector<SheetWatch> m_sheets;
     EnergyJudge m_energy;
+    SharedJudge m_shared;
     double m_near_mm = 0.0; ///< of a ball's centre, to whatever is nearest; its radius where that is less
     std::int64_t m_sheetTicks = 0, m_restTicks = 0;
 };

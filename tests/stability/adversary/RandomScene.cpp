@@ -89,7 +89,8 @@ RandomScene randomScene(Family family, Chance& chance)
         placing.put(one.mesh, (count > 1 ? chance.between(0.0, hasLayers ? 0.2 : 1.2) : 0.0) * chance.direction(),
                     share);
         one.surface = indexOf(one.mesh.mesh);
-        one.tissue = {0.5 + 0.25 * (i % 3), damping * (i % 2)};
+        constexpr std::array kStiffness_N_per_mm{0.5, 0.05, 4.0}; // organs, fat and bone beside each other
+        one.tissue = {kStiffness_N_per_mm[i % 3], damping * (i % 2)};
         scene.name += (i == 0 ? "" : ", ") + one.mesh.name;
         scene.bounds.extend(one.mesh.mesh.bounds());
         scene.structures.push_back(std::move(one));

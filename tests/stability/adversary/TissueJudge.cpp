@@ -45,16 +45,49 @@ double at(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& sha
     return map.factor * (shares[0] * double{corner[0]} + shares[1] * double{corner[1]} + shares[2] * double{corner[2]});
 }
 
+/// What a map's bends add at barycentric coordinates: the cubic's control values next to the corners, and in the middle
+/// that which makes the slope across an edge linear along it, each edge's by how near it is.
+double bentBy(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& b, const Vec3& ab, const Vec3& ac)
+{
+    if (!map.bendsOn(triangle)) {
+        return 0.0;
+    }
+    const std::array<float, 6>& bend = (*map.bends)[triangle];
+    const std::array<Vec3, 3> corner{Vec3::Zero(), ab, ac};
+    double value = 0.0, middle = 0.0, weights = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const auto from = [&](int at) { return double{bend[static_cast<std::size_t>(at)]}; };
+        const double start = from(2 * i), end = from(2 * i + 1);
+        value += 3.0 * b[i] * b[j] * (start * b[i] + end * b[j]);
+        const auto c = [&](int at) -> const Vec3& { return corner[static_cast<std::size_t>(at)]; };
+        const Vec3 along = c(j) - c(i);
+        const double foot = std::clamp((c(j) - c(k)).dot(along) / along.squaredNorm(), -1.0, 2.0);
+        // Beside the two of its own edge, half of those next to its ends on the other edges.
+        const double own =
+            (1.5 * foot - 0.5) * start + (1.0 - 1.5 * foot) * end + 0.5 * (from(2 * k + 1) + from(2 * j));
+        middle += b[i] * b[j] * own;
+        weights += b[i] * b[j];
+    }
+    return map.factor * (value + (weights > 0.0 ? 6.0 * b[0] * b[1] * b[2] * middle / weights : 0.0));
+}
+
 /// How steep a map is on a triangle, across which it rises from the first corner by what the others have more: by the
 /// length of the difference of two edges, each times the rise along the other, over twice the area. In long double: on
 /// a sliver the area is a small difference. [1/mm of the map's unit]
-double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& ab, const Vec3& ac)
+/// @param shares  where
+double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& shares, const Vec3& ab, const Vec3& ac)
 {
     using Long3 = Eigen::Matrix<long double, 3, 1>;
     const std::array<float, 3>& corner = (*map.corners)[triangle];
     const Long3 b = ab.cast<long double>(), c = ac.cast<long double>();
-    const auto rise = [&corner](int i) { return static_cast<long double>(corner[i]) - corner[0]; };
-    return map.factor * static_cast<double>((rise(1) * c - rise(2) * b).norm() / b.cross(c).norm());
+    const auto rise = [&](int i) {
+        constexpr double kShare = 1e-6;
+        const Vec3 step = 0.5 * kShare * (Vec3::Unit(i) - Vec3::Unit(0));
+        const double bent = bentBy(map, triangle, shares + step, ab, ac) - bentBy(map, triangle, shares - step, ab, ac);
+        return map.factor * (static_cast<long double>(corner[i]) - corner[0]) + static_cast<long double>(bent) / kShare;
+    };
+    return static_cast<double>((rise(1) * c - rise(2) * b).norm() / b.cross(c).norm());
 }
 
 /// @return what an area in double precision is uncertain by, as a share of it: much on a sliver.
@@ -82,7 +115,7 @@ double PlaceOnTriangle::valueOf(const haptics::TissueMap& map) const
 
 double PlaceOnTriangle::slopeOf(const haptics::TissueMap& map) const
 {
-    return slope(map, m_triangle, m_ab, m_ac);
+    return slope(map, m_triangle, m_shares, m_ab, m_ac);
 }
 
 ForceOfTissue::ForceOfTissue(const haptics::HapticStructure& structure, const haptics::ActiveConstraint& plane,
@@ -98,15 +131,16 @@ ForceOfTissue::ForceOfTissue(const haptics::HapticStructure& structure, const ha
     const haptics::TissueMaps& maps = structure.maps;
     if (!maps.damping.isEmpty()) {
         m_damping = at(maps.damping, plane.triangle, shares);
-        m_dampingSlope = slope(maps.damping, plane.triangle, b - a, c - a);
+        m_dampingSlope = slope(maps.damping, plane.triangle, shares, b - a, c - a);
     }
     if (!maps.friction.isEmpty()) {
         m_friction = maps.friction.factor * double{std::ranges::max((*maps.friction.corners)[plane.triangle])};
     }
     if (!maps.stiffness.isEmpty()) {
-        m_stiffness = at(maps.stiffness, plane.triangle, shares);
+        m_stiffness =
+            at(maps.stiffness, plane.triangle, shares) + bentBy(maps.stiffness, plane.triangle, shares, b - a, c - a);
         m_least = maps.stiffness.factor * double{std::ranges::min((*maps.stiffness.corners)[plane.triangle])};
-        m_slope_per_mm = slope(maps.stiffness, plane.triangle, b - a, c - a);
+        m_slope_per_mm = slope(maps.stiffness, plane.triangle, shares, b - a, c - a);
         m_rounding = roundingOfArea(b - a, c - a);
     }
 }
@@ -136,6 +170,9 @@ double ForceOfTissue::coefficient(double mu, double lambda_mm) const
 
 double outsideCone_mm(const haptics::HapticStructure& structure, const haptics::TickResult& tick, const Vec3& hip)
 {
+    if (structure.maps.stiffness.bendsOn(tick.active[0].triangle)) {
+        return 0.0; // friction goes by the slope where a move began
+    }
     const haptics::Tissue& tissue = structure.tissue;
     const Vec3 spring = tick.p_WG - hip, n = tick.active[0].n_W;
     const double lambda = std::max(0.0, n.dot(spring));
