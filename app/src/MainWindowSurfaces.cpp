@@ -76,10 +76,17 @@ void MainWindow::followSurface(int row)
     }
     const study::Layering found = study::layering(surfaces);
     std::vector<std::optional<int>> in;
-    for (const study::Layering::Structure& one : found.structures) {
-        in.push_back(one.in ? std::optional(static_cast<int>(*one.in)) : std::nullopt);
+    bool isNestedAnew = false, isFlat = m_model.buried() == meshio::BuriedTouch::Layers;
+    for (std::size_t i = 0; i < found.structures.size(); ++i) {
+        const auto around = found.structures[i].in;
+        in.push_back(around ? std::optional(static_cast<int>(*around)) : std::nullopt);
+        isNestedAnew = isNestedAnew || (around && m_model.rows()[i].in != in.back());
+        isFlat = isFlat && m_model.structure(static_cast<int>(i)).layer == 0;
     }
     m_model.setNesting(in);
+    if (isNestedAnew && isFlat) { // what lies in an organ that was inside out
+        offerLayers(found);
+    }
     m_viewport->update();
     say(m_model.defects(row).isEmpty()
             ? tr("%1 has another surface now.").arg(readableName(m_model.structure(row).name))
