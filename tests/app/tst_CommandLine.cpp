@@ -672,6 +672,19 @@ class CommandLine : public QObject
         QCOMPARE(run({"session", "recover", "r.palpate", "--out", "r.palpate"}).exitCode, 2);
     }
 
+    /// On a device a tissue is as stiff as the device holds, and the CSV says what was sent.
+    void liveOnADeviceIsBoundByIt()
+    {
+        const Outcome live = run({"replay", "box.stl", "--motion", "m.csv", "--stiffness", "50", "--live", "--device",
+                                  "touch", "--out", "bound.csv"});
+        QCOMPARE(live.error, QByteArray());
+        QCOMPARE(live.exitCode, 0);
+        QVERIFY2(live.out.contains(" can hold at most 0.4 N/mm of box (asked for 50 N/mm)\n"), live.out.constData());
+        QFile csv(file("bound.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QVERIFY(csv.readLine().endsWith(",slides,layers,sent_x,sent_y,sent_z\n"));
+    }
+
     void liveGivesTheSameTicks()
     {
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--out", "t.csv"}).exitCode, 0);
