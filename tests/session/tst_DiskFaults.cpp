@@ -263,6 +263,8 @@ class DiskFaults : public QObject
         session::Recorder recorder(loop);
         QVERIFY(loop.start(device, options).isOk());
         const auto file = path("full.palpate");
+        std::filesystem::remove(file); // of the row before
+        std::filesystem::remove(path("next.palpate"));
         QVERIFY(recorder.start(file, {}, test::palpationScenes()[0]).isOk());
         QVERIFY(letPass(loop, 900));
         disk.failAt(0, !hasRoomForLastWords, SQLITE_FULL); // the reserve is room for all but the first
