@@ -11,8 +11,6 @@
 
 #include <vtk_zlib.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
