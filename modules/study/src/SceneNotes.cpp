@@ -106,8 +106,9 @@ std::vector<std::string> unfeltLumpNotes(std::span<const NeighbourSurface> surfa
         const char* const when = isWhollyInside(*surfaces[i].surface, *surfaces[*in].index)
                                      ? "it is never felt"
                                      : "it is felt only where it reaches out";
-        lines.push_back(surfaces[i].name + " lies in " + surfaces[*in].name + " and in the same layer: " + when +
-                        "; a deeper layer lets it be felt (--layers auto for mesh files, \"layer\" in a scene file)");
+        lines.push_back(
+            surfaces[i].name + " lies in " + surfaces[*in].name + " and in the same layer: " + when +
+            "; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)");
     }
     return lines;
 }
