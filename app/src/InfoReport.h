@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/geometry/SurfaceExamination.h>
+#include <palpate/meshio/LoadScene.h>
 #include <palpate/study/BuriedLumps.h>
 
 #include <QJsonObject>
