@@ -4,6 +4,7 @@
 #include "../support/Shapes.h"
 #include "Packing.h"
 #include "RecordingTables.h"
+#include "SchemaCheck.h"
 #include "Sessions.h"
 
 #include <palpate/session/GeometryHash.h>
@@ -54,7 +55,9 @@ bool rehash(const std::filesystem::path& recording)
     std::vector<session::SceneRecord> scenes;
     Events events;
     std::vector<Check> checks;
-    (void)tables.readVersion();
+    if (!tables.readVersion().isOk() || !checkSchema(database, tables.version()).isOk()) {
+        return false; // what stands in the place of a table might never end
+    }
     (void)tables.readMeta(meta);
     (void)tables.readScenes(scenes);
     (void)tables.readEvents(events);
@@ -106,6 +109,10 @@ bool rehashSurfaces(const std::filesystem::path& recording)
         return false;
     }
     Database& database = opened.value();
+    RecordingTables tables(database);
+    if (!tables.readVersion().isOk() || !checkSchema(database, tables.version()).isOk()) {
+        return false;
+    }
     struct Row
     {
         std::string before, after, all;
