@@ -38,7 +38,9 @@ template<class T>
 void copyBlob(const std::string& bytes, std::vector<T>& out)
 {
     out.resize(bytes.size() / sizeof(T));
-    std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
+    if (!out.empty()) {
+        std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
+    }
 }
 
 } // namespace

@@ -105,7 +105,9 @@ haptics::TissueMaps mapsOf(const std::string& text,
             continue;
         }
         auto corners = std::make_shared<Corners>(bytes->size() / sizeof(Corners::value_type));
-        std::memcpy(static_cast<void*>(corners->data()), bytes->data(), bytes->size());
+        if (!bytes->empty()) {
+            std::memcpy(static_cast<void*>(corners->data()), bytes->data(), bytes->size());
+        }
         const double factor = entry["factor"].toDouble();
         if (const char* fault = faultIn(*corners, factor, named->isAboveZero)) {
             wrong = name + "found " + fault;

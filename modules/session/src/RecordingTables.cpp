@@ -33,7 +33,9 @@ template<class T>
 bool copyBlob(const std::string& bytes, std::vector<T>& out)
 {
     out.resize(bytes.size() / sizeof(T));
-    std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
+    if (!out.empty()) { // memcpy takes no null, not even for no byte
+        std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
+    }
     return bytes.size() % sizeof(T) == 0;
 }
 
