@@ -55,7 +55,7 @@ class ScreenshotRun : public QObject
             QCoreApplication::exit(2);
         });
         QTimer::singleShot(kGiveUp_ms, this, [] {
-            printError("no picture after " + std::to_string(kGiveUp_ms / 1000) + " s");
+            app::printError("no picture after " + std::to_string(kGiveUp_ms / 1000) + " s");
             QCoreApplication::exit(1);
         });
     }
@@ -127,10 +127,10 @@ class ScreenshotRun : public QObject
             return;
         }
         if (state.isInContact) {
-            print("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
+            app::print("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
                   picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
         } else {
-            print("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
+            app::print("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
         }
         std::fflush(stdout);
         QCoreApplication::exit(0);
@@ -183,7 +183,7 @@ class SettingsFolder
             }
             m_own = std::make_unique<QTemporaryDir>();
             QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_own->path());
-            app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
+            app::app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
                                                  "settings; they are not kept. Remove it");
             return;
         }
@@ -223,7 +223,7 @@ bool hasDisplay()
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
     if (!hasDisplay()) {
-        app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
+        app::app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
         return app::kFailed;
     }
     useUtf8();
@@ -231,7 +231,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     if (!QOpenGLContext().create()) { // without one a widget for OpenGL crashes
-        app::printError("the display (" + QGuiApplication::platformName().toStdString() +
+        app::app::printError("the display (" + QGuiApplication::platformName().toStdString() +
                         ") has no OpenGL, expected one that has; app/run.sh draws without a display");
         return app::kFailed;
     }

@@ -67,10 +67,6 @@
 <context>
     <name>FeltLayers</name>
     <message>
-        <source>%1 N, %2 mm in</source>
-        <translation>%1 N, %2 mm tief</translation>
-    </message>
-    <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
@@ -81,6 +77,10 @@
     <message>
         <source>slides %1 N</source>
         <translation>gleitet %1 N</translation>
+    </message>
+    <message>
+        <source>%1 N, pressed in %2 mm</source>
+        <translation>%1 N, %2 mm eingedrückt</translation>
     </message>
 </context>
 <context>
@@ -119,10 +119,6 @@
     <message>
         <source>Finding %1</source>
         <translation>Befund %1</translation>
-    </message>
-    <message>
-        <source>%1 marked: %2</source>
-        <translation>%1 markiert: %2</translation>
     </message>
     <message>
         <source>%1 marked on %2 with %3 N</source>
@@ -177,13 +173,13 @@
             <numerusform>%n Befunde aus %1 übernommen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>, stiffness %1</source>
+        <translation>, Steifigkeit %1</translation>
+    </message>
 </context>
 <context>
     <name>LumpLayout</name>
-    <message>
-        <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
-        <translation>%1 liegt in %2 und wird durch das Organ hindurch gefühlt, als %3-mal so steif</translation>
-    </message>
     <message>
         <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
         <translation>%1 liegt in %2 und wird darunter gefühlt, als Schicht: %3</translation>
@@ -205,16 +201,24 @@
         <translation>sie ragt aus %1 heraus</translation>
     </message>
     <message>
-        <source>how many times as stiff as %1 it is, is not known</source>
-        <translation>wievielmal so steif wie %1, ist nicht bekannt</translation>
-    </message>
-    <message>
         <source>it is as stiff as %1</source>
         <translation>so steif wie %1</translation>
     </message>
     <message>
         <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
         <translation>%1 liegt anscheinend in %2, dessen Oberfläche offen oder verkehrt herum ist: weder durch das Organ noch darunter zu fühlen</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, %3 times as stiff (%4), and is felt through it</source>
+        <translation>%1 liegt in %2, %3-mal so steif (%4), und wird hindurch getastet</translation>
+    </message>
+    <message>
+        <source>a map varies how stiff it or %1 is</source>
+        <translation>eine Karte ändert seine Steifigkeit oder die von %1</translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 is it? Type it in What can be felt (B)</source>
+        <translation>wievielmal so steif wie %1 ist es? In „Was tastbar ist“ (B) eingeben</translation>
     </message>
 </context>
 <context>
@@ -1079,6 +1083,57 @@
         <source>Feel it as a layer</source>
         <translation>Als Schicht fühlen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n did not: felt as “Firm organ”, 0.5 N/mm.</source>
+        <translation>
+            <numerusform>%n nicht: gefühlt als „Festes Organ“, 0,5 N/mm.</numerusform>
+            <numerusform>%n nicht: gefühlt als „Festes Organ“, 0,5 N/mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Making the surface of %1…</source>
+        <translation>Oberfläche von %1 wird erstellt…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 is a staircase of about %2 voxels: the hand feels its steps.</source>
+        <translation>%1 ist eine Treppe aus Voxeln von etwa %2: Die Hand spürt ihre Stufen.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.</source>
+        <translation>%1 Oberflächen sind Treppen aus Voxeln von etwa %2: Die Hand spürt ihre Stufen.</translation>
+    </message>
+    <message>
+        <source>Smooth it</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth them</source>
+        <translation>Alle glätten</translation>
+    </message>
+    <message>
+        <source>%1 is inside out: felt from within only.</source>
+        <translation>%1 ist umgestülpt: nur von innen spürbar.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out: felt from within only.</source>
+        <translation>%1 Oberflächen sind umgestülpt: nur von innen spürbar.</translation>
+    </message>
+    <message>
+        <source>Turn it around</source>
+        <translation>Umdrehen</translation>
+    </message>
+    <message>
+        <source>Turn them around</source>
+        <translation>Alle umdrehen</translation>
+    </message>
+    <message>
+        <source>%1 has another surface now.</source>
+        <translation>%1 hat jetzt eine andere Oberfläche.</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1413,10 +1468,6 @@
         <translation>Verlorene Augenblicke</translation>
     </message>
     <message>
-        <source>Pressed hard enough to feel the lump (an estimate)</source>
-        <translation>Fest genug gedrückt, um den Knoten zu fühlen (Schätzung)</translation>
-    </message>
-    <message>
         <source>Lump</source>
         <translation>Knoten</translation>
     </message>
@@ -1433,12 +1484,20 @@
         <translation>Davon fest genug gedrückt [%]</translation>
     </message>
     <message>
-        <source>Greatest change under the hand [%]</source>
-        <translation>Größte Änderung unter der Hand [%]</translation>
-    </message>
-    <message>
         <source>not by hand</source>
         <translation>nicht mit der Hand</translation>
+    </message>
+    <message>
+        <source>Lumps: what was recorded, and what the model predicts (an estimate)</source>
+        <translation>Knoten: aufgezeichnet und vom Modell vorhergesagt (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Greatest change recorded [%]</source>
+        <translation>Größte aufgezeichnete Änderung [%]</translation>
+    </message>
+    <message>
+        <source>Predicted by the model [%]</source>
+        <translation>Vom Modell vorhergesagt [%]</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1505,10 @@
     <message>
         <source>Mark %1</source>
         <translation>%1 markieren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes would be lost in a crash; save the scene. %1</source>
+        <translation>Ungesicherte Änderungen gingen bei einem Absturz verloren; sichern Sie die Szene. %1</translation>
     </message>
 </context>
 <context>
@@ -2178,14 +2241,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1 Teile ohne Inneres, von beiden Seiten zu fühlen</translation>
     </message>
     <message>
-        <source>%1 closed part looks inside out: touched from within unless flipped</source>
-        <translation>%1 geschlossener Teil ist wohl umgestülpt: von innen zu fühlen, außer man wendet ihn</translation>
-    </message>
-    <message>
-        <source>%1 closed parts look inside out: touched from within unless flipped</source>
-        <translation>%1 geschlossene Teile sind wohl umgestülpt: von innen zu fühlen, außer man wendet sie</translation>
-    </message>
-    <message>
         <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
         <translation>%1 Werte wichen um mehr als 10 % von einem anderen am selben Eckpunkt ab: das Mittel gilt</translation>
     </message>
@@ -2830,6 +2885,110 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>a blank or a new line behind it</source>
         <translation>ein Leerzeichen oder eine neue Zeile dahinter</translation>
     </message>
+    <message>
+        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
+        <translation>%1: %2: Dieses Feld ist dieser Version unbekannt; es bleibt erhalten, wird aber nicht verwendet</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Kein Ordner</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>there is a file of this name; choose another name</source>
+        <translation>es gibt eine Datei dieses Namens; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>another program is recording into it; choose another name</source>
+        <translation>ein anderes Programm zeichnet darin auf; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
+        <translation>die Datei %1 würde für einen Teil davon gehalten; verschieben Sie sie oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>it as input and output</source>
+        <translation>dasselbe als Ein- und Ausgabe</translation>
+    </message>
+    <message>
+        <source>it as output and a file of %1</source>
+        <translation>dasselbe als Ausgabe und Datei von %1</translation>
+    </message>
+    <message>
+        <source>another name for the output</source>
+        <translation>einen anderen Namen für die Ausgabe</translation>
+    </message>
+    <message>
+        <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
+        <translation>dorthin kommt die berührte Oberfläche; dort liegt eine andere Datei, erwartet wurde keine oder ein älterer Export. Wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>%1 closed part looks inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 geschlossener Teil sieht umgestülpt aus: nur von innen berührbar, solange er nicht umgedreht wird</translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 geschlossene Teile sehen umgestülpt aus: nur von innen berührbar, solange sie nicht umgedreht werden</translation>
+    </message>
+    <message>
+        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
+        <translation>Treppe aus Voxeln von etwa %1 × %2 × %3 mm (%4 % der Fläche in %5 Richtungen)</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
+        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben, Volumen %2 %</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm</source>
+        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben</translation>
+    </message>
+    <message>
+        <source>surface &quot;smooth&quot;: curved facets are not available in this version; felt and drawn as facets</source>
+        <translation>Oberfläche „smooth“: Gekrümmte Facetten gibt es in dieser Version nicht; als Facetten gefühlt und gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
+        <translation>%1 und %2 kommen sich bei (%4, %5, %6) auf %3 mm nahe, ohne sich zu berühren: Ein Punkt fällt in den Spalt, eine Fingerspitze ab 0,5 mm gleitet darüber</translation>
+    </message>
+    <message>
+        <source>found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>das Journal mehrerer Datenbanken, das eine andere Datei zum Löschen nennt; Palpate schreibt keines, es stammt also nicht von Palpate; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>keine Datei, erwartet wurde das Journal einer Aufzeichnung; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
+        <translation>eine Datenbank mit Write-Ahead-Log, erwartet wurde eine mit Rollback-Journal, wie Palpate sie schreibt: Ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
+        <translation>gefunden: %1, erwartet: %2: nicht von Palpate erstellt oder beschädigt (palpate session recover rettet, was heil ist)</translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
+        <translation>wievielmal so steif wie %1 es ist, ist nicht bekannt, daher kein Urteil; erwartet ein Verhältnis, als --ratio &quot;%2=R&quot; oder `young_ratio` in einer Szenendatei. Veröffentlicht: %3</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>
@@ -3074,22 +3233,6 @@ die Schleife laufen, wo Platz ist.</translation>
 <context>
     <name>palpate::ui::FeltPanel</name>
     <message>
-        <source>Liver malignancy, 4.4 (MR elastography, PMC2894569)</source>
-        <translation>Leber, bösartig, 4,4 (MR-Elastographie, PMC2894569)</translation>
-    </message>
-    <message>
-        <source>Benign liver lesion, 1.2 (MR elastography, PMC2894569)</source>
-        <translation>Leber, gutartig, 1,2 (MR-Elastographie, PMC2894569)</translation>
-    </message>
-    <message>
-        <source>Metastasis, 5 (number chosen)</source>
-        <translation>Metastase, 5 (Zahl gewählt)</translation>
-    </message>
-    <message>
-        <source>Cyst, 0.05 (number chosen)</source>
-        <translation>Zyste, 0,05 (Zahl gewählt)</translation>
-    </message>
-    <message>
         <source>Estimate for research and rehearsal.</source>
         <translation>Schätzung für Forschung und Übung.</translation>
     </message>
@@ -3150,10 +3293,6 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Aus den beiden Elastizitätsmoduln</translation>
     </message>
     <message>
-        <source>From the tissues&apos; stiffness</source>
-        <translation>Aus der Steifigkeit der Gewebe</translation>
-    </message>
-    <message>
         <source>Young&apos;s modulus of the lump [kPa]</source>
         <translation>Elastizitätsmodul des Knotens [kPa]</translation>
     </message>
@@ -3204,6 +3343,18 @@ die Schleife laufen, wo Platz ist.</translation>
     <message>
         <source>No place over this lump can be judged.</source>
         <translation>Keine Stelle über diesem Knoten lässt sich beurteilen.</translation>
+    </message>
+    <message>
+        <source>By tissues or names</source>
+        <translation>Nach Gewebe oder Namen</translation>
+    </message>
+    <message>
+        <source>As published: %1, %2</source>
+        <translation>Wie veröffentlicht: %1, %2</translation>
+    </message>
+    <message>
+        <source>type it, or choose one that is published</source>
+        <translation>eingeben oder einen veröffentlichten Wert wählen</translation>
     </message>
 </context>
 <context>
@@ -3278,6 +3429,94 @@ die Schleife laufen, wo Platz ist.</translation>
         <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
         <translation>%1: %2 mm darunter, %3 (%4 … %5 %): %6</translation>
     </message>
+    <message>
+        <source>stiffness ratio not known</source>
+        <translation>Steifigkeitsverhältnis unbekannt</translation>
+    </message>
+    <message>
+        <source>published for such lumps</source>
+        <translation>für solche Knoten veröffentlicht</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the liver</source>
+        <translation>bösartiger Lebertumor</translation>
+    </message>
+    <message>
+        <source>benign tumour of the liver</source>
+        <translation>gutartiger Lebertumor</translation>
+    </message>
+    <message>
+        <source>tumour of the liver</source>
+        <translation>Lebertumor</translation>
+    </message>
+    <message>
+        <source>fibrotic liver</source>
+        <translation>fibrotische Leber</translation>
+    </message>
+    <message>
+        <source>cancer of the prostate</source>
+        <translation>Karzinom der Prostata</translation>
+    </message>
+    <message>
+        <source>nodule of the prostate</source>
+        <translation>Knoten der Prostata</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the breast</source>
+        <translation>bösartiger Brusttumor</translation>
+    </message>
+    <message>
+        <source>benign tumour of the breast</source>
+        <translation>gutartiger Brusttumor</translation>
+    </message>
+    <message>
+        <source>tumour of the breast</source>
+        <translation>Brusttumor</translation>
+    </message>
+    <message>
+        <source>malignant nodule of the thyroid</source>
+        <translation>bösartiger Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>benign nodule of the thyroid</source>
+        <translation>gutartiger Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>nodule of the thyroid</source>
+        <translation>Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>cancer of the pancreas</source>
+        <translation>Pankreaskarzinom</translation>
+    </message>
+    <message>
+        <source>benign tumour of the pancreas</source>
+        <translation>gutartiger Pankreastumor</translation>
+    </message>
+    <message>
+        <source>tumour of the pancreas</source>
+        <translation>Pankreastumor</translation>
+    </message>
+    <message>
+        <source>cyst</source>
+        <translation>Zyste</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>%1 (at %2: %3; at %4: %5)</source>
+        <translation>%1 (bei %2: %3; bei %4: %5)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 (at %2 times as stiff)</source>
+        <translation>%1 (bei %2-facher Steifigkeit)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FindingsModel</name>
@@ -3318,10 +3557,6 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>The structure that was touched</source>
-        <translation>Die berührte Struktur</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Wo</translation>
     </message>
@@ -3334,16 +3569,8 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Force when it was marked [N]</source>
-        <translation>Kraft beim Markieren [N]</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>Depth when it was marked [mm]</source>
-        <translation>Tiefe beim Markieren [mm]</translation>
     </message>
     <message>
         <source>mm</source>
@@ -3372,6 +3599,22 @@ die Schleife laufen, wo Platz ist.</translation>
     <message>
         <source>Note on %1</source>
         <translation>Notiz zu %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>The structure that was felt, and the organ that it lies in</source>
+        <translation>Die gefühlte Struktur und ihr Organ</translation>
+    </message>
+    <message>
+        <source>Force of this structure when it was marked [N]</source>
+        <translation>Kraft dieser Struktur beim Markieren [N]</translation>
+    </message>
+    <message>
+        <source>Depth in this structure when it was marked [mm]</source>
+        <translation>Tiefe in dieser Struktur beim Markieren [mm]</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +4156,10 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>What can be felt here was cancelled.</source>
         <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>How many times as stiff as %1 is %2? It is not known, so no verdict is given: type it in What can be felt (B), or choose one that is published.</source>
+        <translation>Wievielmal so steif wie %1 ist %2? Das ist nicht bekannt, daher kein Urteil: in „Was tastbar ist“ (B) eingeben oder einen veröffentlichten Wert wählen.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
@@ -4246,8 +4493,8 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>drückt bis %1 N</translation>
     </message>
     <message>
-        <source>pressing with %1 of %2 N, %3 mm</source>
-        <translation>drückt mit %1 von %2 N, %3 mm</translation>
+        <source>aims at %1 of %2 N, reaches %3 N, %4 mm</source>
+        <translation>Ziel %1 von %2 N, erreicht %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -4274,6 +4521,13 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
         <translation>%1: %2 Augenblicke gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged, or was changed after it was recorded: %n place(s) do not match their checksums. What was felt there is left out; &quot;palpate session verify&quot; names the first place.</source>
+        <translation>
+            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Stelle passt nicht zu ihrer Prüfsumme. Was dort gefühlt wurde, fehlt; „palpate session verify“ nennt die erste Stelle.</numerusform>
+            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Stellen passen nicht zu ihren Prüfsummen. Was dort gefühlt wurde, fehlt; „palpate session verify“ nennt die erste Stelle.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4514,6 +4768,34 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     <message>
         <source>through %1</source>
         <translation>durch %1 hindurch</translation>
+    </message>
+    <message>
+        <source>Turn %1 around</source>
+        <translation>%1 umdrehen</translation>
+    </message>
+    <message>
+        <source>Turn %1 surfaces around</source>
+        <translation>%1 Oberflächen umdrehen</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 glätten</translation>
+    </message>
+    <message>
+        <source>Smooth %1 surfaces</source>
+        <translation>%1 Oberflächen glätten</translation>
+    </message>
+    <message>
+        <source>The surface is smoothed: moved by at most %1 mm</source>
+        <translation>Die Oberfläche ist geglättet: höchstens um %1 mm verschoben</translation>
+    </message>
+    <message>
+        <source>The surface is smoothed: moved by at most %1 mm, volume %2 %</source>
+        <translation>Die Oberfläche ist geglättet: höchstens um %1 mm verschoben, Volumen %2 %</translation>
+    </message>
+    <message>
+        <source>The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps</source>
+        <translation>Die Oberfläche ist eine Treppe aus Voxeln von %1 × %2 × %3 mm: Die Hand spürt ihre Stufen</translation>
     </message>
 </context>
 <context>
@@ -4778,6 +5060,82 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <source>What its map can do to the device</source>
         <translation>Was die Karte mit dem Gerät machen kann</translation>
     </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Geglättet</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the hand. The file is not changed.</source>
+        <translation>Glätten entfernt die Stufen der Voxel, um höchstens ein halbes Voxel, für Auge und Hand. Die Datei wird nicht verändert.</translation>
+    </message>
+    <message>
+        <source>Turn around</source>
+        <translation>Umdrehen</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by shear-wave ultrasound (Arda et al. 2011, AJR 197:532), as a fingertip of 5 mm radius feels it</source>
+        <translation>Young-Modul durch Scherwellen-Ultraschall (Arda et al. 2011, AJR 197:532), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
+    </message>
+    <message>
+        <source>Kidney (5.0 kPa)</source>
+        <translation>Niere (5,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Spleen (2.9 kPa)</source>
+        <translation>Milz (2,9 kPa)</translation>
+    </message>
+    <message>
+        <source>Pancreas (4.8 kPa)</source>
+        <translation>Pankreas (4,8 kPa)</translation>
+    </message>
+    <message>
+        <source>Thyroid (11.0 kPa)</source>
+        <translation>Schilddrüse (11,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Salivary gland (10.9 kPa)</source>
+        <translation>Speicheldrüse (10,9 kPa)</translation>
+    </message>
+    <message>
+        <source>Muscle at rest (11.1 kPa)</source>
+        <translation>Ruhender Muskel (11,1 kPa)</translation>
+    </message>
+    <message>
+        <source>Tendon (51.5 kPa)</source>
+        <translation>Sehne (51,5 kPa)</translation>
+    </message>
+    <message>
+        <source>Prostate (17.0 kPa)</source>
+        <translation>Prostata (17,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it</source>
+        <translation>Young-Modul durch Eindrücken (Urology 2010), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
+    </message>
+    <message>
+        <source>Breast (3.2 kPa)</source>
+        <translation>Brust (3,2 kPa)</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it</source>
+        <translation>Young-Modul durch Eindrücken (Teixeira et al. 2023), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
+    </message>
+    <message>
+        <source>Lymph node</source>
+        <translation>Lymphknoten</translation>
+    </message>
+    <message>
+        <source>number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by shear-wave ultrasound)</source>
+        <translation>Wert gewählt unter 22 kPa, ab denen Lymphknoten als bösartig gelten (2,71 m/s durch Scherwellen-Ultraschall)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -4983,12 +5341,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Berührte Strukturen, die äußerste zuerst, mit Kräften und Tiefen</translation>
     </message>
     <message>
-        <source>Each layer that is touched, the outermost first: its share of the force [N],
-and how deep the hand is in it [mm]</source>
-        <translation>Jede berührte Schicht, die äußerste zuerst: ihr Anteil an der Kraft [N],
-und wie tief die Hand in ihr ist [mm]</translation>
-    </message>
-    <message>
         <source>Depth and stiffness</source>
         <translation>Tiefe und Steifigkeit</translation>
     </message>
@@ -5027,6 +5379,24 @@ und wie tief die Hand in ihr ist [mm]</translation>
     <message>
         <source>very fine mesh here: the force follows late</source>
         <translation>hier ist das Netz sehr fein: die Kraft folgt verspätet</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Each layer that is touched, the outermost first: its part along the force [N], which add
+up to it, and how deep the hand is in it [mm]</source>
+        <translation>Jede berührte Schicht, die äußerste zuerst: ihr Anteil längs der Kraft [N], die sich
+zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
+    </message>
+    <message>
+        <source>over %1: %2, %3</source>
+        <translation>über %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>over %1: %2</source>
+        <translation>über %1: %2</translation>
     </message>
 </context>
 <context>

@@ -67,10 +67,6 @@
 <context>
     <name>FeltLayers</name>
     <message>
-        <source>%1 N, %2 mm in</source>
-        <translation>%1&#xa0;N, prof. %2&#xa0;mm</translation>
-    </message>
-    <message>
         <source>%1 N</source>
         <translation>%1&#xa0;N</translation>
     </message>
@@ -81,6 +77,10 @@
     <message>
         <source>slides %1 N</source>
         <translation>glisse %1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>%1 N, pressed in %2 mm</source>
+        <translation>%1 N, enfoncé de %2 mm</translation>
     </message>
 </context>
 <context>
@@ -119,10 +119,6 @@
     <message>
         <source>Finding %1</source>
         <translation>Point %1</translation>
-    </message>
-    <message>
-        <source>%1 marked: %2</source>
-        <translation>%1 marqué&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1 marked on %2 with %3 N</source>
@@ -177,13 +173,13 @@
             <numerusform>%n points repérés repris de %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>, stiffness %1</source>
+        <translation>, rigidité %1</translation>
+    </message>
 </context>
 <context>
     <name>LumpLayout</name>
-    <message>
-        <source>%1 lies in %2 and is felt through it, as %3 times as stiff</source>
-        <translation>%1 est dans %2 et se sent à travers, comme %3 fois plus raide</translation>
-    </message>
     <message>
         <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
         <translation>%1 est dans %2 et se sent dessous, comme une couche&#x202f;: %3</translation>
@@ -205,16 +201,24 @@
         <translation>elle dépasse de %1</translation>
     </message>
     <message>
-        <source>how many times as stiff as %1 it is, is not known</source>
-        <translation>on ne sait pas combien de fois plus raide que %1</translation>
-    </message>
-    <message>
         <source>it is as stiff as %1</source>
         <translation>aussi raide que %1</translation>
     </message>
     <message>
         <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
         <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent ni à travers ni dessous</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, %3 times as stiff (%4), and is felt through it</source>
+        <translation>%1 est dans %2, %3 fois plus rigide (%4), et se sent à travers</translation>
+    </message>
+    <message>
+        <source>a map varies how stiff it or %1 is</source>
+        <translation>une carte fait varier sa rigidité ou celle de %1</translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 is it? Type it in What can be felt (B)</source>
+        <translation>combien de fois plus rigide que %1 ? À saisir dans « Ce qui se sent » (B)</translation>
     </message>
 </context>
 <context>
@@ -1079,6 +1083,57 @@
         <source>Feel it as a layer</source>
         <translation>Le sentir comme une couche</translation>
     </message>
+    <message numerus="yes">
+        <source>%n did not: felt as “Firm organ”, 0.5 N/mm.</source>
+        <translation>
+            <numerusform>%n non : ressentie comme « organe ferme », 0,5 N/mm.</numerusform>
+            <numerusform>%n non : ressenties comme « organe ferme », 0,5 N/mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Making the surface of %1…</source>
+        <translation>Création de la surface de %1…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 is a staircase of about %2 voxels: the hand feels its steps.</source>
+        <translation>%1 est un escalier de voxels d&apos;environ %2 : la main sent ses marches.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.</source>
+        <translation>%1 surfaces sont des escaliers de voxels d&apos;environ %2 : la main sent leurs marches.</translation>
+    </message>
+    <message>
+        <source>Smooth it</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Smooth them</source>
+        <translation>Les lisser</translation>
+    </message>
+    <message>
+        <source>%1 is inside out: felt from within only.</source>
+        <translation>%1 est à l&apos;envers : sentie de l&apos;intérieur seulement.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out: felt from within only.</source>
+        <translation>%1 surfaces sont à l&apos;envers : senties de l&apos;intérieur seulement.</translation>
+    </message>
+    <message>
+        <source>Turn it around</source>
+        <translation>La retourner</translation>
+    </message>
+    <message>
+        <source>Turn them around</source>
+        <translation>Les retourner</translation>
+    </message>
+    <message>
+        <source>%1 has another surface now.</source>
+        <translation>%1 a maintenant une autre surface.</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -1413,10 +1468,6 @@
         <translation>Presque max.&#x202f;: la force sous laquelle sont restés 95&#x202f;% du contact. Mesures de recherche, pas un diagnostic.</translation>
     </message>
     <message>
-        <source>Pressed hard enough to feel the lump (an estimate)</source>
-        <translation>Appui assez fort pour sentir le nodule (estimation)</translation>
-    </message>
-    <message>
         <source>Lump</source>
         <translation>Nodule</translation>
     </message>
@@ -1433,12 +1484,20 @@
         <translation>Dont assez appuyé [%]</translation>
     </message>
     <message>
-        <source>Greatest change under the hand [%]</source>
-        <translation>Plus grand changement sous la main [%]</translation>
-    </message>
-    <message>
         <source>not by hand</source>
         <translation>pas à la main</translation>
+    </message>
+    <message>
+        <source>Lumps: what was recorded, and what the model predicts (an estimate)</source>
+        <translation>Masses : enregistré et prédit par le modèle (estimation)</translation>
+    </message>
+    <message>
+        <source>Greatest change recorded [%]</source>
+        <translation>Plus grand changement enregistré [%]</translation>
+    </message>
+    <message>
+        <source>Predicted by the model [%]</source>
+        <translation>Prédit par le modèle [%]</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1505,10 @@
     <message>
         <source>Mark %1</source>
         <translation>Marquer %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes would be lost in a crash; save the scene. %1</source>
+        <translation>Les modifications non enregistrées seraient perdues en cas de plantage ; enregistrez la scène. %1</translation>
     </message>
 </context>
 <context>
@@ -2182,14 +2245,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>%1 parties sans intérieur, touchées des deux côtés</translation>
     </message>
     <message>
-        <source>%1 closed part looks inside out: touched from within unless flipped</source>
-        <translation>%1 partie fermée semble retournée&#x202f;: touchée du dedans à moins d’être inversée</translation>
-    </message>
-    <message>
-        <source>%1 closed parts look inside out: touched from within unless flipped</source>
-        <translation>%1 parties fermées semblent retournées&#x202f;: touchées du dedans à moins d’être inversées</translation>
-    </message>
-    <message>
         <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
         <translation>%1 valeurs de tableaux différaient de plus de 10&#x202f;% d’une autre au même sommet&#x202f;: la moyenne est prise</translation>
     </message>
@@ -2830,6 +2885,110 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <source>a blank or a new line behind it</source>
         <translation>une espace ou une nouvelle ligne après</translation>
     </message>
+    <message>
+        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
+        <translation>%1 : %2 : ce champ est inconnu de cette version ; il est conservé, mais pas utilisé</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Fichier trop volumineux</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Quota disque dépassé</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Erreur d’entrée/sortie</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>N’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>there is a file of this name; choose another name</source>
+        <translation>un fichier de ce nom existe ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>another program is recording into it; choose another name</source>
+        <translation>un autre programme y enregistre ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
+        <translation>le fichier %1 serait pris pour une partie de celui-ci ; déplacez-le ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>it as input and output</source>
+        <translation>le même comme entrée et sortie</translation>
+    </message>
+    <message>
+        <source>it as output and a file of %1</source>
+        <translation>le même comme sortie et fichier de %1</translation>
+    </message>
+    <message>
+        <source>another name for the output</source>
+        <translation>un autre nom pour la sortie</translation>
+    </message>
+    <message>
+        <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
+        <translation>la surface touchée va là ; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 closed part looks inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 partie fermée semble à l&apos;envers : touchée de l&apos;intérieur seulement, sauf si elle est retournée</translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 parties fermées semblent à l&apos;envers : touchées de l&apos;intérieur seulement, sauf si elles sont retournées</translation>
+    </message>
+    <message>
+        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
+        <translation>escalier de voxels d&apos;environ %1 × %2 × %3 mm (%4 % de l&apos;aire dans %5 directions)</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
+        <translation>lissée : sommets déplacés de %1 mm au plus, volume %2 %</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm</source>
+        <translation>lissée : sommets déplacés de %1 mm au plus</translation>
+    </message>
+    <message>
+        <source>surface &quot;smooth&quot;: curved facets are not available in this version; felt and drawn as facets</source>
+        <translation>surface « smooth » : les facettes courbes n&apos;existent pas dans cette version ; sentie et dessinée en facettes</translation>
+    </message>
+    <message>
+        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
+        <translation>%1 et %2 s&apos;approchent à %3 mm en (%4, %5, %6) sans se toucher : un point tombe dans l&apos;interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
+    </message>
+    <message>
+        <source>found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>le journal de plusieurs bases, qui nomme un autre fichier à supprimer ; Palpate n’en écrit pas, il ne vient donc pas de Palpate ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+    </message>
+    <message>
+        <source>found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>autre chose qu’un fichier, le journal d’un enregistrement était attendu ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+    </message>
+    <message>
+        <source>found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
+        <translation>une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit : un autre programme l’a modifiée</translation>
+    </message>
+    <message>
+        <source>found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
+        <translation>trouvé : %1, attendu : %2 : pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
+    </message>
+    <message>
+        <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
+        <translation>combien de fois il est plus rigide que %1 est inconnu, donc aucun verdict ; un rapport est attendu, par --ratio &quot;%2=R&quot; ou `young_ratio` dans un fichier de scène. Publié : %3</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>
@@ -3074,22 +3233,6 @@ laisse la boucle aller où il y a de la place.</translation>
 <context>
     <name>palpate::ui::FeltPanel</name>
     <message>
-        <source>Liver malignancy, 4.4 (MR elastography, PMC2894569)</source>
-        <translation>Tumeur maligne du foie, 4,4 (élastographie IRM, PMC2894569)</translation>
-    </message>
-    <message>
-        <source>Benign liver lesion, 1.2 (MR elastography, PMC2894569)</source>
-        <translation>Lésion bénigne du foie, 1,2 (élastographie IRM, PMC2894569)</translation>
-    </message>
-    <message>
-        <source>Metastasis, 5 (number chosen)</source>
-        <translation>Métastase, 5 (valeur choisie)</translation>
-    </message>
-    <message>
-        <source>Cyst, 0.05 (number chosen)</source>
-        <translation>Kyste, 0,05 (valeur choisie)</translation>
-    </message>
-    <message>
         <source>Estimate for research and rehearsal.</source>
         <translation>Estimation pour la recherche et la répétition.</translation>
     </message>
@@ -3150,10 +3293,6 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Des deux modules de Young</translation>
     </message>
     <message>
-        <source>From the tissues&apos; stiffness</source>
-        <translation>De la raideur des tissus</translation>
-    </message>
-    <message>
         <source>Young&apos;s modulus of the lump [kPa]</source>
         <translation>Module de Young du nodule [kPa]</translation>
     </message>
@@ -3204,6 +3343,18 @@ laisse la boucle aller où il y a de la place.</translation>
     <message>
         <source>No place over this lump can be judged.</source>
         <translation>Aucun endroit au-dessus de ce nodule ne peut être jugé.</translation>
+    </message>
+    <message>
+        <source>By tissues or names</source>
+        <translation>D&apos;après tissus ou noms</translation>
+    </message>
+    <message>
+        <source>As published: %1, %2</source>
+        <translation>Publié : %1, %2</translation>
+    </message>
+    <message>
+        <source>type it, or choose one that is published</source>
+        <translation>saisir, ou choisir une valeur publiée</translation>
     </message>
 </context>
 <context>
@@ -3278,6 +3429,94 @@ laisse la boucle aller où il y a de la place.</translation>
         <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
         <translation>%1&#x202f;: %2&#xa0;mm dessous, %3 (%4 … %5&#x202f;%)&#x202f;: %6</translation>
     </message>
+    <message>
+        <source>stiffness ratio not known</source>
+        <translation>rapport de rigidité inconnu</translation>
+    </message>
+    <message>
+        <source>published for such lumps</source>
+        <translation>publié pour de telles masses</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the liver</source>
+        <translation>tumeur maligne du foie</translation>
+    </message>
+    <message>
+        <source>benign tumour of the liver</source>
+        <translation>tumeur bénigne du foie</translation>
+    </message>
+    <message>
+        <source>tumour of the liver</source>
+        <translation>tumeur du foie</translation>
+    </message>
+    <message>
+        <source>fibrotic liver</source>
+        <translation>foie fibreux</translation>
+    </message>
+    <message>
+        <source>cancer of the prostate</source>
+        <translation>cancer de la prostate</translation>
+    </message>
+    <message>
+        <source>nodule of the prostate</source>
+        <translation>nodule de la prostate</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the breast</source>
+        <translation>tumeur maligne du sein</translation>
+    </message>
+    <message>
+        <source>benign tumour of the breast</source>
+        <translation>tumeur bénigne du sein</translation>
+    </message>
+    <message>
+        <source>tumour of the breast</source>
+        <translation>tumeur du sein</translation>
+    </message>
+    <message>
+        <source>malignant nodule of the thyroid</source>
+        <translation>nodule malin de la thyroïde</translation>
+    </message>
+    <message>
+        <source>benign nodule of the thyroid</source>
+        <translation>nodule bénin de la thyroïde</translation>
+    </message>
+    <message>
+        <source>nodule of the thyroid</source>
+        <translation>nodule de la thyroïde</translation>
+    </message>
+    <message>
+        <source>cancer of the pancreas</source>
+        <translation>cancer du pancréas</translation>
+    </message>
+    <message>
+        <source>benign tumour of the pancreas</source>
+        <translation>tumeur bénigne du pancréas</translation>
+    </message>
+    <message>
+        <source>tumour of the pancreas</source>
+        <translation>tumeur du pancréas</translation>
+    </message>
+    <message>
+        <source>cyst</source>
+        <translation>kyste</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>vaisseau</translation>
+    </message>
+    <message>
+        <source>%1 (at %2: %3; at %4: %5)</source>
+        <translation>%1 (à %2 : %3 ; à %4 : %5)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>%1 (at %2 times as stiff)</source>
+        <translation>%1 (%2 fois plus rigide)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FindingsModel</name>
@@ -3318,10 +3557,6 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Nom</translation>
     </message>
     <message>
-        <source>The structure that was touched</source>
-        <translation>La structure touchée</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Où</translation>
     </message>
@@ -3334,16 +3569,8 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>Force when it was marked [N]</source>
-        <translation>Force au marquage [N]</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
-    </message>
-    <message>
-        <source>Depth when it was marked [mm]</source>
-        <translation>Profondeur au marquage [mm]</translation>
     </message>
     <message>
         <source>mm</source>
@@ -3372,6 +3599,22 @@ laisse la boucle aller où il y a de la place.</translation>
     <message>
         <source>Note on %1</source>
         <translation>Note sur %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
+    <message>
+        <source>The structure that was felt, and the organ that it lies in</source>
+        <translation>La structure sentie et son organe</translation>
+    </message>
+    <message>
+        <source>Force of this structure when it was marked [N]</source>
+        <translation>Force de cette structure au marquage [N]</translation>
+    </message>
+    <message>
+        <source>Depth in this structure when it was marked [mm]</source>
+        <translation>Profondeur dans cette structure au marquage [mm]</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +4156,10 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <source>What can be felt here was cancelled.</source>
         <translation>Le calcul de ce qui se sent ici a été annulé.</translation>
     </message>
+    <message>
+        <source>How many times as stiff as %1 is %2? It is not known, so no verdict is given: type it in What can be felt (B), or choose one that is published.</source>
+        <translation>Combien de fois %2 est-il plus rigide que %1 ? Inconnu, donc aucun verdict : à saisir dans « Ce qui se sent » (B), ou choisir une valeur publiée.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
@@ -4234,10 +4481,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>appui %1&#xa0;mm, glissé hors du bord</translation>
     </message>
     <message>
-        <source>pressing with %1 of %2 N, %3 mm</source>
-        <translation>appui %1 sur %2&#xa0;N, %3&#xa0;mm</translation>
-    </message>
-    <message>
         <source>presses %1 mm</source>
         <translation>appuie de %1&#xa0;mm</translation>
     </message>
@@ -4248,6 +4491,10 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>pressing %1 of %2 mm</source>
         <translation>appui %1 sur %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>aims at %1 of %2 N, reaches %3 N, %4 mm</source>
+        <translation>vise %1 sur %2 N, atteint %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -4274,6 +4521,13 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
         <translation>%1&#x202f;: %2 instants ont été perdus à l’enregistrement, le disque étant trop lent.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged, or was changed after it was recorded: %n place(s) do not match their checksums. What was felt there is left out; &quot;palpate session verify&quot; names the first place.</source>
+        <translation>
+            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement : %n endroit ne correspond pas à sa somme de contrôle. Ce qui y fut senti est omis ; « palpate session verify » nomme le premier endroit.</numerusform>
+            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement : %n endroits ne correspondent pas à leurs sommes de contrôle. Ce qui y fut senti est omis ; « palpate session verify » nomme le premier endroit.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4514,6 +4768,34 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>through %1</source>
         <translation>à travers %1</translation>
+    </message>
+    <message>
+        <source>Turn %1 around</source>
+        <translation>Retourner %1</translation>
+    </message>
+    <message>
+        <source>Turn %1 surfaces around</source>
+        <translation>Retourner %1 surfaces</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>Lisser %1</translation>
+    </message>
+    <message>
+        <source>Smooth %1 surfaces</source>
+        <translation>Lisser %1 surfaces</translation>
+    </message>
+    <message>
+        <source>The surface is smoothed: moved by at most %1 mm</source>
+        <translation>La surface est lissée : déplacée de %1 mm au plus</translation>
+    </message>
+    <message>
+        <source>The surface is smoothed: moved by at most %1 mm, volume %2 %</source>
+        <translation>La surface est lissée : déplacée de %1 mm au plus, volume %2 %</translation>
+    </message>
+    <message>
+        <source>The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps</source>
+        <translation>La surface est un escalier de voxels de %1 × %2 × %3 mm : la main sent ses marches</translation>
     </message>
 </context>
 <context>
@@ -4778,6 +5060,82 @@ La liste des messages (F4) donne les détails.</translation>
         <source>What its map can do to the device</source>
         <translation>Ce que sa carte peut faire à l’appareil</translation>
     </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Lissée</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the hand. The file is not changed.</source>
+        <translation>Le lissage enlève les marches des voxels, d&apos;un demi-voxel au plus, pour l&apos;œil et la main. Le fichier n&apos;est pas modifié.</translation>
+    </message>
+    <message>
+        <source>Turn around</source>
+        <translation>Retourner</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by shear-wave ultrasound (Arda et al. 2011, AJR 197:532), as a fingertip of 5 mm radius feels it</source>
+        <translation>Module de Young par ultrasons à ondes de cisaillement (Arda et al. 2011, AJR 197:532), tel qu&apos;un bout de doigt de 5 mm de rayon le sent</translation>
+    </message>
+    <message>
+        <source>Kidney (5.0 kPa)</source>
+        <translation>Rein (5,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Spleen (2.9 kPa)</source>
+        <translation>Rate (2,9 kPa)</translation>
+    </message>
+    <message>
+        <source>Pancreas (4.8 kPa)</source>
+        <translation>Pancréas (4,8 kPa)</translation>
+    </message>
+    <message>
+        <source>Thyroid (11.0 kPa)</source>
+        <translation>Thyroïde (11,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Salivary gland (10.9 kPa)</source>
+        <translation>Glande salivaire (10,9 kPa)</translation>
+    </message>
+    <message>
+        <source>Muscle at rest (11.1 kPa)</source>
+        <translation>Muscle au repos (11,1 kPa)</translation>
+    </message>
+    <message>
+        <source>Tendon (51.5 kPa)</source>
+        <translation>Tendon (51,5 kPa)</translation>
+    </message>
+    <message>
+        <source>Prostate (17.0 kPa)</source>
+        <translation>Prostate (17,0 kPa)</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it</source>
+        <translation>Module de Young par indentation (Urology 2010), tel qu&apos;un bout de doigt de 5 mm de rayon le sent</translation>
+    </message>
+    <message>
+        <source>Breast (3.2 kPa)</source>
+        <translation>Sein (3,2 kPa)</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it</source>
+        <translation>Module de Young par indentation (Teixeira et al. 2023), tel qu&apos;un bout de doigt de 5 mm de rayon le sent</translation>
+    </message>
+    <message>
+        <source>Lymph node</source>
+        <translation>Ganglion</translation>
+    </message>
+    <message>
+        <source>number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by shear-wave ultrasound)</source>
+        <translation>valeur choisie sous 22 kPa, seuil de malignité des ganglions (2,71 m/s par ultrasons à ondes de cisaillement)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -4991,12 +5349,6 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Structures touchées, la plus externe d’abord, avec forces et profondeurs</translation>
     </message>
     <message>
-        <source>Each layer that is touched, the outermost first: its share of the force [N],
-and how deep the hand is in it [mm]</source>
-        <translation>Chaque couche touchée, la plus externe d’abord&#x202f;: sa part de la force [N],
-et la profondeur de la main en elle [mm]</translation>
-    </message>
-    <message>
         <source>Depth and stiffness</source>
         <translation>Profondeur et raideur</translation>
     </message>
@@ -5027,6 +5379,24 @@ et la profondeur de la main en elle [mm]</translation>
     <message>
         <source>press on a structure to feel it</source>
         <translation>appuyer sur une structure pour la sentir</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
+    <message>
+        <source>Each layer that is touched, the outermost first: its part along the force [N], which add
+up to it, and how deep the hand is in it [mm]</source>
+        <translation>Chaque couche touchée, la plus externe d&apos;abord : sa part le long de la force [N], dont
+la somme la donne, et la profondeur de la main [mm]</translation>
+    </message>
+    <message>
+        <source>over %1: %2, %3</source>
+        <translation>sur %1 : %2, %3</translation>
+    </message>
+    <message>
+        <source>over %1: %2</source>
+        <translation>sur %1 : %2</translation>
     </message>
 </context>
 <context>
