@@ -183,7 +183,7 @@ class SettingsFolder
             }
             m_own = std::make_unique<QTemporaryDir>();
             QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_own->path());
-            app::app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
+            app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
                                                  "settings; they are not kept. Remove it");
             return;
         }
@@ -223,7 +223,7 @@ bool hasDisplay()
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
     if (!hasDisplay()) {
-        app::app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
+        app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
         return app::kFailed;
     }
     useUtf8();
@@ -231,7 +231,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     if (!QOpenGLContext().create()) { // without one a widget for OpenGL crashes
-        app::app::printError("the display (" + QGuiApplication::platformName().toStdString() +
+        app::printError("the display (" + QGuiApplication::platformName().toStdString() +
                         ") has no OpenGL, expected one that has; app/run.sh draws without a display");
         return app::kFailed;
     }
