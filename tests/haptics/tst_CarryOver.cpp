@@ -44,7 +44,7 @@ Scene sceneOf(std::vector<HapticStructure> structures, double fingertip_mm = 0.0
     return std::make_unique<HapticScene>(std::move(structures), fingertip_mm);
 }
 
-geometry::TriangleMesh block(int n = 4)
+geometry::TriangleMesh gridBlock(int n = 4)
 {
     return box(Vec3(-50, -50, -40), Vec3(50, 50, 0), n);
 }
@@ -117,7 +117,7 @@ class CarryOver : public QObject
         QFETCH(const double, depth_mm);
         for (const double radius_mm : {0.0, 2.0}) {
             for (const bool isOpen : {false, true}) {
-                const auto mesh = isOpen ? sheet(50.0, 4) : block();
+                const auto mesh = isOpen ? sheet(50.0, 4) : gridBlock();
                 const Scene before = sceneOf({structure(mesh)}, radius_mm);
                 const Scene after = sceneOf({structure(transformed(mesh, map))}, radius_mm);
                 Palpator palpator;
@@ -140,8 +140,8 @@ class CarryOver : public QObject
     {
         for (const double radius_mm : {0.0, 2.0}) {
             for (const double rise_mm : {0.05, 0.5, 0.95, 1.2}) {
-                const Scene before = sceneOf({structure(block(4))}, radius_mm);
-                const Scene after = sceneOf({structure(test::moved(block(7), Vec3(0, 0, rise_mm)))}, radius_mm);
+                const Scene before = sceneOf({structure(gridBlock(4))}, radius_mm);
+                const Scene after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, rise_mm)))}, radius_mm);
                 Palpator palpator;
                 palpator.setScene(before.get());
                 press(palpator, radius_mm - 3.0);
@@ -160,8 +160,8 @@ class CarryOver : public QObject
     /// A hand that hovers just above is not swallowed either.
     void aHandAboveIsPutInFront()
     {
-        const Scene before = sceneOf({structure(block(4))}),
-                    after = sceneOf({structure(test::moved(block(7), Vec3(0, 0, 0.1)))});
+        const Scene before = sceneOf({structure(gridBlock(4))}),
+                    after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, 0.1)))});
         Palpator palpator;
         palpator.setScene(before.get());
         press(palpator, 0.05);
@@ -193,9 +193,9 @@ class CarryOver : public QObject
     /// What is new around a god-object, or was around it before, lets it out as ever.
     void whatItWasInsideOfLetsItOut()
     {
-        const Scene before = sceneOf({structure(block(4))}),
-                    after = sceneOf({structure(test::moved(block(7), Vec3(0, 0, 0.1)))});
-        const Scene other = sceneOf({structure(block(4), "another")});
+        const Scene before = sceneOf({structure(gridBlock(4))}),
+                    after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, 0.1)))});
+        const Scene other = sceneOf({structure(gridBlock(4), "another")});
         Palpator palpator;
         palpator.setScene(before.get());
         (void)palpator.step(Vec3(10, 2, -0.5), kTick_s); // begins inside
@@ -227,7 +227,7 @@ class CarryOver : public QObject
         QFETCH(const double, z);
         QFETCH(const bool, isOpen);
         QFETCH(const bool, isBack);
-        const HapticStructure touched = structure(isOpen ? sheet(50.0, 4) : block(), "touched");
+        const HapticStructure touched = structure(isOpen ? sheet(50.0, 4) : gridBlock(), "touched");
         const HapticStructure other = structure(box(Vec3(100, 0, 0), Vec3(110, 10, 10)), "other");
         for (const bool isAlone : {true, false}) { // its layer goes with it, or stays
             const Scene shown = sceneOf({other, touched});
@@ -252,7 +252,7 @@ class CarryOver : public QObject
 
     void nothingToTouchIsHiddenToo()
     {
-        const Scene scene = sceneOf({structure(block(), "block")});
+        const Scene scene = sceneOf({structure(gridBlock(), "block")});
         Palpator palpator;
         palpator.setScene(scene.get());
         press(palpator, -3.0);
@@ -268,8 +268,8 @@ class CarryOver : public QObject
 
     void oldRecordingsKeepTheirRules()
     {
-        const Scene before = sceneOf({structure(block())}),
-                    after = sceneOf({structure(test::moved(block(), Vec3(0, 0, 0.1)))});
+        const Scene before = sceneOf({structure(gridBlock())}),
+                    after = sceneOf({structure(test::moved(gridBlock(), Vec3(0, 0, 0.1)))});
         Palpator palpator;
         palpator.setScene(before.get());
         press(palpator, -3.0);
@@ -277,8 +277,6 @@ class CarryOver : public QObject
         QCOMPARE(force(palpator), 0.0);
     }
 };
-
-Q_DECLARE_METATYPE(Map)
 
 PALPATE_TEST(CarryOver)
 #include "tst_CarryOver.moc"

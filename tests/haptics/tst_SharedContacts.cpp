@@ -22,7 +22,7 @@ using haptics::Tissue;
 
 namespace {
 
-Tissue spring(double k)
+Tissue linear(double k)
 {
     Tissue tissue;
     tissue.stiffness_N_per_mm = k;
@@ -100,11 +100,11 @@ class SharedContacts : public QObject
   private Q_SLOTS:
     void atARightAngleEachAnswersAsIfAlone()
     {
-        Tissue fung = spring(0.2);
+        Tissue fung = linear(0.2);
         fung.law.kind = core::LawKind::Exponential;
         fung.law.numbers = {0.1, 0.35, 2.0};
         const auto law = haptics::ForceTable::build(fung);
-        Crease on(0.5 * std::numbers::pi, fung, spring(1.5));
+        Crease on(0.5 * std::numbers::pi, fung, linear(1.5));
         for (const double depth : {0.2, 1.0, 4.0}) {
             const Vec3 hip = Vec3(0, 0.3, 0) - depth * on.first - 3.0 * on.second;
             const TickResult t = on.at(hip);
@@ -138,7 +138,7 @@ class SharedContacts : public QObject
         QFETCH(double, ratio);
         constexpr double kDepth_mm = 3.0;
         const double angle = angle_deg * std::numbers::pi / 180.0, one = 1.0, other = ratio;
-        Crease on(angle, spring(one), spring(other));
+        Crease on(angle, linear(one), linear(other));
         const Round round(on, angle, kDepth_mm);
         QVERIFY2(round.shared > 3000, qPrintable(QString::number(round.shared)));
         const double stiffest = std::max(one, other), apart = std::abs(one - other);
@@ -155,10 +155,10 @@ class SharedContacts : public QObject
     {
         // The same tissue on both sides of a crease: as if the crease were one structure's.
         const double angle = 1.2;
-        Crease on(angle, spring(0.7), spring(0.7));
+        Crease on(angle, linear(0.7), linear(0.7));
         geometry::TriangleMesh both = slabUnder(on.first);
         append(both, slabUnder(on.second));
-        const HapticScene whole({HapticStructure{"both", indexed(both), spring(0.7), 0}});
+        const HapticScene whole({HapticStructure{"both", indexed(both), linear(0.7), 0}});
         Palpator palpator;
         palpator.setScene(&whole);
         (void)palpator.step(Vec3(0, 0.3, 50), kTick_s);
@@ -171,9 +171,9 @@ class SharedContacts : public QObject
     void aCornerOfThreeStructuresHasNoStep()
     {
         const HapticScene scene(
-            {HapticStructure{"floor", indexed(box(Vec3(-50, -50, -50), Vec3(50, 50, 0))), spring(0.1)},
-             HapticStructure{"wall", indexed(box(Vec3(-50, -50, -50), Vec3(0, 50, 50))), spring(1.0)},
-             HapticStructure{"side", indexed(box(Vec3(-50, -50, -50), Vec3(50, 0, 50))), spring(5.0)}});
+            {HapticStructure{"floor", indexed(box(Vec3(-50, -50, -50), Vec3(50, 50, 0))), linear(0.1)},
+             HapticStructure{"wall", indexed(box(Vec3(-50, -50, -50), Vec3(0, 50, 50))), linear(1.0)},
+             HapticStructure{"side", indexed(box(Vec3(-50, -50, -50), Vec3(50, 0, 50))), linear(5.0)}});
         Palpator palpator;
         palpator.setScene(&scene);
         (void)palpator.step(Vec3(1, 1, 1), kTick_s);
@@ -201,7 +201,7 @@ class SharedContacts : public QObject
 
     void dampersAndFrictionCountByTheirStructure()
     {
-        Tissue damped = spring(0.2), rough = spring(2.0);
+        Tissue damped = linear(0.2), rough = linear(2.0);
         damped.damping_Ns_per_mm = 0.004;
         rough.friction_static = rough.friction_dynamic = 0.5;
         Crease on(0.5 * std::numbers::pi, damped, rough);
@@ -221,7 +221,7 @@ class SharedContacts : public QObject
     void aBallInACreaseIsHeldByBoth()
     {
         const double angle = 0.5 * std::numbers::pi;
-        Crease on(angle, spring(0.2), spring(2.0));
+        Crease on(angle, linear(0.2), linear(2.0));
         const HapticScene ball(std::vector<HapticStructure>(on.scene.structures()), 3.0);
         on.palpator.setScene(&ball);
         on.palpator.reset();

@@ -92,7 +92,8 @@ class Panels : public QObject
         for (const QLabel* label : panel.findChildren<QLabel*>()) {
             spoken << label->accessibleName();
         }
-        QVERIFY2(spoken.contains(QStringLiteral("over tumour: +55 %, plainly felt")), qPrintable(spoken.join(QLatin1Char(0x7c))));
+        QVERIFY2(spoken.contains(QStringLiteral("over tumour: +55 %, plainly felt")),
+                 qPrintable(spoken.join(QLatin1Char(0x7c))));
         reading.lump.clear();
         reading.layers = {{QStringLiteral("liver"), {}, 2.5, 2.4, 12.4}, {QStringLiteral("lump"), {}, 3.7, 3.6, 5.8}};
         const ui::FeltStructure felt = ui::feltStructure(reading);
@@ -105,8 +106,10 @@ class Panels : public QObject
         servo::TickRecord tick;
         tick.felt.structure = 0;
         tick.felt.contactCount = 2;
-        tick.felt.contacts[0] = {{}, core::Vec3::UnitZ(), core::Vec3(0.6, 0.0, 0.8), 3.0, 1.0, 0, 0, 0, {}};
-        tick.felt.contacts[1] = {{}, core::Vec3::UnitZ(), core::Vec3(-1.0, 0.5, 4.26), 3.4, 1.0, 1, 0, 1, {}};
+        tick.felt.contacts[0] = {
+            core::Vec3::Zero(), core::Vec3::UnitZ(), core::Vec3(0.6, 0.0, 0.8), 3.0, 1.0, 0, 0, 0, {}};
+        tick.felt.contacts[1] = {
+            core::Vec3::Zero(), core::Vec3::UnitZ(), core::Vec3(-1.0, 0.5, 4.26), 3.4, 1.0, 1, 0, 1, {}};
         tick.felt.f_W = tick.felt.contacts[0].f_W + tick.felt.contacts[1].f_W;
         const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), [](std::uint32_t number) {
             return ui::LayerLook{QString::number(number), {}};
