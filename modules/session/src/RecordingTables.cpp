@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -200,6 +201,7 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
             .c_str());
     ReadMaps maps([this](const std::string& hash) { return mapBytes(hash); });
     std::size_t structures = 0;
+    std::set<std::uint32_t> wrongScenes;
     Step step = rows.step();
     for (; step == Step::Row; step = rows.step()) {
         if (++structures > kMostStructures) {
@@ -236,11 +238,15 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         } else {
             wrong = "found the law " + oneLine(rows.bytes(10)) + ", expected one of this version";
         }
+        if (wrong) {
+            wrongScenes.insert(found->generation);
+        }
         if (wrong && status.isOk()) {
             status = Status(StatusCode::BadFormat, "scene " + std::to_string(generation) + ", structure \"" +
                                                        oneLine(structure.name) + "\": " + *wrong);
         }
     }
+    std::erase_if(out, [&](const SceneRecord& scene) { return wrongScenes.contains(scene.generation); });
     return step == Step::Failed ? damaged() : status;
 }
 

@@ -45,7 +45,8 @@ class RecordingTables
     [[nodiscard]] int version() const noexcept { return m_version; }
 
     core::Status readMeta(MetaTable& out) const;
-    /// By generation. @return BadFormat, without the file's name, for numbers that no scene file may hold
+    /// By generation. @return BadFormat, without the file's name, for numbers that no scene file may hold; a scene with
+    ///         such is left out
     core::Status readScenes(std::vector<SceneRecord>& out) const;
     /// By tick; the first of each pair is the row's id. @return BadFormat, without the file's name, when a row was left
     ///         out: its values are of another type or out of range

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace palpate::session {
@@ -274,6 +275,11 @@ class Rescue
             read = m_chosen->tables.readTicks(
                 next, last,
                 [&](const servo::TickRecord& tick) {
+                    m_firstTime_ns = m_firstTime_ns.value_or(tick.time_ns);
+                    if (tick.time_ns < *m_firstTime_ns) {
+                        lose("tick " + std::to_string(tick.tick) + ": found a time before the first tick's: left out");
+                        return true;
+                    }
                     written = m_writer->append(tick);
                     copied += written.isOk() ? 1 : 0;
                     m_last = tick.tick;
@@ -351,7 +357,8 @@ class Rescue
     std::unique_ptr<Source> m_chosen;
     RecordingInfo m_info;
     std::unique_ptr<RecordingWriter> m_writer;
-    std::int64_t m_last = -1; ///< newest tick in the copy
+    std::int64_t m_last = -1;                   ///< newest tick in the copy
+    std::optional<std::int64_t> m_firstTime_ns; ///< of the copy's first tick
     Recovery m_result;
 };
 
