@@ -46,7 +46,10 @@ JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedM
         const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0, 0.0);
         m_otherScene = std::make_unique<HapticScene>(std::vector{other}, hardCase.fingertip_mm);
         m_bothScene = std::make_unique<HapticScene>(std::vector{other, surface}, hardCase.fingertip_mm);
-        m_both.setScene(m_scene.get());
+        HapticStructure hidden = other; // keeps its number, as in a program
+        hidden.surface = nullptr;
+        m_hiddenScene = std::make_unique<HapticScene>(std::vector{hidden, surface}, hardCase.fingertip_mm);
+        m_both.setScene(m_hiddenScene.get());
     }
 }
 
@@ -65,7 +68,7 @@ void JudgedProduct::switchOther()
     const bool isShown = m_tick / m_otherEvery % 2 != 0;
     m_alone.setScene(m_scene.get());
     m_other.setScene(isShown ? m_otherScene.get() : nullptr);
-    m_both.setScene(isShown ? m_bothScene.get() : m_scene.get());
+    m_both.setScene(isShown ? m_bothScene.get() : m_hiddenScene.get());
 }
 
 JudgedTick JudgedProduct::step(const Vec3& hip)

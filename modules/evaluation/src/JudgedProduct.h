@@ -40,7 +40,7 @@ class JudgedProduct
 
     std::int64_t m_otherEvery, m_tick = 0;
     double m_magnitude_mm = 0.0; ///< largest coordinate
-    std::unique_ptr<haptics::HapticScene> m_scene, m_otherScene, m_bothScene;
+    std::unique_ptr<haptics::HapticScene> m_scene, m_otherScene, m_bothScene, m_hiddenScene;
     haptics::Palpator m_alone, m_restored, m_other, m_both;
 };
 

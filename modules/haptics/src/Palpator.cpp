@@ -133,7 +133,7 @@ struct Palpator::Impl
     std::array<GodObject, kLayers> gods;
     std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null: there is room for points alone
     std::array<Numbers, kLayers> numbers;
-    std::array<LeftContact, kLayers> left; ///< by the layer that it was in
+    std::array<LeftContact, kLayers> left; ///< in any order
     bool hasLeft = false;                  ///< one of them is kept
     Vec3 p_WH = Vec3::Zero();              ///< of the last tick [mm]
     bool started = false;
@@ -180,7 +180,12 @@ void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
 {
     for (std::size_t i = 0; i < kLayers; ++i) {
         const LeftContact now = internal::contactLeft(*scene, after, gods[i].state(), p_WH);
-        left[i] = now.isKept != 0 ? now : left[i];
+        if (now.isKept != 0) {
+            // Layers move up when one is hidden, so a contact takes any free place, or that of the oldest.
+            *std::max_element(left.begin(), left.end(), [](const LeftContact& a, const LeftContact& b) {
+                return a.isKept != b.isKept ? a.isKept > b.isKept : a.age_s < b.age_s;
+            }) = now;
+        }
     }
     noteLeft();
 }
