@@ -99,7 +99,8 @@ Status death(int outcome, const std::string& file, const Budget& budget, const s
     }
     switch (WEXITSTATUS(outcome)) {
     case kNotConfined:
-        return refused(StatusCode::Internal, "the process that was to read it could not limit its own memory and time",
+        return refused(StatusCode::OutOfRange,
+                       "the process that was to read it could not limit its own memory and time",
                        "limits on this program that leave room for its own (ulimit -a lists them)");
     case kNotHandedBack:
         return refused(StatusCode::OutOfRange, "the process that read it had no room to hand the " + noun + " back",
