@@ -86,8 +86,8 @@ class ReplayRun
     std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::vector<session::StructureSource> m_sources; ///< when hashes are needed
-    std::string m_looks; ///< for a recording of surfaces that were smoothed or turned; empty: of none
-    std::vector<char> m_isFeltThrough;               ///< by structure: a lump without a surface of its own to touch
+    std::string m_looks;               ///< for a recording of surfaces that were smoothed or turned; empty: of none
+    std::vector<char> m_isFeltThrough; ///< by structure: a lump without a surface of its own to touch
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;

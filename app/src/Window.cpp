@@ -6,8 +6,8 @@
 #include "Language.h"
 #include "MainWindow.h"
 
-#include <palpate/core/VisibleText.h>
 #include <palpate/core/AtomicFile.h>
+#include <palpate/core/VisibleText.h>
 #include <palpate/ui/Theme.h>
 
 #include <QApplication>
@@ -128,7 +128,7 @@ class ScreenshotRun : public QObject
         }
         if (state.isInContact) {
             app::print("%s: %dx%d, in contact, %.2f N, %.1f mm deep\n", m_file.toUtf8().constData(), picture.width(),
-                  picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
+                       picture.height(), state.f_W.norm(), (state.p_WG - state.p_WH).norm());
         } else {
             app::print("%s: %dx%d, not in contact\n", m_file.toUtf8().constData(), picture.width(), picture.height());
         }

@@ -566,6 +566,7 @@ class ServoLoop : public QObject
             }
             TickRecord again;
             again.p_WH = row.p_WH;
+            again.v_WH = row.v_WH; // for the damper
             again.flags = row.flags;
             palpate::servo::feelTick(palpator, 1.0 / 2000.0, again);
             QVERIFY2(palpate::test::isSameTick(again, row), qPrintable(QString("tick %1").arg(row.tick)));

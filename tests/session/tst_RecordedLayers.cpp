@@ -442,6 +442,7 @@ class RecordedLayers : public QObject
     void aBadLawIsRefusedByName()
     {
         QFETCH(QString, law);
+        std::filesystem::remove(path("k.palpate")); // of the row before
         QVERIFY(write("k.palpate", {}, described()));
         QVERIFY(test::runSql(path("k.palpate"),
                              "UPDATE structures SET law = '" + law.toStdString() + "' WHERE number = 1"));

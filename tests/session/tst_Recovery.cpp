@@ -242,7 +242,10 @@ class Recovery : public QObject
         QVERIFY(RecordingReader::open(path("r.palpate")).isOk());
 
         QVERIFY(QFile::link("precious", m_folder.filePath("q.palpate-journal")));
-        QVERIFY(session::recoverRecording(path("q.palpate"), path("s.palpate")).isOk());
+        const auto refused = session::recoverRecording(path("q.palpate"), path("s.palpate"));
+        QVERIFY2(refused.status().message().find("q.palpate-journal: found something else than a file") !=
+                     std::string::npos,
+                 refused.status().message().c_str());
         QCOMPARE(bytes("precious"), QByteArray("theirs"));
         QVERIFY(QFile::remove(m_folder.filePath("q.palpate-journal")));
         QCOMPARE(scratch(), QStringList());

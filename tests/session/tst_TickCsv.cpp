@@ -180,7 +180,7 @@ class TickCsv : public QObject
     void namesAnOutputThatCannotBeWritten()
     {
         const auto csv = session::TickCsv::create("no-such-folder/t.csv");
-        QCOMPARE(csv.status().code(), core::StatusCode::Unreadable);
+        QCOMPARE(csv.status().code(), core::StatusCode::NotFound);
         QVERIFY(csv.status().message().starts_with("no-such-folder/t.csv: cannot be written"));
         const QTemporaryDir folder;
         QVERIFY(!session::TickCsv::create(folder.path().toStdString()).isOk());

@@ -66,6 +66,7 @@ class LiveSession : public QObject
     void recordsWhatItFeelsAndEachSceneOfIt()
     {
         QFETCH(bool, embeds);
+        std::filesystem::remove(path("r.palpate")); // of the row before
         const auto device = hand();
         study::LiveSession live;
         feel(live, box(0.3));

@@ -125,7 +125,9 @@ class SmoothedMasks : public QObject
     {
         PALPATE_SHARED_OR_SKIP(shared, "reports/haptics");
         const auto motion = session::readMotion(shared / "2-meridian.csv");
-        auto scene = meshio::loadScene(shared / "2-stairs-1x1x3.ply", {.isSmoothed = true});
+        meshio::ReadOptions smoothed;
+        smoothed.isSmoothed = true;
+        auto scene = meshio::loadScene(shared / "2-stairs-1x1x3.ply", smoothed);
         QVERIFY(motion.isOk() && scene.isOk());
         QVERIFY(scene.value().structures.front().staircase.has_value());
         scene.value().structures.front().description.tissue.stiffness_N_per_mm = kStiffness_N_per_mm;

@@ -6,7 +6,20 @@
 #include <palpate/ui/StructureModel.h>
 #include <palpate/view/SurfaceMesh.h>
 
+#include <QComboBox>
+
 namespace palpate::test {
+
+/// A choice of a panel by its accessible name.
+inline QComboBox* boxNamed(const QWidget& panel, const char* name)
+{
+    for (QComboBox* one : panel.findChildren<QComboBox*>()) {
+        if (one->accessibleName() == QLatin1String(name)) {
+            return one;
+        }
+    }
+    qFatal("no choice \"%s\"", name);
+}
 
 /// A row as the loader makes it, palpable and ready to touch.
 inline ui::StructureRow row(const std::string& name, const geometry::TriangleMesh& mesh)

@@ -248,7 +248,7 @@ class FeltThrough : public QObject
         StructureModel model;
         ui::StructurePanel panel(model);
         model.setRows(liverWithLump());
-        auto* felt = panel.findChildren<QComboBox*>().last();
+        auto* felt = test::boxNamed(panel, "Felt, in order from outside");
         panel.select(0);
         QCOMPARE(felt->currentText(), QStringLiteral("outermost"));
         QVERIFY(felt->findText(QStringLiteral("through"), Qt::MatchStartsWith) < 0);

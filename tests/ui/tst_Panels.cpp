@@ -369,7 +369,7 @@ class Panels : public QObject
         model.setRows(std::move(rows));
         panel.select(1);
         auto* list = panel.findChild<QTreeView*>();
-        auto* layer = panel.findChildren<QComboBox*>().last();
+        auto* layer = test::boxNamed(panel, "Felt, in order from outside");
         QCOMPARE(layer->currentText(), QStringLiteral("on its own surface, outermost"));
         QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // there is nothing farther out
         QVERIFY(!model.undoStack().canUndo());

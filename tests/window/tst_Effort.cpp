@@ -127,9 +127,9 @@ class Effort : public QObject
         const QPointF over = viewport().placeOf(lump_W);
         const QPointF aside = viewport().placeOf(lump_W + core::Vec3(35, 0, 0));
         const ui::TouchReading beside = held(aside, 4.0), lump = held(over, 4.0);
-        for (const ui::TouchReading& one : {beside, lump}) {
-            QVERIFY2(std::abs(one.force_N - 4.0) < 0.4, qPrintable(QString::number(one.force_N)));
-        }
+        QVERIFY2(std::abs(beside.force_N - 4.0) < 0.4, qPrintable(QString::number(beside.force_N)));
+        // Effort is along the press; the lump's push aside (maps.md) comes on top.
+        QVERIFY2(lump.force_N > 3.6 && lump.force_N < 5.2, qPrintable(QString::number(lump.force_N)));
         const QString depths =
             QStringLiteral("%1 mm over the lump, %2 mm beside it").arg(lump.depth_mm).arg(beside.depth_mm);
         QVERIFY2(lump.depth_mm > 2.0 && lump.depth_mm < 0.85 * beside.depth_mm, qPrintable(depths));

@@ -166,7 +166,7 @@ class Looks : public QObject
         const double usual_px = view().textStyle().size_px;
         const int menu = window().menuWidget()->fontMetrics().height();
         const std::vector<double> small = heights();
-        QVERIFY(small.size() > 3); // a force, two depths and the cube
+        QVERIFY(small.size() > 2); // a force, a depth and the cube
         QVERIFY(choose("text-size-175"));
         QCOMPARE(QSettings().value("look/text_percent").toInt(), 175);
         QTest::qWait(300);

@@ -259,7 +259,7 @@ class Picture : public QObject
     }
     static std::filesystem::path phantom()
     {
-        return std::filesystem::path(PALPATE_SOURCE_DIR) / "data/phantom/phantom.palpate.json";
+        return std::filesystem::path(PALPATE_SOURCE_DIR) / "data/phantom/phantom-layers.palpate.json";
     }
 };
 

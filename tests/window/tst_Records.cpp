@@ -165,7 +165,7 @@ class Records : public QObject
     /// Told once and truly: the recording ends, chip and button say so, the file opens and says why it ends.
     void aFullDiskEndsTheRecordingAndIsToldOnce()
     {
-        QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
+        QVERIFY(m_desk->open({phantom() / "phantom-layers.palpate.json"}));
         m_desk->pressKeyOf("record");
         QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         QTRY_VERIFY2(chip()->text().endsWith(QStringLiteral(" late, 0 lost")), qPrintable(chip()->text()));
