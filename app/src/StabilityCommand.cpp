@@ -132,6 +132,8 @@ int runStability(const StabilityOptions& options)
     }
     printResult(result);
     if (scene != nullptr) {
+        print("the scene itself has %.3g N/mm where it is stiffest; all its tissues are scaled together\n",
+              shapes.front().own_N_per_mm);
         for (const std::string& line : stability::mapWarnings(*scene, how)) {
             print("%s\n", line.c_str());
         }

@@ -441,6 +441,26 @@ class Stability : public QObject
         QVERIFY(restlessness_mm(each, 0.8 * held, setup) > kLimitCycle_mm);
     }
 
+    /// A scene's tissues are scaled together: a soft one stays as much softer as it is.
+    void aSceneKeepsTheProportionsOfItsStiffnesses()
+    {
+        using palpate::core::Vec3;
+        std::vector<palpate::haptics::HapticStructure> structures(3, touchedShapes().front().structures.front());
+        structures[0].tissue.stiffness_N_per_mm = 0.2;
+        structures[1].tissue.stiffness_N_per_mm = 2.0;
+        structures[1].layer = 1;
+        structures[2].tissue.stiffness_N_per_mm = 8.0; // not felt
+        structures[2].surface = nullptr;
+        const Shape shape = shapeOf("unequal", palpate::haptics::HapticScene(structures));
+        QCOMPARE(shape.own_N_per_mm, 2.0);
+        QCOMPARE(shape.share[0], 0.1);
+        QCOMPARE(shape.share[1], 1.0);
+        // Both layers push where the one lies on the other: the two together are what the wall alone is.
+        const Setup setup = setupOf(*findDevicePreset("touch"));
+        const double wall = largestStiffness(touchedShapes().front(), setup), both = largestStiffness(shape, setup);
+        QVERIFY2(std::abs(1.1 * both / wall - 1.0) < 0.1, qPrintable(QString("%1 and %2 N/mm").arg(both).arg(wall)));
+    }
+
     void theControllerLeavesSoftTissueAlone()
     {
         for (const DevicePreset& preset : devicePresets()) {

@@ -6,6 +6,7 @@
 
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/haptics/ForceTable.h>
 #include <palpate/haptics/Palpator.h>
 
 #include <algorithm>
@@ -200,8 +201,17 @@ Shape shapeOf(std::string name, const haptics::HapticScene& scene)
     Shape shape;
     shape.name = std::move(name);
     shape.structures = scene.structures();
+    double& stiffest_N_per_mm = shape.own_N_per_mm;
     for (const haptics::HapticStructure& one : shape.structures) {
-        shape.share.push_back(1.0 / stiffening(one.maps)); // layers that are met together are then stiffer still
+        if (one.surface != nullptr) {
+            stiffest_N_per_mm =
+                std::max(stiffest_N_per_mm, haptics::greatestStiffness(one.tissue) * stiffening(one.maps));
+        }
+    }
+    for (const haptics::HapticStructure& one : shape.structures) {
+        // Layers that are met together are stiffer still.
+        shape.share.push_back(stiffest_N_per_mm > 0.0 ? haptics::greatestStiffness(one.tissue) / stiffest_N_per_mm
+                                                      : 1.0);
         for (const std::uint32_t triangle : pressedTriangles(one)) {
             const Corners at = corners(*one.surface, triangle);
             const Hold hold{(at[0] + at[1] + at[2]) / 3.0, -(at[1] - at[0]).cross(at[2] - at[0]).normalized(),

@@ -40,13 +40,15 @@ struct Shape
     std::vector<haptics::HapticStructure> structures; ///< stiffness, damping and law are replaced
     std::vector<double> share; ///< of the stiffness that a hand meets in all, for each structure: layers add up
     std::vector<Hold> holds;
+    double own_N_per_mm = 0.0; ///< stiffness of a scene as it is, where it is stiffest; 0: not a scene
 };
 
 /// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
 /// layers that share the stiffness, a wall whose map steps by 2 : 1 over 10 mm, a wall with friction.
 [[nodiscard]] std::vector<Shape> standardShapes();
-/// A scene as a shape: every palpable structure equally stiff where it is stiffest, in whatever layer, held at a few
-/// triangles of each, and where its maps say most and change most.
+/// A scene as a shape: its tissues as stiff in proportion to each other as they are, scaled together; the stiffness of
+/// the whole is that of the stiffest place of the stiffest one. It is held at a few triangles of each structure, and
+/// where its maps say most and change most. Of a law its greatest slope counts.
 [[nodiscard]] Shape shapeOf(std::string name, const haptics::HapticScene& scene);
 
 /// Device, loop and tissue of one trial.
