@@ -4,6 +4,7 @@
 
 #include <palpate/evaluation/Report.h>
 #include <palpate/evaluation/Shapes.h>
+#include <palpate/haptics/Palpator.h>
 
 #include <QFile>
 #include <QJsonArray>
@@ -14,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <tuple>
 
 using namespace palpate;
 using namespace palpate::evaluation;
@@ -51,6 +54,25 @@ meshio::LoadedScene layeredScene()
     scene.structures.push_back(structure("soft", shapes::box({-20, -20, -20}, {20, 20, 20}, 2), 0.2, 0));
     scene.structures.push_back(structure("beside", shapes::box({30, -20, -20}, {50, 20, 20}, 2), 0.3, 0));
     scene.structures.push_back(structure("lump", shapes::box({-5, -5, 8}, {5, 5, 18}, 2), 0.6, 7));
+    return scene;
+}
+
+/// A soft floor and a stiff wall in one layer, which meet along x = z = 0.
+meshio::LoadedScene floorAndWall(double lean_deg)
+{
+    geometry::TriangleMesh wall = shapes::box({-40, -30, -40}, {0, 30, 40});
+    const Eigen::AngleAxisd lean(-lean_deg * std::numbers::pi / 180.0, Vec3::UnitY());
+    for (Vec3& v : wall.vertices) {
+        v = lean * v;
+    }
+    meshio::LoadedScene scene;
+    for (const auto& [name, mesh, stiffness] :
+         {std::tuple("floor", shapes::box({-60, -40, -30}, {60, 40, 0}), 0.2), std::tuple("wall", wall, 2.0)}) {
+        meshio::LoadedStructure& one = scene.structures.emplace_back();
+        one.description.name = name;
+        one.description.tissue.stiffness_N_per_mm = stiffness;
+        one.surface = std::make_shared<geometry::RepairedMesh>(geometry::repair(mesh));
+    }
     return scene;
 }
 
@@ -275,13 +297,61 @@ class Report : public QObject
         }
     }
 
+    /// Each structure pushes with its own stiffness, also where errors are told from the truth.
+    void unequalStructuresAnswerAsTheEngineDoes_data()
+    {
+        QTest::addColumn<double>("lean_deg"); // of the wall, away from the floor
+        for (const double lean : {-50.0, 0.0, 40.0}) {
+            QTest::addRow("%g degrees", lean) << lean;
+        }
+    }
+    void unequalStructuresAnswerAsTheEngineDoes()
+    {
+        QFETCH(double, lean_deg);
+        const auto subject = subjectOf("floor and wall", floorAndWall(lean_deg));
+        const SubjectLayer& layer = subject->layers[0];
+        palpate::haptics::Palpator palpator;
+        palpator.setScene(subject->scene.get());
+        HandMotion motion{"into the wall", {}};
+        std::size_t shared = 0;
+        double apart_N = 0.0;
+        for (int i = 0; i <= 800; ++i) {
+            const double x = 4.0 - 0.02 * i;
+            motion.p_WH.emplace_back(x, 0.7, i < 60 ? 1.0 - 0.1 * i : -5.0);
+            const auto tick = palpator.step(motion.p_WH.back(), 1e-3);
+            const Vec3 spring = tick.p_WG - motion.p_WH.back();
+            if (tick.constraints > 0) {
+                apart_N = std::max(apart_N, (layer.springsAt(tick.p_WG, spring).force(spring) - tick.f_W).norm());
+                shared += tick.contactCount > 1 ? 1 : 0;
+            }
+        }
+        QVERIFY(shared > 100);
+        QVERIFY2(apart_N < 1e-6, qPrintable(QString::number(apart_N)));
+        if (lean_deg == 0.0) {
+            const Vec3 spring(0.09, 0.0, 5.0);
+            const Vec3 both = layer.springsAt(Vec3(0, 0.7, 0), spring).force(spring);
+            QVERIFY((both - Vec3(0.18, 0.0, 1.0)).norm() < 1e-9);
+        }
+        EvaluateOptions options;
+        options.isQuick = true;
+        options.seconds = kLong_s;
+        options.withHardCases = options.withLaidMotions = false;
+        const Evaluation e = evaluate({subject}, {motion}, options);
+        const auto product = std::find_if(e.trials.begin(), e.trials.end(), [](const Trial& t) {
+            return t.solver == "Palpate" && t.knob == Knob::Solver;
+        });
+        QVERIFY(product != e.trials.end());
+        QVERIFY2(product->force_N.max <= 1e-6, qPrintable(QString::number(product->force_N.max)));
+    }
+
     void layersAreFeltTogether()
     {
         const auto subject = subjectOf("layers", layeredScene());
         QCOMPARE(subject->layers.size(), std::size_t(2));
-        QCOMPARE(subject->layers[0].stiffnessAt(Vec3(3, 3, 20)), 0.2);
-        QCOMPARE(subject->layers[0].stiffnessAt(Vec3(40, 3, 20)), 0.3);
-        QCOMPARE(subject->layers[1].stiffnessAt(Vec3(0, 0, 18)), 0.6);
+        const Vec3 up = Vec3::UnitZ();
+        QCOMPARE(subject->layers[0].springsAt(Vec3(3, 3, 20), up).force(up), Vec3(0.2 * up));
+        QCOMPARE(subject->layers[0].springsAt(Vec3(40, 3, 20), up).force(up), Vec3(0.3 * up));
+        QCOMPARE(subject->layers[1].springsAt(Vec3(0, 0, 18), up).force(up), Vec3(0.6 * up));
         HandMotion press{"press", {}};
         for (int i = 0; i <= 400; ++i) {
             press.p_WH.emplace_back(1.0, 0.5, 22.0 - 0.02 * i); // to 14: 6 mm into the cube, 4 mm into the lump

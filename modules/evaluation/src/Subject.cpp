@@ -76,37 +76,35 @@ std::shared_ptr<const Subject> make(std::string name, std::vector<Part> parts)
 
 } // namespace
 
-double SubjectLayer::stiffest() const
+ContactSprings SubjectLayer::springsAt(const Vec3& p_WG, const Vec3& spring_mm, double fingertip_mm) const
 {
-    double result = 0.0;
-    for (const SubjectStructure& structure : structures) {
-        result = std::max(result, structure.stiffness_N_per_mm);
-    }
-    return result;
-}
-
-double SubjectLayer::stiffnessAt(const Vec3& p_WG, double fingertip_mm) const
-{
-    const auto differs = [this](const SubjectStructure& s) {
-        return s.stiffness_N_per_mm != structures.front().stiffness_N_per_mm;
+    const auto softer = [](const SubjectStructure& a, const SubjectStructure& b) {
+        return a.stiffness_N_per_mm < b.stiffness_N_per_mm;
     };
-    if (std::none_of(structures.begin(), structures.end(), differs)) {
-        return structures.front().stiffness_N_per_mm;
+    const auto [softest, stiffest] = std::minmax_element(structures.begin(), structures.end(), softer);
+    if (spring_mm.isZero(0.0) || !softer(*softest, *stiffest)) {
+        return ContactSprings(stiffest->stiffness_N_per_mm);
     }
     const double reach = fingertip_mm + std::min(kTouch_mm, kTouchShare * surface.bounds().sizes().maxCoeff());
     std::vector<std::uint32_t> near;
     surface.appendNear(Box(p_WG.array() - reach, p_WG.array() + reach), near);
-    double result = 0.0;
+    std::vector<SpringPlane> touched;
     for (const std::uint32_t t : near) {
-        const Vec3 nearest =
-            closestPoint<double>(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2), p_WG);
-        if ((nearest - p_WG).norm() <= reach) {
-            const auto after = std::upper_bound(structures.begin(), structures.end(), t,
-                                                [](auto i, const auto& s) { return i < s.firstTriangle; });
-            result = std::max(result, std::prev(after)->stiffness_N_per_mm);
+        const Vec3 &a = surface.corner(t, 0), &b = surface.corner(t, 1), &c = surface.corner(t, 2);
+        const Vec3 away = p_WG - closestPoint<double>(a, b, c, p_WG);
+        if (away.norm() > reach) {
+            continue;
         }
+        const auto after = std::upper_bound(structures.begin(), structures.end(), t,
+                                            [](auto i, const auto& s) { return i < s.firstTriangle; });
+        const SubjectStructure& of = *std::prev(after);
+        Vec3 n = fingertip_mm > 0.0 ? away.normalized() : (b - a).cross(c - a).normalized();
+        if (surface.isTwoSided(t) && n.dot(spring_mm) < 0.0) {
+            n = -n;
+        }
+        touched.push_back({n, of.stiffness_N_per_mm, static_cast<std::size_t>(&of - structures.data())});
     }
-    return result > 0.0 ? result : stiffest();
+    return touched.empty() ? ContactSprings(stiffest->stiffness_N_per_mm) : ContactSprings(touched, spring_mm);
 }
 
 std::size_t Subject::triangleCount() const

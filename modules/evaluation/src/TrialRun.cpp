@@ -93,11 +93,11 @@ Truth truthOf(const Subject& subject, const HandMotion& motion, std::size_t stri
         for (std::size_t l = 0; l < exact.size(); ++l) {
             const SubjectLayer& layer = subject.layers[l];
             const bool touches = steps[l].spring_mm.norm() > kContact_mm;
-            const double k = touches ? layer.stiffnessAt(steps[l].p_WG, fingertip_mm) : layer.stiffest();
+            const Vec3 spring_mm = touches ? steps[l].spring_mm : Vec3::Zero();
+            truth.layers[l].answer.push_back(layer.springsAt(steps[l].p_WG, spring_mm, fingertip_mm));
             truth.layers[l].p_WG.push_back(steps[l].p_WG);
             truth.layers[l].spring_mm.push_back(steps[l].spring_mm);
-            truth.layers[l].stiffness_N_per_mm.push_back(k);
-            f_W += k * steps[l].spring_mm;
+            f_W += truth.layers[l].answer.back().force(steps[l].spring_mm);
             isTouching = isTouching || touches;
         }
         truth.f_W.push_back(f_W);
@@ -192,14 +192,14 @@ TrialRun::Errors TrialRun::errorsAt(const Truth& truth, std::size_t index) const
     Vec3 f_W = Vec3::Zero();
     for (std::size_t l = 0; l < m_steps.size(); ++l) {
         const LayerTruth& layer = truth.layers[l];
-        const double k = layer.stiffness_N_per_mm[index];
+        const ContactSprings& answer = layer.answer[index];
         const bool touches = m_steps[l].spring_mm.norm() > kContact_mm;
         errors.isTouching = errors.isTouching || touches;
         if (touches || layer.spring_mm[index].norm() > kContact_mm) {
             errors.position_mm = std::max(errors.position_mm, (m_steps[l].p_WG - layer.p_WG[index]).norm());
-            stiffest = std::max(stiffest, k);
+            stiffest = std::max(stiffest, answer.stiffest_N_per_mm());
         }
-        f_W += k * m_steps[l].spring_mm;
+        f_W += answer.force(m_steps[l].spring_mm); // of the same planes: a seam by rounding is no error
     }
     const Vec3& exact = truth.f_W[index];
     const double exact_N = exact.norm(), length_N = f_W.norm(), least_N = kLeastShare * truth.largest_N;

@@ -12,9 +12,9 @@ namespace palpate::evaluation {
 /// What the exact solver says of one layer, tick by tick.
 struct LayerTruth
 {
-    std::vector<Vec3> p_WG;                 ///< [mm]
-    std::vector<Vec3> spring_mm;            ///< zero in free space
-    std::vector<double> stiffness_N_per_mm; ///< of the tissue touched; in free space the layer's stiffest
+    std::vector<Vec3> p_WG;             ///< [mm]
+    std::vector<Vec3> spring_mm;        ///< zero in free space
+    std::vector<ContactSprings> answer; ///< of the tissue touched; in free space the layer's stiffest
 };
 
 /// What the exact solver says of a motion that it is given at one rate.
@@ -22,7 +22,7 @@ struct Truth
 {
     std::size_t stride = 1; ///< base samples of a tick: 4 at 1 kHz
     std::vector<LayerTruth> layers;
-    std::vector<Vec3> f_W;        ///< the layers' springs in parallel; zero in free space [N]
+    std::vector<Vec3> f_W;        ///< the layers' answers together; zero in free space [N]
     std::vector<char> isTouching; ///< any layer
     Percentiles time_us;          ///< a tick
     std::size_t ticks = 0;        ///< computed; fewer than the motion has when time was up

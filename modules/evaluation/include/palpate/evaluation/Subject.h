@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/evaluation/ContactSprings.h"
 #include "palpate/evaluation/Surface.h"
 
 #include <palpate/haptics/HapticScene.h>
@@ -28,10 +29,10 @@ struct SubjectLayer
     Surface surface;
     std::vector<SubjectStructure> structures;
 
-    /// @return stiffness of the tissue that a god-object at `p_WG` touches: the stiffest of those it is at. [N/mm]
+    /// @return what the tissues that a god-object at `p_WG` touches answer with; in free space the stiffest of all
+    /// @param spring_mm  from the HIP to the god-object
     /// @param fingertip_mm  radius of the ball around it; 0 is a point
-    [[nodiscard]] double stiffnessAt(const Vec3& p_WG, double fingertip_mm = 0.0) const;
-    [[nodiscard]] double stiffest() const;
+    [[nodiscard]] ContactSprings springsAt(const Vec3& p_WG, const Vec3& spring_mm, double fingertip_mm = 0.0) const;
 };
 
 /// What is touched in an evaluation: the palpable structures of a scene in their layers, outermost first.
