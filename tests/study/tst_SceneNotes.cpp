@@ -11,12 +11,13 @@ using core::Vec3;
 namespace {
 
 void add(meshio::LoadedScene& scene, const std::string& name, const geometry::TriangleMesh& mesh,
-         std::uint32_t layer = 0, bool palpable = true)
+         std::uint32_t layer = 0, bool palpable = true, double stiffness_N_per_mm = 0.5)
 {
     meshio::LoadedStructure& one = scene.structures.emplace_back();
     one.description.name = name;
     one.description.layer = layer;
     one.description.palpable = palpable;
+    one.description.tissue.stiffness_N_per_mm = stiffness_N_per_mm;
     one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
     scene.scene.structures.push_back(one.description);
 }
@@ -53,6 +54,47 @@ class SceneNotes : public QObject
         add(scene, "deeper", test::box(Vec3(0, 10.1, 0), Vec3(10, 20, 10), 3), 1);
         add(scene, "not felt", test::box(Vec3(0, 0, 10.1), Vec3(10, 10, 20), 3), 0, false);
         QVERIFY(notesOf(scene).empty());
+    }
+
+    void namesASeamWhereTheForceSteps()
+    {
+        meshio::LoadedScene scene;
+        const double soft = 0.1;
+        add(scene, "liver", test::box(Vec3::Zero(), Vec3(10, 10, 10), 3), 0, true, soft);
+        add(scene, "tumour", test::box(Vec3(10, 0, 0), Vec3(20, 10, 10), 3), 0, true, 8.0 * soft);
+        add(scene, "fat", test::box(Vec3(0, -10, 0), Vec3(9, 0, 10), 3), 0, true, 2.0 * soft); // no more than twice
+        add(scene, "bone", test::box(Vec3(0, 10, 0), Vec3(10, 20, 10), 3), 1, true, 20.0 * soft);
+        add(scene, "far", test::box(Vec3(0, 0, 11), Vec3(10, 10, 20), 3), 0, true, 20.0 * soft);
+        QCOMPARE(notesOf(scene), std::vector<std::string>{"liver and tumour touch in one layer and differ 8-fold in "
+                                                          "stiffness: the force steps at the seam"});
+        scene.structures[1].description.tissue.stiffness_N_per_mm = 2.0 * soft;
+        QVERIFY(notesOf(scene).empty());
+    }
+
+    /// What a light press meets counts, and not the number in the file.
+    void comparesLawsAtALightPress()
+    {
+        meshio::LoadedScene scene;
+        add(scene, "liver", test::box(Vec3::Zero(), Vec3(10, 10, 10), 3));
+        add(scene, "bone", test::box(Vec3(10, 0, 0), Vec3(20, 10, 10), 3));
+        QVERIFY(notesOf(scene).empty());
+        core::Tissue& tissue = scene.structures[0].description.tissue;
+        tissue.law.kind = core::LawKind::Points;
+        tissue.law.points = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 4.0}}; // 0.05 N/mm where the bone has 0.5
+        const auto notes = notesOf(scene);
+        QCOMPARE(notes.size(), std::size_t{1});
+        QVERIFY2(notes[0].find("differ 10-fold") != std::string::npos, notes[0].c_str());
+    }
+
+    /// A lump that reaches out of its organ has a border, too.
+    void namesTheSeamAroundALumpThatReachesOut()
+    {
+        meshio::LoadedScene scene;
+        add(scene, "liver", test::sphere(20, 40.0));
+        add(scene, "lump", test::moved(test::sphere(8, 10.0), Vec3(0, 0, 31)), 0, true, 2.0);
+        const auto notes = notesOf(scene);
+        QCOMPARE(notes.size(), std::size_t{2});
+        QVERIFY2(notes[1].starts_with("liver and lump touch in one layer and differ 4-fold"), notes[1].c_str());
     }
 
     void namesALumpInItsOrgansLayer()

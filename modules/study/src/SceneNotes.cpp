@@ -2,7 +2,9 @@
 #include "palpate/study/SceneNotes.h"
 
 #include <palpate/core/Parallel.h>
+#include <palpate/haptics/ForceTable.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -46,6 +48,49 @@ std::string gapSentence(const std::string& a, const std::string& b, const geomet
     return a + " and " + b + " come " + text.data();
 }
 
+/// Two structures of one layer whose border may be felt.
+struct Border
+{
+    std::size_t a, b;
+    bool isNested; ///< one lies in the other: a gap between them is not reached
+    double ratio;  ///< of the stiffer one's stiffness to the other's, at least 1
+    bool isSeam() const { return ratio > kFeltSeam; }
+};
+
+double ratioOf(double a, double b)
+{
+    return std::min(a, b) > 0.0 ? std::max(a, b) / std::min(a, b) : 1.0;
+}
+
+std::vector<Border> bordersOf(std::span<const NeighbourSurface> surfaces, const Layering& found)
+{
+    std::vector<Border> borders;
+    for (std::size_t a = 0; a < surfaces.size(); ++a) {
+        for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
+            const NeighbourSurface &one = surfaces[a], &other = surfaces[b];
+            if (one.index == nullptr || other.index == nullptr || one.layer != other.layer ||
+                isSameSurface(found, a, b)) {
+                continue;
+            }
+            const Border border{a, b, liesIn(found, a, b) || liesIn(found, b, a),
+                                ratioOf(one.stiffness_N_per_mm, other.stiffness_N_per_mm)};
+            if ((!border.isNested || border.isSeam()) &&
+                one.index->bounds().squaredExteriorDistance(other.index->bounds()) <= kNarrowGap_mm * kNarrowGap_mm) {
+                borders.push_back(border);
+            }
+        }
+    }
+    return borders;
+}
+
+std::string seamSentence(const std::string& a, const std::string& b, const Border& border)
+{
+    std::array<char, 120> text{};
+    std::snprintf(text.data(), text.size(),
+                  " touch in one layer and differ %.2g-fold in stiffness: the force steps at the seam", border.ratio);
+    return a + " and " + b + text.data();
+}
+
 } // namespace
 
 std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
@@ -53,45 +98,45 @@ std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene, const
     std::vector<NeighbourSurface> out;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::LoadedStructure& one = scene.structures[i];
-        out.push_back(
-            {one.description.name, one.description.layer, one.surface.get(), felt.structures()[i].surface.get()});
+        out.push_back({one.description.name, one.description.layer, one.surface.get(),
+                       felt.structures()[i].surface.get(), pressStiffness(one.description.tissue)});
     }
     return out;
 }
 
-std::vector<std::string> gapNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
+double pressStiffness(const core::Tissue& tissue)
 {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t a = 0; a < surfaces.size(); ++a) {
-        for (std::size_t b = a + 1; b < surfaces.size(); ++b) {
-            if (surfaces[a].index == nullptr || surfaces[b].index == nullptr ||
-                surfaces[a].layer != surfaces[b].layer || isSameSurface(found, a, b) || liesIn(found, a, b) ||
-                liesIn(found, b, a)) {
-                continue;
-            }
-            const geometry::Box &one = surfaces[a].index->bounds(), &other = surfaces[b].index->bounds();
-            if (one.squaredExteriorDistance(other) <= kNarrowGap_mm * kNarrowGap_mm) {
-                pairs.emplace_back(a, b);
-            }
-        }
-    }
-    std::vector<std::optional<geometry::SurfaceGap>> gaps(pairs.size());
-    core::parallelFor(pairs.size(), [&](std::size_t i, unsigned /*thread*/) {
-        gaps[i] = geometry::nearestWithin(*surfaces[pairs[i].first].index, *surfaces[pairs[i].second].index,
-                                          kNarrowGap_mm, kTouching_mm);
+    constexpr double kPress_mm = 2.0;
+    const auto table = haptics::ForceTable::build(tissue);
+    return table == nullptr ? tissue.stiffness_N_per_mm : table->force(kPress_mm) / kPress_mm;
+}
+
+std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
+{
+    const std::vector<Border> borders = bordersOf(surfaces, found);
+    std::vector<std::optional<geometry::SurfaceGap>> gaps(borders.size());
+    core::parallelFor(borders.size(), [&](std::size_t i, unsigned /*thread*/) {
+        gaps[i] = geometry::nearestWithin(*surfaces[borders[i].a].index, *surfaces[borders[i].b].index, kNarrowGap_mm,
+                                          kTouching_mm);
     });
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (gaps[i] && gaps[i]->distance_mm > kTouching_mm) {
-            lines.push_back(gapSentence(surfaces[pairs[i].first].name, surfaces[pairs[i].second].name, *gaps[i]));
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+        const Border& border = borders[i];
+        const std::string &a = surfaces[border.a].name, &b = surfaces[border.b].name;
+        if (gaps[i] && gaps[i]->distance_mm <= kTouching_mm) {
+            if (border.isSeam()) {
+                lines.push_back(seamSentence(a, b, border));
+            }
+        } else if (gaps[i] && !border.isNested) {
+            lines.push_back(gapSentence(a, b, *gaps[i]));
         }
     }
     return lines;
 }
 
-std::vector<std::string> gapNotes(std::span<const NeighbourSurface> surfaces)
+std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces)
 {
-    return gapNotes(surfaces, layeringOf(surfaces));
+    return borderNotes(surfaces, layeringOf(surfaces));
 }
 
 std::vector<std::string> unfeltLumpNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
@@ -118,7 +163,7 @@ std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene, const 
     const std::vector<NeighbourSurface> surfaces = neighbours(scene, felt);
     const Layering found = layeringOf(surfaces);
     std::vector<std::string> lines = unfeltLumpNotes(surfaces, found);
-    for (std::string& line : gapNotes(surfaces, found)) {
+    for (std::string& line : borderNotes(surfaces, found)) {
         lines.push_back(std::move(line));
     }
     return lines;

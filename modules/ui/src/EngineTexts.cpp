@@ -253,6 +253,9 @@ constexpr Template kTemplates[] = {
                        "%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into "
                        "the gap, a fingertip of 0.5 mm or more rides over it"),
      0b0, Holds::Names},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine",
+                       "%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam"),
+     0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "no SPACE tag: coordinates taken as LPS"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 more file"), 0b0, Holds::Names},
     {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 and %2 more files"), 0b0, Holds::Names},

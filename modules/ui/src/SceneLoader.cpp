@@ -394,11 +394,11 @@ void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
         kept->indices.push_back(counts ? row.touch : nullptr);
         kept->neighbours.push_back({readableName(row.loaded.description.name).toStdString(),
                                     row.loaded.description.layer, kept->surfaces.back().get(),
-                                    kept->indices.back().get()});
+                                    kept->indices.back().get(), study::pressStiffness(row.loaded.description.tissue)});
     }
     m_builders.start([this, kept, scene = m_scene] {
         QStringList lines;
-        for (const std::string& line : study::gapNotes(kept->neighbours)) {
+        for (const std::string& line : study::borderNotes(kept->neighbours)) {
             lines << engineText(line);
         }
         QMetaObject::invokeMethod(

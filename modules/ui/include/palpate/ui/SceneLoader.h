@@ -71,7 +71,8 @@ class SceneLoader : public QObject
     /// Makes a structure's surface anew, as its description says, and all that is built from it.
     /// @param structure  with the surface that was read
     void buildSurface(int row, const meshio::LoadedStructure& structure);
-    /// Looks for structures that come close to each other without touching (study::gapNotes); `notesFound` follows.
+    /// Looks for structures that come close to each other without touching, or touch and differ in stiffness
+    /// (study::borderNotes); `notesFound` follows.
     void findGaps(const std::vector<StructureRow>& rows);
     /// Finds what varies over a structure: reads and samples its volumes. Where that is cancelled, `mapsBuilt` follows
     /// with a line that says so, and without the volumes' maps.
