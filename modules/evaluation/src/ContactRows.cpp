@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases of contacts: edges, corners, grooves and thin walls.
+// Hard cases of contacts: edges, corners, grooves, thin walls and unequal tissues.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -203,6 +204,72 @@ void addExactWays(std::vector<HardCase>& rows)
                            .to({14, 14, 14}, 0.5)));
 }
 
+/// A box below the plane through the origin with this normal, which lies in the plane of x and z.
+TriangleMesh slabBelow(const Vec3& n)
+{
+    TriangleMesh slab = shapes::box({-60, -30, -40}, {60, 30, 0});
+    const Vec3 along(n.z(), 0.0, -n.x());
+    for (Vec3& v : slab.vertices) {
+        v = v.x() * along + v.y() * Vec3::UnitY() + v.z() * n;
+    }
+    return slab;
+}
+
+/// The crease between two structures of different stiffness, opened by so many degrees, and a path into it along one
+/// of them, around it and out along the other. resources/docs/god-object.md, "Several structures in one contact", has
+/// the bounds: with theta the angle between the normals, the force changes by k_max or, below 90 degrees, by k1 + (k2 -
+/// k1) / sin theta by the hand's way. Below 90 degrees the path makes or takes (k2 - k1) / tan theta times the area
+/// that it encloses behind both planes, which is less than all it encloses; else nothing.
+HardCase unequalCrease(double opening_deg, double stiffness_N_per_mm, bool isBack)
+{
+    constexpr double kOwn_N_per_mm = 0.5, kDepth_mm = 5.0, kStep_mm = 0.05;
+    const double theta = (180.0 - opening_deg) * std::numbers::pi / 180.0;
+    const auto direction = [](double angle) { return Vec3(std::sin(angle), 0.0, std::cos(angle)); };
+    const Vec3 above(0.0, 0.7, 0.0);
+    // A ball of 4 mm starts in front of both as well.
+    const Vec3 start = above + 8.0 / std::sin(opening_deg * std::numbers::pi / 360.0) * Vec3::UnitZ();
+    std::vector<Vec3> corners;
+    for (int i = 0; i <= 8; ++i) {
+        corners.push_back(above - kDepth_mm * direction((i / 8.0 - 0.5) * theta));
+    }
+    if (isBack) {
+        std::reverse(corners.begin(), corners.end());
+    }
+    HandPath path(start);
+    double area_mm2 = 0.0;
+    Vec3 last = start;
+    corners.push_back(start);
+    for (const Vec3& corner : corners) {
+        path.to(corner, kStep_mm);
+        area_mm2 += 0.5 * (last - start).cross(corner - start).norm();
+        last = corner;
+    }
+    HardCase crease = row(
+        formatted("crease of %g degrees between 0.5 and %g N/mm%s", opening_deg, stiffness_N_per_mm,
+                  isBack ? ", back" : ""),
+        [=] { return slabBelow(direction(-0.5 * theta)); }, path);
+    crease.beside = [=] { return slabBelow(direction(0.5 * theta)); };
+    crease.besideStiffness_N_per_mm = stiffness_N_per_mm;
+    const double most = std::max(kOwn_N_per_mm, stiffness_N_per_mm),
+                 more = std::abs(stiffness_N_per_mm - kOwn_N_per_mm);
+    const bool isWide = opening_deg > 90.0;
+    crease.mostSlope_N_per_mm = isWide ? most - more + more / std::sin(theta) : most;
+    // Where the force bends, the mean over a tick misses up to an eighth of the slope times the step's square; the path
+    // passes such places less than eight times.
+    crease.mostWork_mJ = most * kStep_mm * kStep_mm + (isWide ? more / std::tan(theta) * area_mm2 : 0.0);
+    return crease;
+}
+
+void addUnequalCreases(std::vector<HardCase>& rows)
+{
+    for (const double opening_deg : {20.0, 60.0, 90.0, 120.0, 150.0}) {
+        for (const double stiffness_N_per_mm : {0.05, 5.0}) {
+            rows.push_back(unequalCrease(opening_deg, stiffness_N_per_mm, false));
+            rows.push_back(unequalCrease(opening_deg, stiffness_N_per_mm, true));
+        }
+    }
+}
+
 /// Some of them again, with friction.
 void addRough(std::vector<HardCase>& rows)
 {
@@ -238,6 +305,7 @@ void addContactRows(std::vector<HardCase>& rows)
     addPockets(rows);
     addPlates(rows);
     addExactWays(rows);
+    addUnequalCreases(rows);
     addRough(rows);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace palpate::evaluation {
 
@@ -50,8 +51,10 @@ class Run
     Run(const HardCase& hardCase, const geometry::TriangleMesh& mesh, std::function<Vec3(const Vec3&)> map)
         : m_case(hardCase)
         , m_map(std::move(map))
-        , m_surface(geometry::repair(mesh))
-        , m_product(hardCase, m_surface.repaired())
+        , m_mesh(geometry::repair(mesh))
+        , m_beside(hardCase.beside ? std::optional(geometry::repair(hardCase.beside())) : std::nullopt)
+        , m_surface(m_beside ? merged({&m_mesh, &*m_beside}) : m_mesh)
+        , m_product(hardCase, m_mesh, m_beside ? &*m_beside : nullptr)
         , m_straight(m_surface, 1, hardCase.fingertip_mm, hardCase.friction)
         , m_fine(m_surface, 8, hardCase.fingertip_mm, hardCase.friction)
         , m_next(hardCase.motion())
@@ -62,6 +65,7 @@ class Run
         m_residual = Worst("residual [mm]", 1e-6 * scale);
         m_jump = Worst("jump larger than the exact one [mm]", 1e-3 * scale);
         m_outsideCone = Worst("outside the cone of friction [mm]", kOnSurface_mm * scale);
+        m_slope = Worst("change of the force by the hand's way [N/mm]", (1.0 + 1e-6) * hardCase.mostSlope_N_per_mm);
         m_result.name = hardCase.name;
         m_result.triangles = m_surface.triangleCount();
         m_result.iterations.assign(kHistogram, 0);
@@ -107,6 +111,10 @@ class Run
         m_forceError.see(judged.forceError, number);
         m_outsideCone.see(judged.outsideCone_mm, number);
         m_layersError.see(judged.layersError_N, number);
+        if (m_beside && number > 0) {
+            followForce(step.f_W, hip, number);
+        }
+        m_f_W = step.f_W;
         if (number % m_case.checkEvery == 0) {
             const bool isAtRest = step.status == haptics::TickStatus::Converged || !m_case.mayReachBound;
             check(step.p_WG, hip, isAtRest && (m_case.friction == 0.0 || m_case.fingertip_mm == 0.0), number);
@@ -140,12 +148,26 @@ class Run
         if (m_case.friction > 0.0) {
             m_result.figures.push_back(m_outsideCone.figure());
         }
+        if (m_beside) {
+            m_result.figures.push_back(m_slope.figure());
+            m_result.figures.push_back({"work on a closed path [mJ]", std::abs(m_work_mJ), m_case.mostWork_mJ, -1});
+        }
         if (m_case.other) {
             m_result.figures.push_back(m_layersError.figure());
         }
     }
 
   private:
+    /// How much the force changed by the hand's way, and the work done on the hand.
+    void followForce(const Vec3& f_W, const Vec3& hip, std::int64_t number)
+    {
+        const Vec3 way = hip - m_hip;
+        if (way.norm() > m_onSurface_mm) {
+            m_slope.see((f_W - m_f_W).norm() / way.norm(), number);
+        }
+        m_work_mJ += 0.5 * (f_W + m_f_W).dot(way);
+    }
+
     /// @param isAtRest  whether that is required, too
     void check(const Vec3& god, const Vec3& hip, bool isAtRest, std::int64_t number)
     {
@@ -215,11 +237,14 @@ class Run
 
     const HardCase& m_case;
     std::function<Vec3(const Vec3&)> m_map;
-    Surface m_surface;
+    geometry::RepairedMesh m_mesh;
+    std::optional<geometry::RepairedMesh> m_beside;
+    Surface m_surface; ///< of both
     JudgedProduct m_product;
     ExactSolver m_straight, m_fine;
     std::function<Vec3()> m_next;
-    Vec3 m_god = Vec3::Zero(), m_hip = Vec3::Zero();
+    Vec3 m_god = Vec3::Zero(), m_hip = Vec3::Zero(), m_f_W = Vec3::Zero();
+    double m_work_mJ = 0.0;
     int m_windingAtStart = 0;
     double m_checked = 0.0, m_elsewhere = 0.0, m_onSurface_mm = 0.0, m_intrusion_mm = 0.0;
     HardCaseResult m_result;
@@ -231,7 +256,7 @@ class Run
     Worst m_forceError{"force other than k (g - p) [share]", kForceRounding};
     Worst m_restoredApart{"restored, not the same [ticks]", 0.0};
     Worst m_layersError{"force other than that of the layers alone [N]", kLayersRounding_N};
-    Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0}, m_outsideCone{"", 0.0};
+    Worst m_spring{"", 0.0}, m_residual{"", 0.0}, m_jump{"", 0.0}, m_outsideCone{"", 0.0}, m_slope{"", 0.0};
 };
 
 geometry::TriangleMesh mappedBy(const std::function<Vec3(const Vec3&)>& map, geometry::TriangleMesh mesh)

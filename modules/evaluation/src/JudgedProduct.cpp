@@ -33,13 +33,20 @@ bool isSame(const Vec3& a, const Vec3& b)
 
 } // namespace
 
-JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh)
+JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh,
+                             const geometry::RepairedMesh* beside)
     : m_otherEvery(hardCase.other ? hardCase.otherEvery : 0)
 {
     const core::Box bounds = mesh.mesh.bounds();
     m_magnitude_mm = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
     const HapticStructure surface = structureOf(mesh, 1, hardCase.friction);
-    m_scene = std::make_unique<HapticScene>(std::vector{surface}, hardCase.fingertip_mm);
+    std::vector structures{surface};
+    if (beside != nullptr) {
+        structures.push_back(structureOf(*beside, 1, hardCase.friction));
+        structures.back().name = "beside";
+        structures.back().tissue.stiffness_N_per_mm = hardCase.besideStiffness_N_per_mm;
+    }
+    m_scene = std::make_unique<HapticScene>(std::move(structures), hardCase.fingertip_mm);
     m_alone.setScene(m_scene.get());
     m_restored.setScene(m_scene.get());
     if (m_otherEvery > 0) {
@@ -104,9 +111,30 @@ void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
     // Free means at the HIP, but for the last digits of a coordinate.
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
     result.isForceless = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
-    if (!result.tick.f_W.isZero(0.0)) {
+    if (m_scene->structures().size() > 1) {
+        judgeShared(result, spring);
+    } else if (!result.tick.f_W.isZero(0.0)) {
         result.forceError = (result.tick.f_W - wanted).norm() / wanted.norm();
     }
+}
+
+/// Between the softest and the stiffest of what holds it; where that is one structure, its own answer.
+void JudgedProduct::judgeShared(JudgedTick& result, const Vec3& spring) const
+{
+    constexpr double kRounding = 1e-9; // the skin's share of a spring that is resolved into planes
+    const TickResult& tick = result.tick;
+    if (tick.f_W.isZero(0.0) || tick.constraints == 0) {
+        return;
+    }
+    double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tick.constraints); ++i) {
+        const double k = m_scene->structures()[tick.active[i].structure].tissue.stiffness_N_per_mm;
+        softest = std::min(softest, k);
+        stiffest = std::max(stiffest, k);
+    }
+    const double length = spring.norm(), along = tick.f_W.dot(spring) / (length * length);
+    const double more = tick.f_W.norm() / (stiffest * length) - 1.0, less = 1.0 - along / softest;
+    result.forceError = std::max(0.0, std::max(more, less) - kRounding);
 }
 
 void JudgedProduct::judgeFriction(JudgedTick& result, const Vec3& hip) const

@@ -15,7 +15,8 @@ struct JudgedTick
 {
     haptics::TickResult tick;
     bool isForceless = false;     ///< no force, though the god-object is not at the HIP
-    double forceError = 0.0;      ///< |f - k (g - p)|, as a share of k |g - p|
+    double forceError = 0.0;      ///< |f - k (g - p)|, as a share of k |g - p|; of two structures, by how much f is
+                                  ///< outside what either would answer alone
     bool isRestoredApart = false; ///< restored from a recorded state it gives other bits
     double outsideCone_mm = 0.0;  ///< one facet holds it: |g - g*| - mu lambda, the definition of law/Friction.h
     double layersError_N = 0.0;   ///< force of both layers, less those of each alone
@@ -26,7 +27,8 @@ struct JudgedTick
 class JudgedProduct
 {
   public:
-    JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh);
+    /// @param beside  of the case, or null
+    JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh, const geometry::RepairedMesh* beside);
     JudgedProduct(const JudgedProduct&) = delete;
     JudgedProduct& operator=(const JudgedProduct&) = delete;
 
@@ -36,6 +38,7 @@ class JudgedProduct
   private:
     void switchOther();
     void judgeForce(JudgedTick& result, const Vec3& hip) const;
+    void judgeShared(JudgedTick& result, const Vec3& spring) const;
     void judgeFriction(JudgedTick& result, const Vec3& hip) const;
 
     std::int64_t m_otherEvery, m_tick = 0;

@@ -40,6 +40,13 @@ struct HardCase
     /// empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> other;
     std::int64_t otherEvery = 0;
+    /// A structure in the same layer that is felt with `besideStiffness_N_per_mm`, where this one has 0.5 N/mm.
+    /// May be empty; not mapped by `twin`.
+    std::function<geometry::TriangleMesh()> beside;
+    double besideStiffness_N_per_mm = 0.5;
+    /// With `beside`, on a path that ends where it began: by how much the force may change by the hand's way in a tick,
+    /// and how much work the hand may get or give on the whole path.
+    double mostSlope_N_per_mm = 0.0, mostWork_mJ = 0.0;
     /// More facets meet in one place than a tick has work for: it may stop at its bound, where only its place is
     /// judged.
     bool mayReachBound = false;
@@ -75,7 +82,9 @@ struct HardCaseResult
 /// Runs the product on a case. Required: no pop-through, nothing non-finite, converged in every tick, the force k (g -
 /// p) and none only at the HIP, the same bits after a restored state, the layers' forces added up whichever come and
 /// go, the spring never more than 1e-3 mm longer than the exact solver's from the same place, residual <= 1e-6 mm, no
-/// jump larger than the exact solver's by more than 1e-3 mm, and the twin's answer the same. Where it rests (residual)
+/// jump larger than the exact solver's by more than 1e-3 mm, and the twin's answer the same. Where two structures hold
+/// the god-object, the force lies between what either would answer alone, no tick changes it by more than the row's
+/// slope, and the closed path makes or takes no more work than the row says. Where it rests (residual)
 /// in another local minimum than the exact solver, that tick is counted instead: at most 0.1 %, or what the row says. A
 /// ball that is nearer than its radius to what faces its centre counts as a pop-through. Lengths are for a scene of
 /// some 10 mm and scale with it.
