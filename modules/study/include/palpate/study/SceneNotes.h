@@ -3,6 +3,7 @@
 
 #include "palpate/study/Layers.h"
 
+#include <palpate/core/Tissue.h>
 #include <palpate/geometry/SurfaceGap.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
