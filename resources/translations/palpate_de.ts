@@ -2989,6 +2989,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
         <translation>wievielmal so steif wie %1 es ist, ist nicht bekannt, daher kein Urteil; erwartet ein Verhältnis, als --ratio &quot;%2=R&quot; oder `young_ratio` in einer Szenendatei. Veröffentlicht: %3</translation>
     </message>
+    <message>
+        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
+        <translation>%1 und %2 berühren sich in einer Schicht, und ihre Steifigkeiten unterscheiden sich um das %3-Fache: an der Naht springt die Kraft</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::EngineeringPanel</name>

@@ -218,7 +218,7 @@
     </message>
     <message>
         <source>how many times as stiff as %1 is it? Type it in What can be felt (B)</source>
-        <translation>combien de fois plus rigide que %1 ? À saisir dans « Ce qui se sent » (B)</translation>
+        <translation>combien de fois plus rigide que %1&#x202f;? À saisir dans «&#x202f;Ce qui se sent&#x202f;» (B)</translation>
     </message>
 </context>
 <context>
@@ -1086,8 +1086,8 @@
     <message numerus="yes">
         <source>%n did not: felt as “Firm organ”, 0.5 N/mm.</source>
         <translation>
-            <numerusform>%n non : ressentie comme « organe ferme », 0,5 N/mm.</numerusform>
-            <numerusform>%n non : ressenties comme « organe ferme », 0,5 N/mm.</numerusform>
+            <numerusform>%n non&#x202f;: ressentie comme «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
+            <numerusform>%n non&#x202f;: ressenties comme «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
         </translation>
     </message>
     <message>
@@ -1100,11 +1100,11 @@
     </message>
     <message>
         <source>%1 is a staircase of about %2 voxels: the hand feels its steps.</source>
-        <translation>%1 est un escalier de voxels d’environ %2 : la main sent ses marches.</translation>
+        <translation>%1 est un escalier de voxels d’environ %2&#x202f;: la main sent ses marches.</translation>
     </message>
     <message>
         <source>%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.</source>
-        <translation>%1 surfaces sont des escaliers de voxels d’environ %2 : la main sent leurs marches.</translation>
+        <translation>%1 surfaces sont des escaliers de voxels d’environ %2&#x202f;: la main sent leurs marches.</translation>
     </message>
     <message>
         <source>Smooth it</source>
@@ -1116,11 +1116,11 @@
     </message>
     <message>
         <source>%1 is inside out: felt from within only.</source>
-        <translation>%1 est à l’envers : sentie de l’intérieur seulement.</translation>
+        <translation>%1 est à l’envers&#x202f;: sentie de l’intérieur seulement.</translation>
     </message>
     <message>
         <source>%1 surfaces are inside out: felt from within only.</source>
-        <translation>%1 surfaces sont à l’envers : senties de l’intérieur seulement.</translation>
+        <translation>%1 surfaces sont à l’envers&#x202f;: senties de l’intérieur seulement.</translation>
     </message>
     <message>
         <source>Turn it around</source>
@@ -1489,7 +1489,7 @@
     </message>
     <message>
         <source>Lumps: what was recorded, and what the model predicts (an estimate)</source>
-        <translation>Masses : enregistré et prédit par le modèle (estimation)</translation>
+        <translation>Masses&#x202f;: enregistré et prédit par le modèle (estimation)</translation>
     </message>
     <message>
         <source>Greatest change recorded [%]</source>
@@ -1508,7 +1508,7 @@
     </message>
     <message>
         <source>Unsaved changes would be lost in a crash; save the scene. %1</source>
-        <translation>Les modifications non enregistrées seraient perdues en cas de plantage ; enregistrez la scène. %1</translation>
+        <translation>Les modifications non enregistrées seraient perdues en cas de plantage&#x202f;; enregistrez la scène. %1</translation>
     </message>
 </context>
 <context>
@@ -2887,7 +2887,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>%1: %2: this version does not know this field; it is kept, but not used</source>
-        <translation>%1 : %2 : ce champ est inconnu de cette version ; il est conservé, mais pas utilisé</translation>
+        <translation>%1&#x202f;: %2&#x202f;: ce champ est inconnu de cette version&#x202f;; il est conservé, mais pas utilisé</translation>
     </message>
     <message>
         <source>File too large</source>
@@ -2915,15 +2915,15 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>there is a file of this name; choose another name</source>
-        <translation>un fichier de ce nom existe ; choisissez un autre nom</translation>
+        <translation>un fichier de ce nom existe&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>another program is recording into it; choose another name</source>
-        <translation>un autre programme y enregistre ; choisissez un autre nom</translation>
+        <translation>un autre programme y enregistre&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
-        <translation>le fichier %1 serait pris pour une partie de celui-ci ; déplacez-le ou choisissez un autre nom</translation>
+        <translation>le fichier %1 serait pris pour une partie de celui-ci&#x202f;; déplacez-le ou choisissez un autre nom</translation>
     </message>
     <message>
         <source>it as input and output</source>
@@ -2939,15 +2939,15 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
-        <translation>la surface touchée va là ; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
+        <translation>la surface touchée va là&#x202f;; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
     </message>
     <message>
         <source>%1 closed part looks inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 partie fermée semble à l’envers : touchée de l’intérieur seulement, sauf si elle est retournée</translation>
+        <translation>%1 partie fermée semble à l’envers&#x202f;: touchée de l’intérieur seulement, sauf si elle est retournée</translation>
     </message>
     <message>
         <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 parties fermées semblent à l’envers : touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
+        <translation>%1 parties fermées semblent à l’envers&#x202f;: touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
     </message>
     <message>
         <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
@@ -2955,39 +2955,43 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
-        <translation>lissée : sommets déplacés de %1 mm au plus, volume %2 %</translation>
+        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus, volume %2 %</translation>
     </message>
     <message>
         <source>smoothed: vertices moved by at most %1 mm</source>
-        <translation>lissée : sommets déplacés de %1 mm au plus</translation>
+        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus</translation>
     </message>
     <message>
         <source>surface &quot;smooth&quot;: curved facets are not available in this version; felt and drawn as facets</source>
-        <translation>surface « smooth » : les facettes courbes n’existent pas dans cette version ; sentie et dessinée en facettes</translation>
+        <translation>surface «&#x202f;smooth&#x202f;»&#x202f;: les facettes courbes n’existent pas dans cette version&#x202f;; sentie et dessinée en facettes</translation>
     </message>
     <message>
         <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
-        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher : un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
+        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher&#x202f;: un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
     </message>
     <message>
         <source>found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>le journal de plusieurs bases, qui nomme un autre fichier à supprimer ; Palpate n’en écrit pas, il ne vient donc pas de Palpate ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+        <translation>le journal de plusieurs bases, qui nomme un autre fichier à supprimer&#x202f;; Palpate n’en écrit pas, il ne vient donc pas de Palpate&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
     </message>
     <message>
         <source>found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>autre chose qu’un fichier, le journal d’un enregistrement était attendu ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+        <translation>autre chose qu’un fichier, le journal d’un enregistrement était attendu&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
     </message>
     <message>
         <source>found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
-        <translation>une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit : un autre programme l’a modifiée</translation>
+        <translation>une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit&#x202f;: un autre programme l’a modifiée</translation>
     </message>
     <message>
         <source>found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>trouvé : %1, attendu : %2 : pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
+        <translation>trouvé&#x202f;: %1, attendu&#x202f;: %2&#x202f;: pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
     </message>
     <message>
         <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
-        <translation>combien de fois il est plus rigide que %1 est inconnu, donc aucun verdict ; un rapport est attendu, par --ratio &quot;%2=R&quot; ou `young_ratio` dans un fichier de scène. Publié : %3</translation>
+        <translation>combien de fois il est plus rigide que %1 est inconnu, donc aucun verdict&#x202f;; un rapport est attendu, par --ratio &quot;%2=R&quot; ou `young_ratio` dans un fichier de scène. Publié&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
+        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3 : la force fait un saut à la jonction</translation>
     </message>
 </context>
 <context>
@@ -3350,7 +3354,7 @@ laisse la boucle aller où il y a de la place.</translation>
     </message>
     <message>
         <source>As published: %1, %2</source>
-        <translation>Publié : %1, %2</translation>
+        <translation>Publié&#x202f;: %1, %2</translation>
     </message>
     <message>
         <source>type it, or choose one that is published</source>
@@ -3507,7 +3511,7 @@ laisse la boucle aller où il y a de la place.</translation>
     </message>
     <message>
         <source>%1 (at %2: %3; at %4: %5)</source>
-        <translation>%1 (à %2 : %3 ; à %4 : %5)</translation>
+        <translation>%1 (à %2&#x202f;: %3&#x202f;; à %4&#x202f;: %5)</translation>
     </message>
     <message>
         <source>not known</source>
@@ -4158,7 +4162,7 @@ Appuyer ici ou F4 pour tous les messages</translation>
     </message>
     <message>
         <source>How many times as stiff as %1 is %2? It is not known, so no verdict is given: type it in What can be felt (B), or choose one that is published.</source>
-        <translation>Combien de fois %2 est-il plus rigide que %1 ? Inconnu, donc aucun verdict : à saisir dans « Ce qui se sent » (B), ou choisir une valeur publiée.</translation>
+        <translation>Combien de fois %2 est-il plus rigide que %1&#x202f;? Inconnu, donc aucun verdict&#x202f;: à saisir dans «&#x202f;Ce qui se sent&#x202f;» (B), ou choisir une valeur publiée.</translation>
     </message>
 </context>
 <context>
@@ -4525,8 +4529,8 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message numerus="yes">
         <source>%1 is damaged, or was changed after it was recorded: %n place(s) do not match their checksums. What was felt there is left out; &quot;palpate session verify&quot; names the first place.</source>
         <translation>
-            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement : %n endroit ne correspond pas à sa somme de contrôle. Ce qui y fut senti est omis ; « palpate session verify » nomme le premier endroit.</numerusform>
-            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement : %n endroits ne correspondent pas à leurs sommes de contrôle. Ce qui y fut senti est omis ; « palpate session verify » nomme le premier endroit.</numerusform>
+            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement&#x202f;: %n endroit ne correspond pas à sa somme de contrôle. Ce qui y fut senti est omis&#x202f;; «&#x202f;palpate session verify&#x202f;» nomme le premier endroit.</numerusform>
+            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement&#x202f;: %n endroits ne correspondent pas à leurs sommes de contrôle. Ce qui y fut senti est omis&#x202f;; «&#x202f;palpate session verify&#x202f;» nomme le premier endroit.</numerusform>
         </translation>
     </message>
 </context>
@@ -4787,15 +4791,15 @@ La liste des messages (F4) donne les détails.</translation>
     </message>
     <message>
         <source>The surface is smoothed: moved by at most %1 mm</source>
-        <translation>La surface est lissée : déplacée de %1 mm au plus</translation>
+        <translation>La surface est lissée&#x202f;: déplacée de %1 mm au plus</translation>
     </message>
     <message>
         <source>The surface is smoothed: moved by at most %1 mm, volume %2 %</source>
-        <translation>La surface est lissée : déplacée de %1 mm au plus, volume %2 %</translation>
+        <translation>La surface est lissée&#x202f;: déplacée de %1 mm au plus, volume %2 %</translation>
     </message>
     <message>
         <source>The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps</source>
-        <translation>La surface est un escalier de voxels de %1 × %2 × %3 mm : la main sent ses marches</translation>
+        <translation>La surface est un escalier de voxels de %1 × %2 × %3 mm&#x202f;: la main sent ses marches</translation>
     </message>
 </context>
 <context>
@@ -5387,16 +5391,16 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>Each layer that is touched, the outermost first: its part along the force [N], which add
 up to it, and how deep the hand is in it [mm]</source>
-        <translation>Chaque couche touchée, la plus externe d’abord : sa part le long de la force [N], dont
+        <translation>Chaque couche touchée, la plus externe d’abord&#x202f;: sa part le long de la force [N], dont
 la somme la donne, et la profondeur de la main [mm]</translation>
     </message>
     <message>
         <source>over %1: %2, %3</source>
-        <translation>sur %1 : %2, %3</translation>
+        <translation>sur %1&#x202f;: %2, %3</translation>
     </message>
     <message>
         <source>over %1: %2</source>
-        <translation>sur %1 : %2</translation>
+        <translation>sur %1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
