@@ -158,7 +158,7 @@ class Recording : public QObject
             pattern.felt.contactCount = 2;
         }
         ticks.clear();
-        constexpr int kTicks = 60000;
+        constexpr int kTicks = 20000;
         for (int i = 0; i < kTicks; ++i) {
             servo::TickRecord tick = pattern;
             tick.tick = 600000 + i;
