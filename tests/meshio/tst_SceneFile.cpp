@@ -218,6 +218,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("friction": {"static": 0.1, "st\u0061tic": 0.2})", "friction.static: found twice, expected it once");
     whole(R"({"version": 1, "x": [{"y": {}}, {"z": "}{,\"", "z": []}], "structures": []})",
           "a.json: x[1].z: found twice, expected it once");
+    whole("{\"version\": 1, \"a\\nb\": 1, \"a\\nb\": 2}", "a.json: a\\nb: found twice, expected it once");
     const auto lumps = [](const char* name, const char* structures, const char* message) {
         QTest::newRow(name) << R"({"version": 1, "structures": [)" + std::string(structures) + "]}"
                             << "a.json: structures[" + std::string(message);

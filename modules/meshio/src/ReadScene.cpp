@@ -9,6 +9,7 @@
 #include "TextScan.h"
 
 #include <palpate/core/Text.h>
+#include <palpate/core/VisibleText.h>
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -409,7 +410,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         return other;
     }
     if (const auto field = internal::repeatedField(bytes)) {
-        return Status(StatusCode::BadFormat, file + ": " + *field + ": found twice, expected it once");
+        return Status(StatusCode::BadFormat, file + ": " + core::visible(*field) + ": found twice, expected it once");
     }
     Status status;
     SceneFile scene;
