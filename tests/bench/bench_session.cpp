@@ -157,6 +157,8 @@ bool recordLive(const std::filesystem::path& file, const std::shared_ptr<const h
     servo::ServoLoop loop;
     servo::ServoOptions options;
     options.rate_Hz = kRate_Hz;
+    std::error_code none;
+    std::filesystem::remove(file, none); // a recording is never written over another file
     const auto generation = loop.setScene(scene);
     session::Recorder recorder(loop);
     if (said(loop.start(device, options)) ||
