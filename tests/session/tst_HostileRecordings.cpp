@@ -424,6 +424,8 @@ class HostileRecordings : public QObject
                 {"UPDATE structures SET friction_static = 6", "for friction_static, expected 0 to 5"},
                 {"UPDATE structures SET layer = 'deep'", "found the layer"},
                 {"UPDATE meshes SET unit_mm = 1e300", "for unit_mm"},
+                {"UPDATE meshes SET unit_mm = NULL", "found no mesh with a unit"},
+                {"UPDATE structures SET mesh = 'none'", "found no mesh with a unit"},
                 {"UPDATE meshes SET pose = '1 0 0 1e300 0 1 0 0 0 0 1 0'", "for pose"},
                 {"UPDATE scenes SET fingertip_mm = 1e300", "for fingertip_mm"},
                 {"UPDATE scenes SET generation = -5 WHERE generation = 1", "found the scene -5"},

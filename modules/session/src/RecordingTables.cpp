@@ -124,8 +124,11 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, const S
             return outOfRange(value, term.key, 0.0, term.most);
         }
     }
+    if (row.isNull(kUnit)) { // the outer join found no mesh, so a copy of the scene could not refer to one either
+        return "found no mesh with a unit, expected one of the recording's meshes";
+    }
     const double unit_mm = structure.source.unit_mm;
-    if (!row.isNull(kUnit) && !(unit_mm >= kLeastUnit_mm && unit_mm <= kMostUnit_mm)) {
+    if (!(unit_mm >= kLeastUnit_mm && unit_mm <= kMostUnit_mm)) {
         return outOfRange(unit_mm, "unit_mm", kLeastUnit_mm, kMostUnit_mm);
     }
     const auto& X_WM = structure.source.X_WM.matrix();
