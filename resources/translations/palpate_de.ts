@@ -1512,6 +1512,17 @@
     </message>
 </context>
 <context>
+    <name>palpate::Message</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Fingertip</name>
     <message>
         <source>Fingertip</source>

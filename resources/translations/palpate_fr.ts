@@ -1512,6 +1512,17 @@
     </message>
 </context>
 <context>
+    <name>palpate::Message</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1 ; %2</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Fingertip</name>
     <message>
         <source>Ball of %1 mm radius</source>
@@ -2991,7 +3002,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
     </message>
     <message>
         <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
-        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3 : la force fait un saut à la jonction</translation>
+        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3&#x202f;: la force fait un saut à la jonction</translation>
     </message>
 </context>
 <context>

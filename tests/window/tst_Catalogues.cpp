@@ -3,8 +3,10 @@
 #include "TestRunner.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -86,6 +88,32 @@ QString faultOf(const Message& message, const QString& translation)
     return {};
 }
 
+/// @return the texts that the sources in these folders mark with PALPATE_TEXT
+QStringList markedTexts(const QStringList& folders)
+{
+    static const QRegularExpression comment(QStringLiteral("^\\s*//.*$"), QRegularExpression::MultilineOption);
+    static const QRegularExpression mark(QStringLiteral(R"re(\bPALPATE_TEXT\(\s*((?:"(?:\\.|[^"\\])*"\s*)+)\))re"));
+    static const QRegularExpression literal(QStringLiteral(R"re("((?:\\.|[^"\\])*)")re"));
+    QStringList all;
+    for (const QString& folder : folders) {
+        QDirIterator files(QStringLiteral(PALPATE_SOURCE_DIR "/") + folder,
+                           {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            const QString source =
+                file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).remove(comment) : QString();
+            for (auto marks = mark.globalMatch(source); marks.hasNext();) {
+                QString text;
+                for (auto parts = literal.globalMatch(marks.next().captured(1)); parts.hasNext();) {
+                    text += parts.next().captured(1);
+                }
+                all << text.replace(QStringLiteral("\\\""), QStringLiteral("\""));
+            }
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 /// The catalogues of what the window says: resources/translations.
@@ -149,6 +177,29 @@ class Catalogues : public QObject
             }
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    void holdsEachMessageOfTheEngine_data() { addLanguages(); }
+    void holdsEachMessageOfTheEngine()
+    {
+        QFETCH(QString, code);
+        QSet<QString> known;
+        for (const Message& message :
+             readCatalogue(QStringLiteral(PALPATE_SOURCE_DIR "/resources/translations/palpate_%1.ts").arg(code))) {
+            if (message.context == QStringLiteral("palpate::Message")) {
+                known << message.source;
+            }
+        }
+        const QStringList marked = markedTexts({QStringLiteral("modules"), QStringLiteral("app")});
+        QVERIFY(marked.contains(QStringLiteral("%1: %2")));
+        QStringList missing;
+        for (const QString& text : marked) {
+            if (!known.contains(text)) {
+                missing << text;
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(QStringLiteral("run resources/translations/update.sh and translate:\n") +
+                                               missing.join(QLatin1Char('\n'))));
     }
 
     void frenchHasItsSpaces()

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Message.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace palpate::core {
@@ -33,19 +36,39 @@ class [[nodiscard]] Status
 {
   public:
     Status() = default;
-    Status(StatusCode code, std::string message)
+    Status(StatusCode code, Message message)
         : m_code(code)
-        , m_message(std::move(message))
+        , m_text(std::move(message))
+        , m_message(m_text.english())
+    {
+    }
+    /// `return {StatusCode::BadFormat, PALPATE_TEXT("found %1 corners, expected 3"), count};`
+    template<class... Arguments>
+    Status(StatusCode code, MessageText<std::type_identity_t<Arguments>...> text, const Arguments&... arguments)
+        : Status(code, Message(text, arguments...))
+    {
+    }
+    Status(StatusCode code, std::string message)
+        : Status(code, Message::untranslated(std::move(message)))
     {
     }
 
     [[nodiscard]] bool isOk() const noexcept { return m_code == StatusCode::Ok; }
     [[nodiscard]] StatusCode code() const noexcept { return m_code; }
+    /// In English.
     [[nodiscard]] const std::string& message() const noexcept { return m_message; }
+    /// For the window, which translates it.
+    [[nodiscard]] const Message& text() const noexcept { return m_text; }
+    /// @return the same code with the place before the message: "liver.stl: the file is empty"; for success, success
+    [[nodiscard]] Status at(const MessageArgument& place) const
+    {
+        return isOk() ? Status() : Status(m_code, Message(PALPATE_TEXT("%1: %2"), place, m_text));
+    }
 
   private:
     StatusCode m_code = StatusCode::Ok;
-    std::string m_message;
+    Message m_text;
+    std::string m_message; ///< of m_text
 };
 
 /// A value or the Status that says why there is none.

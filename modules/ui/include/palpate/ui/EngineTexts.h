@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/ui/Translated.h"
+
 #include <palpate/core/Status.h>
 
 #include <QString>
@@ -15,7 +17,11 @@ namespace palpate::ui {
 [[nodiscard]] QString engineText(std::string_view line);
 [[nodiscard]] inline QString engineText(const core::Status& status)
 {
-    return engineText(status.message());
+    return status.text().isTranslatable() ? translated(status.text()) : engineText(status.message());
+}
+[[nodiscard]] inline QString engineText(const core::Message& message)
+{
+    return message.isTranslatable() ? translated(message) : engineText(message.english());
 }
 
 } // namespace palpate::ui

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Marks the English text of a message: `resources/translations/update.sh` collects it for the catalogues, and
+/// `core::Message` accepts no other text. Adjacent literals are allowed, expressions are not.
+#define PALPATE_TEXT(text) (::palpate::core::internal::MarkedText{text})
+
+namespace palpate::core {
+
+class Message;
+
+namespace internal {
+
+struct MarkedText
+{
+    const char* text;
+};
+
+/// Refuses at compile time a text whose places are not exactly %1 to %N. Not constexpr: a call ends the evaluation.
+void placesOfTextDifferFromArguments();
+
+} // namespace internal
+
+/// A text with one place for each argument of a message, checked at compile time like a `std::format_string`.
+template<class... Arguments>
+class MessageText
+{
+  public:
+    consteval MessageText(internal::MarkedText marked)
+        : m_text(marked.text)
+    {
+        static_assert(sizeof...(Arguments) <= 9, "a message has the places %1 to %9");
+        bool isUsed[10] = {};
+        for (std::size_t i = 0; i + 1 < m_text.size(); ++i) {
+            if (m_text[i] == '%' && m_text[i + 1] >= '1' && m_text[i + 1] <= '9') {
+                isUsed[m_text[i + 1] - '0'] = true;
+            }
+        }
+        for (std::size_t place = 1; place <= 9; ++place) {
+            if (isUsed[place] != (place <= sizeof...(Arguments))) {
+                internal::placesOfTextDifferFromArguments();
+            }
+        }
+    }
+    [[nodiscard]] constexpr std::string_view text() const noexcept { return m_text; }
+
+  private:
+    std::string_view m_text;
+};
+
+/// A whole number that is written with a separator every three digits: "1,234,567".
+struct Count
+{
+    template<std::integral T>
+    explicit Count(T value)
+        : magnitude(std::cmp_less(value, 0) ? std::uint64_t{0} - static_cast<std::uint64_t>(value)
+                                            : static_cast<std::uint64_t>(value))
+        , isNegative(std::cmp_less(value, 0))
+    {
+    }
+    std::uint64_t magnitude;
+    bool isNegative;
+};
+
+/// Value at one place of a message.
+struct MessageArgument
+{
+    enum class Kind : std::uint8_t
+    {
+        Name,   ///< shown unchanged in every language: a path, a name, a text of the operating system
+        Number, ///< written with the decimal point and the digit separators of the reader's language
+        Message ///< translated by itself
+    };
+
+    MessageArgument(std::string name)
+        : english(std::move(name))
+    {
+    }
+    MessageArgument(std::string_view name)
+        : english(name)
+    {
+    }
+    MessageArgument(const char* name)
+        : english(name)
+    {
+    }
+    MessageArgument(const std::filesystem::path& path)
+        : english(path.string())
+    {
+    }
+    template<std::integral T>
+    MessageArgument(T number)
+        : english(std::to_string(number))
+        , kind(Kind::Number)
+    {
+    }
+    MessageArgument(double number); ///< with at most six significant digits, as `shortNumber` writes it
+    MessageArgument(Count count);
+    MessageArgument(Message part);
+
+    std::string english; ///< as an English message shows it
+    Kind kind = Kind::Name;
+    std::shared_ptr<const Message> message; ///< for Kind::Message
+};
+
+/// A sentence for a person as an English text and its arguments, which may be messages themselves. The engine and the
+/// command line print `english()`; the window translates the text and each argument (`ui::translated`).
+///
+///     core::Message(PALPATE_TEXT("%1: found %2 triangles, expected at least 1"), path, 0)
+///
+/// Thread: value type, no shared state. Allocates, so not for the servo thread.
+class Message
+{
+  public:
+    Message() = default;
+    template<class... Arguments>
+    Message(MessageText<std::type_identity_t<Arguments>...> text, const Arguments&... arguments)
+        : m_text(text.text())
+        , m_arguments{MessageArgument(arguments)...}
+    {
+    }
+    /// For a message that arrives from another process. Its text is translated if a catalogue has it.
+    [[nodiscard]] static Message fromParts(std::string text, std::vector<MessageArgument> arguments);
+    /// For a sentence that is not ours, such as one of VTK or of a plugin. It is shown as it is in every language.
+    [[nodiscard]] static Message untranslated(std::string sentence);
+
+    [[nodiscard]] bool isEmpty() const noexcept { return m_text.empty(); }
+    [[nodiscard]] const std::string& text() const noexcept { return m_text; }
+    [[nodiscard]] const std::vector<MessageArgument>& arguments() const noexcept { return m_arguments; }
+    [[nodiscard]] std::string english() const;
+    [[nodiscard]] bool isTranslatable() const noexcept; ///< not made by `untranslated`
+
+  private:
+    std::string m_text;
+    std::vector<MessageArgument> m_arguments;
+};
+
+/// @return `text` with each place %1 to %9 replaced by the part of that number; other per cent signs stay
+[[nodiscard]] std::string filled(std::string_view text, const std::vector<std::string>& parts);
+
+/// @return the messages in their order, joined by "; "
+[[nodiscard]] Message joined(const std::vector<Message>& messages);
+
+} // namespace palpate::core

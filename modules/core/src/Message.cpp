@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/core/Message.h"
+
+#include "palpate/core/Numbers.h"
+#include "palpate/core/Text.h"
+
+namespace palpate::core {
+
+namespace {
+
+constexpr const char* kVerbatim = "%1"; // needs no entry in a catalogue
+
+} // namespace
+
+MessageArgument::MessageArgument(double number)
+    : english(shortNumber(number))
+    , kind(Kind::Number)
+{
+}
+
+MessageArgument::MessageArgument(Count count)
+    : english(internal::grouped(count.magnitude, count.isNegative))
+    , kind(Kind::Number)
+{
+}
+
+MessageArgument::MessageArgument(Message part)
+    : english(part.english())
+    , kind(Kind::Message)
+    , message(std::make_shared<const Message>(std::move(part)))
+{
+}
+
+Message Message::fromParts(std::string text, std::vector<MessageArgument> arguments)
+{
+    Message message;
+    message.m_text = std::move(text);
+    message.m_arguments = std::move(arguments);
+    return message;
+}
+
+Message Message::untranslated(std::string sentence)
+{
+    return sentence.empty() ? Message() : fromParts(kVerbatim, {MessageArgument(std::move(sentence))});
+}
+
+std::string Message::english() const
+{
+    std::vector<std::string> parts;
+    parts.reserve(m_arguments.size());
+    for (const MessageArgument& argument : m_arguments) {
+        parts.push_back(argument.english);
+    }
+    return filled(m_text, parts);
+}
+
+bool Message::isTranslatable() const noexcept
+{
+    return m_text != kVerbatim;
+}
+
+std::string filled(std::string_view text, const std::vector<std::string>& parts)
+{
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool isPlace = text[i] == '%' && i + 1 < text.size() && text[i + 1] >= '1' && text[i + 1] <= '9';
+        const std::size_t part = isPlace ? static_cast<std::size_t>(text[i + 1] - '1') : parts.size();
+        if (part < parts.size()) {
+            out += parts[part];
+            ++i;
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
+}
+
+Message joined(const std::vector<Message>& messages)
+{
+    Message all;
+    for (const Message& message : messages) {
+        all = all.isEmpty() ? message : Message(PALPATE_TEXT("%1; %2"), all, message);
+    }
+    return all;
+}
+
+} // namespace palpate::core
