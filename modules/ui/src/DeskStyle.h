@@ -5,10 +5,10 @@
 
 namespace palpate::ui {
 
-/// Fusion, but where that hides something. It draws edges in a darker shade of the window, which on black is none: in
-/// high contrast fields, buttons, boxes, tabs, menus and sliders get an edge in the text's colour. Tabs that have no
-/// room for their titles are scrolled; those of panels stand closer, and the longest titles are shortened before one of
-/// them would hide.
+/// Fusion style with corrections. Fusion draws edges in a darker shade of the window colour, which is invisible on
+/// black: in high contrast, fields, buttons, boxes, tabs, menus and sliders get an edge in the text colour. Overfull
+/// tab bars scroll. Tabs of docked panels are placed closer together, and the longest titles are elided before a tab
+/// would be hidden.
 class DeskStyle final : public QProxyStyle
 {
     Q_OBJECT

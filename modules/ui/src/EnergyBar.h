@@ -7,7 +7,8 @@
 
 namespace palpate::ui {
 
-/// Energy about zero: to the right what the hand gave, to the left, in another colour, what it got too much.
+/// Bar of the energy exchanged with the hand around zero: energy put in by the hand to the right, excess energy
+/// returned to the hand to the left in another colour.
 class EnergyBar : public QWidget, public Spoken
 {
     Q_OBJECT
@@ -27,7 +28,7 @@ class EnergyBar : public QWidget, public Spoken
 
   private:
     double m_energy_mJ = 0.0;
-    double m_range_mJ = 1.0; ///< grows with what was seen
+    double m_range_mJ = 1.0; ///< grows with the displayed values
 };
 
 } // namespace palpate::ui

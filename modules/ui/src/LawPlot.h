@@ -11,30 +11,31 @@
 
 namespace palpate::ui {
 
-/// The force of a law by depth, with the steepest line that the device holds and where the hand is now. Measured points
-/// can be moved: by dragging, or with the keyboard (left and right choose one, up and down move it).
+/// Plot of a force law over depth with the steepest slope of the device and the current contact. Measured points can be
+/// dragged or moved with the keyboard (left and right select a point, up and down move the point).
 class LawPlot : public QWidget
 {
     Q_OBJECT
   public:
     explicit LawPlot(QWidget* parent = nullptr);
 
-    /// @param greatest_N_per_mm  that the device holds; infinite: nothing is known
+    /// Shows a tissue. @param greatest_N_per_mm  largest stable slope of the device; infinite: unknown
     void show(const core::Tissue& tissue, double greatest_N_per_mm);
-    /// @param depth_mm  of the hand in this tissue; 0: it does not touch
-    /// @param scale  by which maps and lumps below scale the law where it touches [1]
+    /// Shows the live contact.
+    /// @param depth_mm  penetration depth in this tissue; 0: no contact
+    /// @param scale  scale of the law at the contact, from maps and buried lumps [1]
     void setTouch(double depth_mm, double scale);
-    /// Where a force at a depth is drawn.
+    /// Widget position of a force at a depth.
     [[nodiscard]] QPointF placeOf(double depth_mm, double force_N) const;
-    /// Where the dot of the live touch is: the law times the scale where it touches.
+    /// Widget position of the contact dot: the law times the local scale.
     [[nodiscard]] QPointF touchedPlace() const;
-    /// What is written of the live touch; empty when there is none.
+    /// Text of the live contact; empty without contact.
     [[nodiscard]] QString touchText() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
   Q_SIGNALS:
-    /// A measured point was moved.
+    /// Emitted when a measured point was moved.
     void moved(const core::ForceLaw& law);
 
   protected:
@@ -57,14 +58,14 @@ class LawPlot : public QWidget
     void movePoint(double depth_mm, double force_N);
 
     core::Tissue m_tissue;
-    std::shared_ptr<const haptics::ForceTable> m_table; ///< null: linear
-    std::shared_ptr<const haptics::ForceTable> m_felt;  ///< as far as the device holds it
+    std::shared_ptr<const haptics::ForceTable> m_table; ///< Null: linear
+    std::shared_ptr<const haptics::ForceTable> m_felt;  ///< limited by the device
     double m_greatest = std::numeric_limits<double>::infinity();
     double m_depth_mm = 0.0;
     double m_scale = 1.0;
     double m_reach_mm = 12.0, m_top_N = 1.0; ///< ends of the axes
     std::optional<std::size_t> m_held;       ///< point under the mouse button
-    std::size_t m_chosen = 1;                ///< point that keys move
+    std::size_t m_chosen = 1;                ///< point selected by keys
 };
 
 } // namespace palpate::ui

@@ -9,8 +9,7 @@
 
 namespace palpate::ui {
 
-/// A box that has room for the entry that it shows. Long entries that are not chosen do not widen the panel. On the GUI
-/// thread.
+/// Combo box sized for the current entry, so that long unselected entries do not widen the panel. GUI thread only.
 class ShownComboBox final : public QComboBox
 {
   public:
@@ -26,7 +25,7 @@ class ShownComboBox final : public QComboBox
   private:
     [[nodiscard]] QSize withText(const QSize& least) const
     {
-        constexpr int kMargin_px = 8; // styles keep a little of the box's edit rectangle free
+        constexpr int kMargin_px = 8; // margin that styles reserve in the edit rectangle
         const QString shown = currentIndex() < 0 ? placeholderText() : currentText();
         QStyleOptionComboBox option;
         initStyleOption(&option);
@@ -35,7 +34,7 @@ class ShownComboBox final : public QComboBox
     }
 };
 
-/// A box with its name above it, so that both have the panel's whole width; a row of a form.
+/// Form row with the label above the combo box, so that both use the full panel width.
 class BoxRow final : public QWidget
 {
   public:

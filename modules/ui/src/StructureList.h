@@ -14,7 +14,8 @@ class QLineEdit;
 
 namespace palpate::ui {
 
-/// The tree's view: a click on the eye or hand of a selected structure keeps the selection, to which it then applies.
+/// Tree view of the structures. A click on the eye or hand icon of a selected structure keeps the selection, to which
+/// the click applies.
 class StructureListView final : public QTreeView
 {
   public:
@@ -24,33 +25,32 @@ class StructureListView final : public QTreeView
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index, const QEvent* event) const override;
 };
 
-/// The list of structures with its filter and its menu of order and groups. Keeps what is selected while what is
-/// listed changes.
+/// Structure list with filter and a menu for order and grouping. Preserves the selection when the list changes.
 class StructureList : public QWidget
 {
     Q_OBJECT
   public:
     explicit StructureList(StructureModel& model, QWidget* parent = nullptr);
-    ~StructureList() override; ///< a name that is being written is taken
+    ~StructureList() override; ///< commits a name being edited
 
     [[nodiscard]] StructureListView& view() noexcept { return *m_view; }
     [[nodiscard]] const StructureTree& tree() const noexcept { return m_tree; }
-    /// The structure that has the focus, else the first selected; -1 for none.
+    /// Focused structure, else the first selected; -1: no selection.
     [[nodiscard]] int currentRow() const;
-    /// Ascending; a selected group stands for all that it lists.
+    /// Selected rows in ascending order; a selected group stands for all listed members.
     [[nodiscard]] std::vector<int> selectedRows() const;
-    /// Selects one structure and shows it in the list. A filter that hides it is cleared.
-    /// @param adds  to what is selected, or takes it out when it is selected already
+    /// Selects a structure and scrolls to it. Clears a filter that hides the structure.
+    /// @param adds  toggles the structure in the selection
     void select(int row, bool adds = false);
     void clearSelection();
-    /// Puts the cursor into the filter's field.
+    /// Moves the keyboard focus to the filter field.
     void focusFilter();
 
   Q_SIGNALS:
     void selectionChanged();
 
   protected:
-    /// In the filter: Esc clears it, Return and Down go to the list.
+    /// In the filter: Esc clears the text, Return and Down move to the list.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -66,10 +66,10 @@ class StructureList : public QWidget
     StructureTree m_tree;
     StructureListView* m_view = nullptr;
     QLineEdit* m_filter = nullptr;
-    QLabel* m_count = nullptr; ///< how many of all match the filter
-    std::vector<int> m_kept;   ///< selected rows, while the tree is arranged anew
+    QLabel* m_count = nullptr; ///< number of matching structures
+    std::vector<int> m_kept;   ///< selected rows during rearrangement
     int m_keptCurrent = -1;
-    QSet<QString> m_closed; ///< titles of groups that are folded
+    QSet<QString> m_closed; ///< titles of collapsed groups
     bool m_isRearranging = false;
 };
 

@@ -16,72 +16,82 @@ class QWidget;
 
 namespace palpate::ui {
 
-/// What a command is about: the menu that it stands in, and its part of the key card.
+/// Menu of a command and its section on the key card.
 enum class ActionGroup
 {
     File,
     Edit,
     View,
-    Appearance, ///< in the menu View
-    TextSize,   ///< in the menu View
+    Appearance, ///< submenu of View
+    TextSize,   ///< submenu of View
     Session,
     Device,
     Help,
-    InView, ///< what pointer and keys do in the view
-    InList  ///< what keys do in the list of structures
+    InView, ///< pointer and key gestures in the 3D view
+    InList  ///< keys in the structure list
 };
 
-/// Every command of a window, once: menus, tool bar, key card and tests read this list. Keys work with menus hidden
-/// too. What pointer and keys do without being a command stands here as well, for the key card.
-/// @par Thread The GUI's.
+/// Registry of all commands of a window. Menus, tool bar, key card and tests read this list. Shortcuts also work while
+/// the menus are hidden. Pointer and key gestures that are not commands are registered too, for the key card.
+///
+/// @par Thread GUI thread only.
+///
+/// @par Example
+/// @code
+/// auto* actions = new ActionList(window);
+/// QAction* open = actions->add("open", ActionGroup::File, tr("Open…"), tr("Open a mesh"),
+///                             {QKeySequence(Qt::CTRL | Qt::Key_O)});
+/// actions->fill(*window->menuBar()->addMenu(tr("File")), ActionGroup::File);
+/// @endcode
 class ActionList : public QObject
 {
     Q_OBJECT
   public:
-    /// A line of the key card.
+    /// Line of the key card.
     struct KeyLine
     {
         ActionGroup group = ActionGroup::File;
-        QString keys; ///< in the system's words
+        QString keys; ///< in the platform's notation
         QString does;
     };
 
-    /// @param window  gets the commands, and owns the list
+    /// @param window  receives the actions and owns the list
     explicit ActionList(QWidget* window);
 
-    /// @param id    for tests and settings; unique, not translated
-    /// @param keys  the first is shown in menus; none: the command has no key
-    /// @param tip   what it does, in a few words: tool tip and key card
+    /// Adds a command.
+    /// @param id  unique, untranslated name for tests and settings
+    /// @param keys  the first is shown in menus; an empty list means no shortcut
+    /// @param tip  short description for the tool tip and the key card
     QAction* add(const char* id, ActionGroup group, const QString& text, const QString& tip,
                  const QList<QKeySequence>& keys = {});
-    /// The same with a symbol for menu and tool bar.
+    /// Adds a command with an icon for menu and tool bar.
     QAction* add(const char* id, ActionGroup group, const QString& text, const QString& tip,
                  const QList<QKeySequence>& keys, Symbol symbol);
     void addSeparator(ActionGroup group);
-    /// What is done by pointer or keys in a part of the window, in words: for the key card alone.
+    /// Adds a pointer or key gesture to the key card only.
     void addGesture(ActionGroup group, const QString& keys, const QString& does);
 
-    /// Whether commands may have keys of one letter, digit or sign, without Ctrl or Alt. Off, they are reached by menu
-    /// and the key card doesn't show those keys.
+    /// Enables or disables shortcuts that consist of one letter, digit or sign without Ctrl or Alt. While disabled, the
+    /// commands remain in the menus and the key card omits these shortcuts.
     void setLetterKeys(bool areOn);
 
-    /// @return nothing when there is no such command
+    /// Finds a command by its id, or returns nullptr.
     [[nodiscard]] QAction* find(const QString& id) const;
-    /// All commands, in the order in which they were added.
+    /// All commands in the order of registration.
     [[nodiscard]] std::vector<QAction*> all() const;
-    /// Puts a group's commands and separators into a menu.
+    /// Adds a group's commands and separators to a menu.
     void fill(QMenu& menu, ActionGroup group) const;
-    /// What the key card shows: gestures, and every command with a key.
+    /// Content of the key card: gestures and every command with a shortcut.
     [[nodiscard]] std::vector<KeyLine> keyLines() const;
 
   private:
     struct Entry
     {
         ActionGroup group = ActionGroup::File;
-        QAction* action = nullptr; // a separator has no name
-        QString keys;              // of a gesture, which has no action
+        QAction* action = nullptr; // empty name: separator
+        QString keys;              // gesture only; gestures have no action
         QString does;
-        QList<QKeySequence> keysOfAll{}; // with those of one letter
+        QList<QKeySequence> keysOfAll{}; // including single-letter shortcuts
     };
     void takeKeys(const Entry& entry);
 

@@ -9,22 +9,22 @@
 
 namespace palpate::ui {
 
-/// @return where the view's camera stands.
+/// Current pose of the view's camera.
 [[nodiscard]] core::ViewPose viewPose(VtkViewport& viewport);
 
-/// On the way from one place to another: turned about what is looked at, rather than straight through the anatomy, and
-/// about `from.up_W` where the two look from opposite sides.
-/// @param share  of the way, 0 to 1
+/// Interpolates between two camera poses. The camera orbits the focal point, so that it does not pass through the
+/// anatomy. For opposite viewing directions it rotates about `from.up_W`.
+/// @param share  fraction of the path, 0 to 1
 [[nodiscard]] core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to, double share);
 
-/// Moves the view's camera to another place in 0.3 s, and there exactly.
+/// Animates the view's camera to a pose within 0.3 s. The final pose is exact.
 class CameraFlight : public QObject
 {
     Q_OBJECT
   public:
     static constexpr int kTime_ms = 300;
 
-    /// @param viewport  must outlive this
+    /// @param viewport  must outlive this object
     explicit CameraFlight(VtkViewport& viewport, QObject* parent = nullptr);
     void flyTo(const core::ViewPose& to);
 

@@ -11,17 +11,17 @@ class QToolButton;
 
 namespace palpate::ui {
 
-/// Chips in a row, as many as there is room for. Where there is less, the least important ones are said in fewer words
-/// first, then fold into a button "»" that lists them: one that warns folds last, and the button then says "⚠ »"; one
-/// that must stay never folds.
+/// Row of chips that adapts to the available width. When space runs out, chips of low weight are first shortened and
+/// then folded into a "»" button that lists them. Chips with a warning fold last; the button then shows "⚠ »". Chips
+/// added with `mustStay` never fold.
 class ChipRow : public QWidget
 {
     Q_OBJECT
   public:
     explicit ChipRow(QWidget* parent = nullptr);
     /// Adds a chip at the end of the row.
-    /// @param id  its object name, for tests; not translated
-    /// @param weight  of two chips the one with the smaller weight is shortened and folded first
+    /// @param id  untranslated object name, for tests
+    /// @param weight  chips with a smaller weight are shortened and folded first
     Chip* add(const char* id, const QString& name, int weight, bool mustStay = false);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

@@ -20,49 +20,49 @@ class QMenu;
 
 namespace palpate::ui {
 
-/// A device's name within a sentence: of those that are part of the program in the window's language, of others as
-/// they say it themselves.
+/// Device name for use within a sentence. Names of built-in devices are translated; plugins provide their own.
 [[nodiscard]] QString deviceName(const device::DeviceInfo& info);
 
-/// Which device the hand holds: mouse, simulated hand, the open recording played again, or a plugin's; and what a
-/// 6-axis mouse moves. Says how the device is doing.
+/// Selects the haptic device (mouse, simulated hand, playback of the open recording, or a plugin's device) and the role
+/// of a 6-axis mouse. Reports the device's state.
 class DeviceChoice : public QObject
 {
     Q_OBJECT
   public:
-    /// All must outlive this.
+    /// All references must outlive this object.
     DeviceChoice(LiveTouch& live, VtkViewport& viewport, Playback& playback, QObject* parent = nullptr);
     ~DeviceChoice() override;
 
-    /// Plugins to choose from; those that were skipped are named in the menu.
+    /// Takes the plugins to choose from. The menu also names plugins that were skipped.
     void setPlugins(std::unique_ptr<device::PluginHost> plugins);
-    /// Fills a menu with the choices, calibration and what else is on the bus.
+    /// Fills a menu with the devices, calibration and the other devices on the bus.
     void fill(QMenu& menu);
-    /// Takes another device. On failure the mouse is used. @param id  "mouse", "simulated", "playback" or a plugin's
+    /// Switches to another device and falls back to the mouse on failure.
+    /// @param id  "mouse", "simulated", "playback" or a plugin's id
     core::Status choose(const std::string& id);
     [[nodiscard]] const std::string& chosen() const noexcept { return m_chosen; }
 
-    /// The device and its latency, short: "woodenhaptics 1.5 ms".
+    /// Device and latency in short form: "woodenhaptics 1.5 ms".
     [[nodiscard]] QString summary() const;
-    /// All of it, in lines.
+    /// Full device report, one fact per line.
     [[nodiscard]] QString details() const;
-    /// It cannot be felt with now.
+    /// True while the device cannot be used for touch.
     [[nodiscard]] bool isTroubled() const;
 
   Q_SIGNALS:
     void changed();
-    /// A choice that could not be followed. @param line  why
+    /// Emitted when a choice failed. @param line  reason, for the user
     void refused(const QString& line);
-    /// A 6-axis mouse is to press where the pointer is.
+    /// Emitted when the 6-axis mouse was chosen to press at the pointer.
     void pressingWanted();
-    /// It is pushed down. @param share  0 … 1 of its way; 0: it rests
+    /// Emitted while the 6-axis mouse is pushed down. @param share  fraction of full deflection, 0 to 1; 0: at rest
     void pushed(double share);
 
   private:
     core::Result<std::unique_ptr<device::HapticDevice>> make(const std::string& id);
     core::Result<std::unique_ptr<device::HapticDevice>> makeSimulated();
     core::Result<std::unique_ptr<device::HapticDevice>> makePlayback();
-    /// What a 6-axis mouse does that is not the hand.
+    /// Role of a 6-axis mouse that is not the haptic device.
     enum class PuckUse
     {
         Nothing,
@@ -79,7 +79,7 @@ class DeviceChoice : public QObject
     Playback& m_playback;
     PuckReader m_puck;
     PuckUse m_puckUse = PuckUse::Nothing;
-    std::array<QAction*, 2> m_puckActions{}; ///< for view and press; null without its plugin
+    std::array<QAction*, 2> m_puckActions{}; ///< view and press; null without the plugin
     std::unique_ptr<device::PluginHost> m_plugins;
     std::string m_chosen = "mouse";
     QActionGroup* m_group = nullptr;

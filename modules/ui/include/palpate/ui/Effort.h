@@ -10,40 +10,50 @@
 
 namespace palpate::ui {
 
-/// The force of a hand that has no sensor for it: the longer a press is held the harder it is, up to a bound; a pen's
-/// pressure or the push of a 6-axis mouse says which share of the bound it is. Time comes from the caller.
+/// Force model for pointers without a force sensor. The force rises with the time of the press up to a limit; pen
+/// pressure or the deflection of a 6-axis mouse sets a fraction of the limit instead. The caller provides the time.
+///
+/// @par Example
+/// @code
+/// Effort effort;
+/// effort.setMost(5.0); // N
+/// effort.begin(0.0); // the hand reaches the surface at t = 0 s
+/// double f_N = effort.force_N(2.0); // 2 N: kRise_N_per_s times 2 s
+/// @endcode
 class Effort
 {
   public:
     static constexpr double kRise_N_per_s = 1.0;
-    static constexpr double kLeast_N = 0.5; ///< the bound is at least this …
-    static constexpr double kMost_N = 10.0; ///< … and at most this
-    static constexpr double kNotch_N = 0.5; ///< of the wheel
+    static constexpr double kLeast_N = 0.5; ///< lower bound of the limit
+    static constexpr double kMost_N = 10.0; ///< upper bound of the limit
+    static constexpr double kNotch_N = 0.5; ///< change of the limit per notch of the wheel
     static constexpr double kUsual_N = 5.0;
 
-    /// @param most_N  taken to the nearest that a bound may be
+    /// Sets the force limit. @param most_N  clamped to kLeast_N … kMost_N
     void setMost(double most_N) noexcept;
     [[nodiscard]] double most_N() const noexcept { return m_most_N; }
-    /// Changes the bound by notches of the wheel. @return false when that was not all possible
+    /// Changes the limit by notches of the wheel. Returns false when the bounds cut the change short.
     bool turn(double notches) noexcept;
 
-    /// A press begins. @param touches_s  when the hand comes to the surface: the force rises from then on
+    /// Starts a press. @param touches_s  time at which the hand reaches the surface; the force rises from then on
     void begin(double touches_s) noexcept { m_touches_s = touches_s; }
     void end() noexcept;
-    /// A pen or puck says how hard it is pressed. @param share  0 … 1 of what it can say; until `end`
+    /// Sets the pressure reported by a pen or 6-axis mouse, valid until `end`. @param share  fraction of full pressure,
+    /// 0 to 1
     void setShare(double share) noexcept;
-    /// 0 while nothing is pressed. [N]
+    /// Current force, 0 without a press. [N]
     [[nodiscard]] double force_N(double now_s) const noexcept;
 
   private:
     double m_most_N = kUsual_N;
-    std::optional<double> m_touches_s; ///< nothing: not pressed
+    std::optional<double> m_touches_s; ///< Empty: not pressed
     std::optional<double> m_share;
 };
 
-/// The surfaces that a straight press meets: of each layer the first that can be touched from this side.
-/// @param press  from where the hand begins; the ways are counted from there
-/// @return with pointers into `scene`. @par Cost O(log triangles) for each structure.
+/// Finds the surfaces on a straight press: for each layer the first surface that is touchable from this side.
+/// @param press  starts at the hand's position; distances are measured from there
+/// @return surfaces with pointers into `scene`
+/// @par Cost O(log triangles) per structure.
 [[nodiscard]] std::vector<study::PressedSurface> surfacesInTheWay(const haptics::HapticScene& scene,
                                                                   const view::Ray& press);
 

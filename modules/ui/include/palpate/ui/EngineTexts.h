@@ -11,9 +11,11 @@
 
 namespace palpate::ui {
 
-/// A line of the engine, which speaks English alone, in the window's language: a status, a loss or a note. Sentences of
-/// ordinary work are known, by the places that names and numbers have in them; one that is not stays as it is and says
-/// which language it is in. In English every line stays as it is. Any thread but the servo's.
+/// Translates an English line of the engine (status, loss or note) for the window. Known sentences are matched against
+/// templates with places for names and numbers. An unknown sentence is returned unchanged with a note that the text is
+/// English. An English window returns every line unchanged.
+///
+/// @par Thread Any thread except the servo thread.
 [[nodiscard]] QString engineText(std::string_view line);
 [[nodiscard]] inline QString engineText(const core::Status& status)
 {

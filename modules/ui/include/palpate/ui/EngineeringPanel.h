@@ -21,40 +21,41 @@ namespace palpate::ui {
 class EnergyBar;
 class LiveTouch;
 
-/// How the servo loop runs at the moment, in an engineer's terms.
+/// State of the servo loop for engineers.
 struct EngineeringReading
 {
     bool isRunning = false;
     bool hasMotors = false;
-    int cpu = -1;              ///< that the loop runs on alone; -1: on any
-    double rate_Hz = 0.0;      ///< asked for
-    double measured_Hz = 0.0;  ///< over the last half second; 0 in the first
-    int constraints = 0;       ///< active ones of the shown tick
-    int delayTicks = 1;        ///< after which the force acts
-    double energy_mJ = 0.0;    ///< observed, see servo::TickRecord
-    double damping_N = 0.0;    ///< that the passivity controller adds
-    std::uint64_t dropped = 0; ///< ticks of this recording that were lost
+    int cpu = -1;              ///< CPU reserved for the loop; -1: any
+    double rate_Hz = 0.0;      ///< requested rate
+    double measured_Hz = 0.0;  ///< mean over the last half second; 0 during the first
+    int constraints = 0;       ///< active constraints of the displayed tick
+    int delayTicks = 1;        ///< delay until the force takes effect
+    double energy_mJ = 0.0;    ///< observed energy, see servo::TickRecord
+    double damping_N = 0.0;    ///< added by the passivity controller
+    std::uint64_t dropped = 0; ///< ticks lost from this recording
     servo::TimingReport timing{};
     servo::RealtimeReport realtime{};
     core::TimingSummary roundTrip{}; ///< device::DeviceReport::latency
-    std::uint64_t reports = 0;       ///< of the device
-    std::uint64_t refused = 0;       ///< of those
-    std::uint64_t losses = 0;        ///< of the device
+    std::uint64_t reports = 0;       ///< received from the device
+    std::uint64_t refused = 0;       ///< received but implausible
+    std::uint64_t losses = 0;        ///< number of times the device was lost
 };
 
-/// @param shown  what the touch panel shows: of the live hand or of a recording
+/// Collects the state of the servo loop. @param shown  reading of the touch panel, live or from a recording
 [[nodiscard]] EngineeringReading engineeringReading(const LiveTouch& live, const TouchReading& shown);
 
-/// Whether touch runs as it should, in a few plain words.
+/// Summary of the touch loop's health in a few words.
 struct RunningState
 {
     bool isWell = true;
-    QString text; ///< empty when nothing runs
-    QString tip;  ///< why, a sentence or two
+    QString text; ///< empty while nothing runs
+    QString tip;  ///< explanation in one or two sentences
 };
 [[nodiscard]] RunningState runningState(const EngineeringReading& reading);
 
-/// Solver, servo loop and device in numbers, and where the loop runs: for people who build or tune a device.
+/// Panel with solver, servo loop and device measurements and the CPU of the loop, for developers who build or tune a
+/// device.
 class EngineeringPanel : public QWidget
 {
     Q_OBJECT
@@ -64,7 +65,7 @@ class EngineeringPanel : public QWidget
     void show(const EngineeringReading& reading);
 
   Q_SIGNALS:
-    /// @param cpu  to run on alone; -1: on any
+    /// Emitted when the user chooses rate or CPU. @param cpu  reserved CPU; -1: any
     void loopChosen(int rate_kHz, int cpu);
 
   private:
@@ -87,7 +88,7 @@ class EngineeringPanel : public QWidget
     void makeLoop();
     void tell();
 
-    std::vector<QLabel*> m_values; ///< by row
+    std::vector<QLabel*> m_values; ///< indexed by Row
     EnergyBar* m_energy = nullptr;
     QComboBox* m_rate = nullptr;
     QComboBox* m_cpu = nullptr;

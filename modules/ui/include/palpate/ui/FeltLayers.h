@@ -16,59 +16,61 @@
 
 namespace palpate::ui {
 
-/// One structure that is touched, as panel and chart show it: in most ticks the only one of its layer.
+/// Contact with one structure, for panel and chart. In most ticks a layer contains a single structure.
 struct FeltLayer
 {
     QString name;
     QColor colour;
-    double force_N = 0.0; ///< length of its share of the force
-    double along_N = 0.0; ///< its share along the whole force: these add up to it
+    double force_N = 0.0; ///< magnitude of this structure's force
+    double along_N = 0.0; ///< component along the total force; the components add up to the total
     double depth_mm = 0.0;
     haptics::Friction friction = haptics::Friction::None;
-    double sideways_N = 0.0;     ///< part of its share along the surface
-    double stiffnessScale = 1.0; ///< by which maps and lumps below scale its law at the touch [1]
+    double sideways_N = 0.0;     ///< component along the surface
+    double stiffnessScale = 1.0; ///< scale of the force law at the contact, from maps and buried lumps [1]
 };
 
-/// How stiff what a tick touches is.
+/// Stiffness at the contact of a tick.
 struct FeltStiffness
 {
-    double whole_N_per_mm = 0.0; ///< of all layers together, with maps and lumps below
-    double ratio = 1.0;          ///< by that of the outermost layer's tissue alone
+    double whole_N_per_mm = 0.0; ///< all layers together, including maps and buried lumps
+    double ratio = 1.0;          ///< relative to the tissue of the outermost layer alone
 };
-/// @return nothing for a structure that is not known
+/// Looks up a structure's tissue; null for an unknown structure.
 using TissueOf = std::function<const core::Tissue*(std::uint32_t structure)>;
 [[nodiscard]] FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
 
-/// What a structure is called and how it is drawn.
+/// Name and display colour of a structure.
 struct LayerLook
 {
     QString name;
     QColor colour;
 };
-/// @param structure  number in the scene that was felt
+/// Looks up a structure's name and colour. @param structure  number in the scene of the tick
 using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
 
-/// "holds 0.4 N" or "slides 0.4 N": what friction does to a layer; empty without it.
+/// Friction state of a layer: "holds 0.4 N" or "slides 0.4 N"; empty without friction.
 [[nodiscard]] QString frictionText(const FeltLayer& layer);
 
-/// The structures that a tick touches: the outermost layer first, in a layer the one that pushes most.
-/// @param shown_N  length of the force that the hand gets [N]: shares are those of the model, in proportion
+/// Lists the structures in contact, outermost layer first, within a layer by decreasing force.
+/// @param shown_N  magnitude of the force on the hand [N]; the model's forces are scaled in proportion
 [[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
-/// "liver 2.53 N · lump 20 mm 3.48 N, pressed in 5.8 mm"; of a single layer its name. The forces are the parts along
-/// the whole, which add up to it.
+/// One-line description: "liver 2.53 N · lump 20 mm 3.48 N, pressed in 5.8 mm". A single layer gives only the name. The
+/// forces are components along the total force and add up to the total.
 [[nodiscard]] QString layersText(const std::vector<FeltLayer>& layers);
-/// The same as rich text, a line a layer, each behind a mark in the structure's colour.
+/// Rich-text version of `layersText` with one line per layer and a mark in the structure's colour.
 [[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);
-/// What the chart keeps of them.
+/// Converts layers to chart samples.
 [[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers);
-/// Puts the disc within which friction holds the god-object into the cursor: for the outermost layer, on a face.
-/// @param tissue  of the structure that is reported
+/// Adds the friction disc to the cursor: the region in which friction holds the god-object. Only for the outermost
+/// layer in contact with a face.
+/// @param tissue  tissue of the reported structure
 void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state);
-/// A tick as the cursor shows it.
-/// @param f_W  force on the hand [N]; @param tissue  of the structure that is reported; null: none of friction is shown
+/// Converts a tick to the cursor's state.
+/// @param f_W  force on the hand, world frame [N]
+/// @param tissue  tissue of the reported structure; null omits friction
 [[nodiscard]] view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
                                           const std::vector<FeltLayer>& layers, const core::Tissue* tissue);
-/// Puts the god-objects below the reported one into the cursor.
+/// Adds the god-objects of the inner layers to the cursor.
 void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state);
 
 } // namespace palpate::ui

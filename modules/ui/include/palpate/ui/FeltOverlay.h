@@ -12,24 +12,24 @@
 
 namespace palpate::ui {
 
-/// What can be felt of lumps through the organs of the open scene (see LumpMaps), drawn on the organs.
+/// Draws the computed palpability of buried lumps (see LumpMaps) on the organs of the open scene.
 class FeltOverlay : public QObject
 {
     Q_OBJECT
   public:
-    /// How deep the finger is pressed in. [mm]
+    /// Penetration depths for which the maps are computed. [mm]
     static constexpr const auto& kPress_mm = haptics::kFeltPress_mm;
 
-    /// All must outlive this. @param maps  draws nothing while this does
+    /// All references must outlive this object. @param maps  hidden while this overlay is drawn
     FeltOverlay(VtkViewport& viewport, StructureModel& model, LumpMaps& lumps, MapDisplay& maps,
                 QObject* parent = nullptr);
 
-    /// Draws it on the organs, or no more.
+    /// Shows or hides the overlay.
     void setShown(bool isShown);
     [[nodiscard]] bool isShown() const noexcept { return m_isShown; }
-    /// Computes it for a table, drawn or not.
+    /// Requests the results for a table, independent of drawing.
     void setTabled(bool isTabled);
-    /// @param press  number in kPress_mm, for what is drawn and said
+    /// Selects the penetration depth for drawing and texts. @param press  index into kPress_mm
     void setPress(std::size_t press);
     [[nodiscard]] std::size_t press() const noexcept { return m_press; }
     [[nodiscard]] const FeltOrgans& organs() const noexcept { return m_lumps.organs(); }
@@ -37,14 +37,16 @@ class FeltOverlay : public QObject
     [[nodiscard]] bool isBusy() const noexcept { return m_lumps.isBusy(); }
     [[nodiscard]] const QStringList& notes() const noexcept { return m_lumps.notes(); }
 
-    /// What is felt at a place, in words; empty where nothing is drawn. @param p_W  on the structure [mm]
+    /// Description of the palpability at a place; empty where nothing is drawn. @param p_W  on the structure, world
+    /// frame [mm]
     [[nodiscard]] QString textAt(int row, const core::Vec3& p_W) const;
-    /// Flies to where a lump is felt most and marks it. @param organ,lump  numbers in organs(), and of its lumps
-    /// @return false where no place is judged
+    /// Moves the camera to the place where a lump is most palpable and marks the place.
+    /// @param organ,lump  index in organs() and index of the organ's lump
+    /// @return false where no place was evaluated
     bool showBestPlace(std::size_t organ, std::size_t lump);
 
   Q_SIGNALS:
-    /// Other results, or they are out of date, or another press.
+    /// Emitted when results change, become outdated, or another penetration depth is selected.
     void changed();
 
   private:
@@ -58,7 +60,7 @@ class FeltOverlay : public QObject
     LumpMaps& m_lumps;
     MapDisplay& m_maps;
     CameraFlight m_flight;
-    std::vector<int> m_drawn; ///< rows
+    std::vector<int> m_drawn; ///< rows of structures with overlay colours
     std::size_t m_press = 0;
     bool m_isShown = false, m_isTabled = false;
 };

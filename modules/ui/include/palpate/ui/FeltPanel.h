@@ -16,9 +16,10 @@ class QTableWidget;
 
 namespace palpate::ui {
 
-/// The table of lumps that lie in organs: how much stiffer, how deep, how much of it a hand feels at which press, and
-/// whether it finds it. Flies to the best place; changes how stiff a lump is.
-/// @par Thread The GUI's.
+/// Table of buried lumps: stiffness ratio, depth, change of response per penetration depth and the verdict whether a
+/// hand detects the lump. Moves the camera to the best place and edits a lump's stiffness.
+///
+/// @par Thread GUI thread only.
 class FeltPanel : public QWidget
 {
     Q_OBJECT
@@ -28,9 +29,9 @@ class FeltPanel : public QWidget
         Lump,
         Ratio,
         Cover,
-        FirstPress ///< and one column for each of FeltOverlay::kPress_mm
+        FirstPress ///< first of one column for each FeltOverlay::kPress_mm
     };
-    /// Both must outlive this.
+    /// Both references must outlive this object.
     FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* parent = nullptr);
 
   protected:
@@ -38,19 +39,19 @@ class FeltPanel : public QWidget
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// Entries of the choice of where a ratio comes from, before the presets.
+    /// Sources of a stiffness ratio, in the order of the combo box; published presets follow.
     enum Source
     {
         Typed,
         Moduli,
-        Automatic, ///< by tissues or names
+        Automatic, ///< by tissue or name
         FirstPublished
     };
-    /// A lump in the table.
+    /// Lump in the table.
     struct Row
     {
-        std::size_t organ = 0, lump = 0; ///< numbers in FeltOverlay::organs(), and of its lumps
-        int lumpRow = 0, organRow = 0;   ///< of the structures
+        std::size_t organ = 0, lump = 0; ///< index in FeltOverlay::organs() and index of the organ's lump
+        int lumpRow = 0, organRow = 0;   ///< rows in StructureModel
     };
     QWidget* makeChoices();
     void makeTable();

@@ -9,20 +9,21 @@
 
 namespace palpate::ui {
 
-/// How a structure is to be felt.
+/// Touch mode of a structure: own surface in a layer, or transmitted through the surrounding organ.
 struct FeltWay
 {
     int row = 0;
-    std::optional<std::uint32_t> layer; ///< on its own surface, in that layer; nothing: through the organ around it
+    std::optional<std::uint32_t>
+        layer; ///< layer of the structure's own surface; empty: transmitted through the surrounding organ
 };
 
-/// Has structures felt so, as one step to undo; nothing when they are already. Lumps that are felt through their organ
-/// and not among them stay so. A structure without an organ around it keeps its layer.
-/// @param text  what is undone, "Feel below"
+/// Applies touch modes as one undo step, or does nothing when they already apply. Other transmitted lumps keep their
+/// mode. A structure without a surrounding organ keeps its layer.
+/// @param text  label of the undo step, "Feel below"
 void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString& text);
 
-/// @return the organ that a structure can be felt through: both are closed, and a scene file can name the organ;
-/// nothing where there is none.
+/// Organ through which a structure can be felt, or empty. Both meshes must be closed, and the organ's name must be
+/// unique because a scene file refers to organs by name.
 [[nodiscard]] std::optional<int> organToFeelThrough(const StructureModel& model, int row);
 
 } // namespace palpate::ui

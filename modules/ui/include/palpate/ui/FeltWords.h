@@ -10,27 +10,28 @@
 
 namespace palpate::ui {
 
-/// How much otherwise a place feels: "+8 %". @param ratio  k/k0
+/// Change of response as text: "+8 %". @param ratio  k/k0 [1]
 [[nodiscard]] QString feltChangeText(double ratio);
-/// "not by hand", as `palpate felt` says it, in the window's language.
+/// Translated verdict as printed by `palpate felt`: "not by hand".
 [[nodiscard]] QString verdictText(buried::Verdict verdict);
-/// A verdict with what it rests on, as buried::verdictText says it, in the window's language.
+/// Translated verdict with its basis, as in buried::verdictText.
 [[nodiscard]] QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
                                        const std::optional<buried::RatioRange>& ratio);
-/// What a hand that presses there is told: "plainly felt", "a trained hand tells it".
+/// Translated verdict for the user's hand: "plainly felt", "a trained hand tells it".
 [[nodiscard]] QString saysOf(buried::Verdict verdict);
-/// A ratio and its range: "4.4 (1 … 5.2)", "not known"
+/// Stiffness ratio with range: "4.4 (1 … 5.2)", or "not known".
 [[nodiscard]] QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
-/// "malignant tumour of the liver", in the window's language.
+/// Translated name of a published ratio: "malignant tumour of the liver".
 [[nodiscard]] QString publishedName(const study::PublishedRatio& published);
-/// A sign that tells verdicts apart without colours: a full disc where a lump is plainly felt.
+/// Colour-independent symbol of a verdict; a full disc stands for "plainly felt".
 [[nodiscard]] QString verdictSign(buried::Verdict verdict);
-/// "from the tissues' stiffness"
+/// Source of a ratio: "from the tissues' stiffness".
 [[nodiscard]] QString ratioSourceText(study::RatioSource source);
 
-/// What is felt at a place: "lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; +17 % when
-/// pressed 4 mm"; the last on a line of its own.
-/// @param vertex  of `felt.surface`; @param press  number in `felt.press`
+/// Palpability at a place: "lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; +17 % when
+/// pressed 4 mm". The part after the last semicolon is on a separate line.
+/// @param vertex  vertex of `felt.surface`
+/// @param press  index into `felt.press`
 [[nodiscard]] QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press);
 
 } // namespace palpate::ui

@@ -10,8 +10,9 @@
 
 namespace palpate::ui {
 
-/// The open scene's findings and notes as a table that is edited in place; every change can be undone.
-/// @par Thread The GUI's.
+/// Editable table of the open scene's findings and notes. Every change can be undone.
+///
+/// @par Thread GUI thread only.
 class FindingsModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -29,27 +30,27 @@ class FindingsModel : public QAbstractTableModel
         ColumnCount
     };
 
-    /// @param undo  of all edits of the scene; must outlive this
+    /// @param undo  undo stack of all scene edits; must outlive this object
     explicit FindingsModel(QUndoStack& undo, QObject* parent = nullptr);
 
-    /// Takes those of another scene; nothing to undo.
+    /// Replaces all findings when a scene is opened. Not undoable.
     void reset(std::vector<core::Finding> findings);
     [[nodiscard]] const std::vector<core::Finding>& findings() const noexcept { return m_findings; }
-    /// Adds some at the end as one step; one without an id, or with one that is taken, gets an id.
-    /// @param text  what is undone, "Mark Finding 3"
+    /// Appends findings as one undo step. Missing and duplicate ids are replaced by new ids.
+    /// @param text  label of the undo step, "Mark Finding 3"
     void add(std::vector<core::Finding> findings, const QString& text);
-    /// Replaces one; its id stays.
+    /// Replaces a finding and keeps its id.
     void edit(int row, core::Finding finding, const QString& text);
-    /// Removes rows as one step.
+    /// Removes rows as one undo step.
     void remove(std::vector<int> rows);
-    /// Says which file a recording became, once it is whole; nothing to undo.
+    /// Records the final hash of a recording file in the findings that refer to the file. Not undoable.
     void setRecordingHash(const std::string& file, const std::string& sha256);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    /// Type takes the type's number, Name, Size (empty: not known) and Note take a text.
+    /// Type takes the number of the type; Name, Size (empty: unknown) and Note take text.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
@@ -58,7 +59,7 @@ class FindingsModel : public QAbstractTableModel
     void marked(const palpate::core::Finding& finding);
     void unmarked(const palpate::core::Finding& finding);
     void edited(const palpate::core::Finding& finding);
-    /// What was typed is not taken. @param line  why
+    /// Emitted when typed input is rejected. @param line  reason, for the user
     void refused(const QString& line);
 
   private:
@@ -71,11 +72,11 @@ class FindingsModel : public QAbstractTableModel
     std::vector<core::Finding> m_findings;
 };
 
-/// "lump 20 mm in liver": what was felt, and the organ around it.
+/// Location of a finding: "lump 20 mm in liver", with the structure and the surrounding organ.
 [[nodiscard]] QString whereText(const core::Finding& finding);
-/// "lump" in the person's language.
+/// Translated type name: "lump".
 [[nodiscard]] QString typeName(core::FindingType type);
-/// "●": the shape that the view draws.
+/// Symbol of a type, same shape as the marker in the view: "●".
 [[nodiscard]] QString typeSign(core::FindingType type);
 
 } // namespace palpate::ui

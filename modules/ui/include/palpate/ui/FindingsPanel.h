@@ -12,28 +12,29 @@ class QTableView;
 
 namespace palpate::ui {
 
-/// The table of findings and notes, and a line to write a note in. Keys in the table: Enter flies there, Shift+Enter
-/// plays where it was marked, F2 edits, Del deletes, Ctrl+C copies.
+/// Table of findings and notes with an input line for notes. Keys: Enter moves the camera to the finding, Shift+Enter
+/// plays the recording from the time of the mark, F2 edits, Del deletes, Ctrl+C copies.
 class FindingsPanel : public QWidget
 {
     Q_OBJECT
   public:
-    /// @param model  must outlive this
+    /// @param model  must outlive this object
     explicit FindingsPanel(FindingsModel& model, QWidget* parent = nullptr);
 
-    /// @return the row at hand, -1 without one
+    /// Current row, or -1.
     [[nodiscard]] int current() const;
-    /// Makes a row the one at hand; the focus stays where it is.
+    /// Makes a row current without moving the keyboard focus.
     void select(int row);
-    /// Opens a row's note to be written; the focus comes back when it is closed.
+    /// Opens the editor of a row's note. The focus returns when the editor closes.
     void editNote(int row);
-    /// Puts the focus into the line for a note without a place; it comes back when the note is written or left.
+    /// Moves the focus to the input line for a note without a place. The focus returns when the note is entered or
+    /// cancelled.
     void startNote();
-    /// The chosen rows as text, columns apart by tabs.
+    /// Selected rows as tab-separated text.
     [[nodiscard]] QString copiedText() const;
 
   Q_SIGNALS:
-    /// @param row  -1: none
+    /// @param row  -1 without a selection
     void selected(int row);
     void flightWanted(int row);
     void playWanted(int row);
@@ -53,7 +54,7 @@ class FindingsPanel : public QWidget
     QTableView* m_table = nullptr;
     QLineEdit* m_note = nullptr;
     QLabel* m_empty = nullptr;
-    QPointer<QWidget> m_before; ///< had the focus before a note
+    QPointer<QWidget> m_before; ///< focus widget before the note editor opened
 };
 
 } // namespace palpate::ui

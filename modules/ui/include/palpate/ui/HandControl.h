@@ -14,44 +14,46 @@
 
 namespace palpate::ui {
 
-/// Lays the device's workspace into the scene as the panel says, and keeps it there while the camera turns. What fills
-/// the workspace is taken once, when it is asked for: hiding or selecting something changes nothing under the hand.
+/// Maps the device's workspace into the scene according to the panel's settings and follows the camera. The filled
+/// region is determined once, when requested; later changes of visibility or selection do not move the hand.
 class HandControl : public QObject
 {
     Q_OBJECT
   public:
-    /// All must outlive this.
+    /// All references must outlive this object.
     HandControl(VtkViewport& viewport, LiveTouch& live, StructureModel& model, StructurePanel& structures,
                 HandPanel& panel, QObject* parent = nullptr);
 
-    /// The device in `live` is another one: its own settings apply.
+    /// Loads the settings of a newly selected device from `live`.
     void takeDevice();
-    /// Runs the servo loop on a CPU, with this device and others chosen later, whatever was kept for them; choosing
-    /// another ends that.
+    /// Pins the servo loop to a CPU for this and later devices and overrides their saved settings, until the user
+    /// chooses another CPU.
     void useCpu(int cpu);
-    /// Runs the servo loop otherwise and keeps that for this device. What is refused stays as it was and is said.
-    /// @param cpu  to run on alone; -1: on any
+    /// Changes rate and CPU of the servo loop and saves them for this device. A rejected change keeps the old values
+    /// and emits `said`.
+    /// @param cpu  reserved CPU; -1: any
     void chooseLoop(int rate_kHz, int cpu);
-    /// By a key: the device moves, the hand in the scene stays.
+    /// Engages or releases the clutch by key: while engaged, the device moves and the hand in the scene stays.
     void setClutched(bool isClutched);
-    /// Puts the middle of the workspace in the middle of what it reaches. The hand then begins anew there.
+    /// Moves the centre of the workspace to the centre of the filled region and restarts the hand there.
     void centre();
-    /// Fills the workspace. An organ is the one that is touched, else the one under the pointer, else the selected one;
-    /// a lump is where the hand touches, else the finding or surface under the pointer, else the newest finding. A hand
-    /// in contact stays where it is and only the scale changes; any other begins anew in the middle.
+    /// Fills the workspace with the scene, an organ or a lump. The organ is the touched structure, else the structure
+    /// under the pointer, else the selected structure. The lump is the place of contact, else the finding or surface
+    /// under the pointer, else the newest finding. A hand in contact keeps its position and only the scale changes; any
+    /// other hand restarts at the centre.
     void fit(MapFill fill);
-    /// How the pointer presses: by effort, or as deep as the wheel says. Kept; nothing while another device is the
-    /// hand.
+    /// Selects whether the pointer presses by effort or to the depth set with the wheel. Saved in the settings. No
+    /// effect while another device is used.
     void setByEffort(bool isByEffort);
-    /// The force of such a press at most [N]. Kept as the above.
+    /// Sets the force limit of a press by effort [N]. Saved in the settings. No effect while another device is used.
     void setEffort(double most_N);
-    /// Places that a lump may be, the newest last.
+    /// Sets candidate places of lumps, newest last.
     void setFindings(std::vector<core::Vec3> places) { m_findings = std::move(places); }
 
   Q_SIGNALS:
-    /// What was done, or why it was not.
+    /// Emitted with a line for the user after an action, or with the reason of a failure.
     void said(const QString& line);
-    /// The hand's settings are others, or those of another device.
+    /// Emitted when the hand settings change or another device's settings are loaded.
     void settingsTaken(const palpate::ui::HandSettings& settings);
 
   private:
@@ -77,10 +79,10 @@ class HandControl : public QObject
     StructureModel& m_model;
     StructurePanel& m_structures;
     HandPanel& m_panel;
-    QTimer m_follow; ///< the camera says nothing when it turns
+    QTimer m_follow; ///< the camera has no change signal
     Filled m_filled;
     std::vector<core::Vec3> m_findings;
-    std::optional<int> m_cpu; ///< that was asked for instead of the kept one
+    std::optional<int> m_cpu; ///< requested CPU that overrides the saved one
     std::uint32_t m_centreRequest = 0;
     std::uint32_t m_buttonsBefore = 0;
     bool m_isClutched = false;

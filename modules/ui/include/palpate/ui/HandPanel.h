@@ -16,25 +16,25 @@ class QPushButton;
 
 namespace palpate::ui {
 
-/// What the hand's device is at the moment.
+/// Current state of the haptic device.
 struct HandStatus
 {
     enum class Clutch
     {
         None,
         Asked, ///< by key or button
-        AtEdge ///< by itself, at the edge of the workspace
+        AtEdge ///< automatic, at the edge of the workspace
     };
-    double held_N_per_mm = 0.0; ///< stiffness that may be held, in the scene; infinite: no bound
-    bool isMapped = false;      ///< false: the device's coordinates are the scene's
-    double scale = 1.0;         ///< mm of the scene a mm of the device
-    QString filled;             ///< what fills the workspace
-    double force_N = 0.0;       ///< given to the hand
+    double held_N_per_mm = 0.0; ///< largest stable stiffness, in scene units; infinite: unlimited
+    bool isMapped = false;      ///< False: device coordinates equal scene coordinates
+    double scale = 1.0;         ///< scene millimetres per device millimetre
+    QString filled;             ///< region that fills the workspace
+    double force_N = 0.0;       ///< force on the hand
     Clutch clutch = Clutch::None;
-    QString inside; ///< the structure that the hand began in and has not left; it is not felt
+    QString inside; ///< structure in which the hand started; without force until the hand leaves
 };
 
-/// The device in the hand: how it lies in the scene and what stiffness it can show.
+/// Panel with the device's mapping into the scene and the stiffness range of the device.
 class HandPanel : public QWidget
 {
     Q_OBJECT
@@ -77,7 +77,7 @@ class HandPanel : public QWidget
     QPushButton* m_clutch = nullptr;
     QPushButton* m_centre = nullptr;
     bool m_isShowing = false;
-    double m_limit_N = 0.0; ///< of the motors; 0: none
+    double m_limit_N = 0.0; ///< force limit of the motors; 0: no motors
 };
 
 } // namespace palpate::ui

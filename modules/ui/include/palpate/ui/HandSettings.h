@@ -14,24 +14,25 @@ class QSettings;
 
 namespace palpate::ui {
 
-/// What the device turns with.
+/// Reference frame that the device axes follow.
 enum class MapTurn
 {
-    Camera,  ///< to the right is to the right in the picture
-    Patient, ///< to the right is to the patient's left, up is to the head: as one who stands before the patient
-    None,    ///< nothing is mapped: the device's coordinates are the scene's, no clutch
+    Camera,  ///< device right is screen right
+    Patient, ///< device right is patient left and device up is towards the head, as seen by an examiner in front of the
+             ///< patient
+    None,    ///< no mapping: device coordinates are scene coordinates, without a clutch
 };
 
-/// What fills the device's workspace.
+/// Region that fills the device's workspace.
 enum class MapFill
 {
     Scene,
     Organ, ///< one structure
-    Lump,  ///< 10 mm about a place
-    Scale, ///< nothing: a scale by number
+    Lump,  ///< 10 mm around a place
+    Scale, ///< fixed scale instead of a region
 };
 
-/// What a button of the device does.
+/// Function of a device button.
 enum class ButtonUse
 {
     Nothing,
@@ -39,44 +40,44 @@ enum class ButtonUse
     Centre,
 };
 
-/// How a person wants a device to lie in the scene; kept for each device by itself.
+/// Mapping settings of a device, saved per device id.
 struct HandSettings
 {
     static constexpr int kButtons = 4;
 
     MapTurn turn = MapTurn::Camera;
-    MapFill fill = MapFill::Scene;      ///< organ and lump are this moment's choice: kept as the scene
-    double scale = 1.0;                 ///< with MapFill::Scale
-    int rate_kHz = 1;                   ///< of the servo loop: 1, 2 or 4
-    int cpu = -1;                       ///< that the servo loop runs on alone; -1: on any
-    bool isByEffort = false;            ///< of the pointer: a press has a force, and the depth follows
-    double effort_N = Effort::kUsual_N; ///< that force at most
-    bool isLeftHanded = false;          ///< the first two buttons change places: the thumb's is on the other side
+    MapFill fill = MapFill::Scene;      ///< Organ and Lump are temporary choices and saved as Scene
+    double scale = 1.0;                 ///< used with MapFill::Scale
+    int rate_kHz = 1;                   ///< servo rate: 1, 2 or 4
+    int cpu = -1;                       ///< CPU reserved for the servo loop; -1: any
+    bool isByEffort = false;            ///< pointer only: a press sets a force, the depth follows
+    double effort_N = Effort::kUsual_N; ///< force limit of a press by effort
+    bool isLeftHanded = false;          ///< swaps the first two buttons, since the thumb is on the other side
     std::array<ButtonUse, kButtons> buttons{ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing,
                                             ButtonUse::Nothing};
 
-    /// @param id  of the device, see device::DeviceInfo
+    /// Loads the settings of a device. @param id  device id, see device::DeviceInfo
     static HandSettings load(QSettings& store, const QString& id);
     void save(QSettings& store, const QString& id) const;
 
-    /// Bits of the device's buttons with this use, as the hand that holds it reaches them.
+    /// Bit mask of the buttons with this function, with left-handed swapping applied.
     [[nodiscard]] std::uint32_t buttonsFor(ButtonUse use) const;
 };
 
-/// What the map is made for.
+/// View axes and region for which a map is computed.
 struct HandPlace
 {
-    core::Vec3 right_W = core::Vec3::UnitX(); ///< of the picture, unit
-    core::Vec3 up_W = core::Vec3::UnitY();    ///< of the picture, unit
-    core::Box filled;                         ///< what fills the workspace [mm]
+    core::Vec3 right_W = core::Vec3::UnitX(); ///< screen right, unit vector
+    core::Vec3 up_W = core::Vec3::UnitY();    ///< screen up, unit vector
+    core::Box filled;                         ///< region that fills the workspace [mm]
 };
 
-/// A lump's size, about a place. [mm]
+/// Box with the size of a lump around a place. [mm]
 [[nodiscard]] core::Box lumpAt(const core::Vec3& p_W);
 
-/// Makes the servo's map. What fills the workspace has room around it, so that it can be come at from outside. A device
-/// without a workspace of its own (mouse, simulated hand) stays direct; one that is a speed has no edge, and its centre
-/// is before what fills it: it may begin anywhere, so it does not begin inside.
+/// Computes the servo's workspace map. A margin around the filled region lets the hand approach from outside. Devices
+/// without a workspace (mouse, simulated hand) stay unmapped. Rate-controlled devices have no edge; their centre is
+/// placed in front of the region, so that a hand starting anywhere does not start inside the anatomy.
 [[nodiscard]] servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info,
                                         const HandPlace& place);
 

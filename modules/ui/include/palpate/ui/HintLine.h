@@ -5,13 +5,13 @@
 
 namespace palpate::ui {
 
-/// The status line's text: shortened at its end where there is no room, and pressed to see all messages.
+/// Text of the status line. Elided at the end when space is short; a click opens the message list.
 class HintLine : public QLabel
 {
     Q_OBJECT
   public:
     explicit HintLine(QWidget* parent = nullptr);
-    /// Says a line, to screen readers too.
+    /// Shows a line and announces it to screen readers.
     void say(const QString& text);
     [[nodiscard]] const QString& said() const noexcept { return m_said; }
 

@@ -19,19 +19,20 @@ namespace palpate::ui {
 
 class LawPlot;
 
-/// By what law a tissue's force rises with the depth: its name, its numbers, and its curve.
+/// Editor of a tissue's force law: kind, parameters and curve.
 class LawEditor : public QWidget
 {
     Q_OBJECT
   public:
     explicit LawEditor(QWidget* parent = nullptr);
 
-    /// @param greatest_N_per_mm  the largest slope that the device holds; infinite: nothing is known
+    /// Shows a tissue. @param greatest_N_per_mm  largest stable slope of the device; infinite: unknown
     void show(const core::Tissue& tissue, double greatest_N_per_mm);
-    /// @param depth_mm  of the hand in this tissue; 0: it does not touch
-    /// @param scale  by which maps and lumps below scale the law where it touches [1]
+    /// Shows the live contact in the plot.
+    /// @param depth_mm  penetration depth in this tissue; 0: no contact
+    /// @param scale  scale of the law at the contact, from maps and buried lumps [1]
     void setTouch(double depth_mm, double scale);
-    /// Takes the points of a measured curve from a CSV file, or says why not.
+    /// Loads the points of a measured curve from a CSV file. Emits `refused` with the reason on failure.
     void load(const std::filesystem::path& path);
 
   Q_SIGNALS:

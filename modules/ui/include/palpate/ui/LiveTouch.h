@@ -15,83 +15,88 @@
 
 namespace palpate::ui {
 
-/// The running touch: device, servo loop and recorder, fed with what the structure table says can be felt.
+/// Live touch session: device, servo loop and recorder. Builds the haptic scene from the structure table and passes a
+/// new scene to the servo loop after each change.
+///
+/// @par Thread GUI thread only.
 class LiveTouch : public QObject
 {
     Q_OBJECT
   public:
-    /// @param model  must outlive this
+    /// @param model  must outlive this object
     explicit LiveTouch(StructureModel& model, QObject* parent = nullptr);
     ~LiveTouch() override;
 
-    /// Starts the servo thread if it does not run. When another device than the pointer does not start, the pointer is
-    /// used and the reason returned.
+    /// Starts the servo thread unless already running. If an external device fails to start, the pointer is started
+    /// instead and the device's error is returned.
     core::Status start();
-    /// Takes another device for the hand; null: the pointer. Refused while a recording runs. On failure as `start`.
+    /// Switches to another device; null: the pointer. Fails while a recording runs; otherwise as `start`.
     core::Status useDevice(std::unique_ptr<device::HapticDevice> device);
     [[nodiscard]] bool usesPointer() const noexcept { return m_device == nullptr; }
     [[nodiscard]] device::DeviceReport deviceReport() const;
     core::Status calibrate();
-    /// Gives the force back after a fault, eased in.
+    /// Restores the force after a fault with a ramp.
     void rearm() { m_session.loop().rearm(); }
     void stop();
     [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
     [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
-    /// What is felt of a tissue at most: what the device holds stably at its rate, in the scene's lengths.
+    /// Upper bound of the tissue parameters that the device renders stably at the servo rate, in scene units.
     [[nodiscard]] haptics::Tissue greatestTissue() const;
-    /// The stiffness alone; infinite for a device without motors. [N/mm]
+    /// Stiffness of that bound; infinite for a device without motors. [N/mm]
     [[nodiscard]] double heldStiffness_N_per_mm() const;
-    /// Ticks after which the device's force acts: the slowest measured since it was started.
+    /// Delay of the device's force in ticks: the slowest since the device was started.
     [[nodiscard]] int delayTicks() const noexcept { return m_delayTicks; }
-    /// Why no more than `greatestTissue` is felt, for a person: the device, its limit, what sets it, what to do.
+    /// Explanation of `greatestTissue` for the user: device, limit, cause of the limit and remedy.
     [[nodiscard]] QString limitText() const;
-    /// Lays the device's workspace into the scene.
+    /// Sets the map from the device's workspace to the scene.
     void setMap(const servo::MapSettings& map);
     [[nodiscard]] const servo::MapSettings& map() const noexcept { return m_map; }
-    /// Touches with a ball of this radius from the next tick on; 0 = a point. [mm]
+    /// Sets the radius of the probe sphere from the next tick on; 0: a point. [mm]
     void setFingertip(double radius_mm);
-    /// What can be touched, as handed over last; null before that.
+    /// The scene that was last passed to the servo loop; null before the first.
     [[nodiscard]] const std::shared_ptr<const haptics::HapticScene>& scene() const noexcept { return m_scene; }
     [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
 
-    /// @return true when a tick newer than the last one fetched was written to `tick`.
+    /// Copies the newest tick to `tick`. Returns false when no tick has arrived since the previous call.
     bool fetch(servo::TickRecord& tick);
-    /// The tick last fetched by anyone.
+    /// The tick of the last successful `fetch`, by any caller.
     [[nodiscard]] const servo::TickRecord& newest() const noexcept { return m_newest; }
     [[nodiscard]] servo::TimingReport timing() const { return m_session.loop().timing(); }
-    /// Of the running loop, or of the one to come. [Hz]
+    /// Rate of the running loop, or of the next start. [Hz]
     [[nodiscard]] double rate_Hz() const;
-    /// CPU that the loop runs on alone; -1: on any.
+    /// CPU reserved for the loop; -1: any.
     [[nodiscard]] int cpu() const noexcept { return m_options.cpu; }
-    /// Runs the loop at a rate and on a CPU: a running one begins anew, with the device kept open, when one of them is
-    /// another. Refused while a recording runs, and by `servo::checkCpu`. On failure as `start`.
+    /// Sets rate and CPU of the loop. When a value changes, a running loop restarts while the device stays open. Fails
+    /// while a recording runs, when `servo::checkCpu` rejects the CPU, or as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
-    /// Ticks per second over the last half second. [Hz]
+    /// Measured tick rate over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }
     [[nodiscard]] bool isRunning() const noexcept { return m_session.loop().isRunning(); }
 
-    /// @param scene   file that was opened; empty when it is several
-    /// @param embeds  put the surfaces into the recording too
+    /// Starts a recording.
+    /// @param scene  file that was opened; empty for several files
+    /// @param embeds  also stores the surfaces in the recording
     core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
                                 bool embeds = false);
-    /// Notes something in the recording, at this tick; nothing when there is none. @param json  an object
+    /// Adds an event to the recording at the current tick. No effect without a recording. @param json  a JSON object
     void note(const std::string& kind, const std::string& json) { m_session.note(kind, json); }
-    /// @return what was lost, if anything
+    /// Ends the recording. An error lists lost data.
     core::Status stopRecording();
     [[nodiscard]] session::RecorderStatus recording() const { return m_session.recording(); }
 
   Q_SIGNALS:
-    /// `scene` is another one, or is felt with another device, rate, delay or scale.
+    /// Emitted after a new scene was passed on, or after a change of device, rate, delay or scale.
     void handedOver();
-    /// Twice a second: rate, timing and recording are worth showing anew.
+    /// Emitted twice a second to refresh rate, timing and recording status.
     void statusChanged();
-    /// The servo took the force away. @param line  what happened and what to do
+    /// Emitted when the servo loop cut the force. @param line  cause and remedy, for the user
     void faulted(const QString& line);
     void deviceChanged();
-    /// `greatestTissue` is another one.
+    /// Emitted when `greatestTissue` changed.
     void greatestChanged();
-    /// A structure is to be stiffer than the device holds, and is felt softer. @param line  which and what is done
+    /// Emitted when a structure is stiffer than the device can render and is therefore softened. @param line  structure
+    /// and applied limit
     void stiffnessRefused(const QString& line);
 
   private:
@@ -102,12 +107,12 @@ class LiveTouch : public QObject
 
     StructureModel& m_model;
     device::PointerDevice m_pointer;
-    std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
+    std::unique_ptr<device::HapticDevice> m_device; ///< Null: the pointer
     device::DeviceInfo m_info;
     study::LiveSession m_session;
     std::shared_ptr<const haptics::HapticScene> m_scene;
     QTimer m_meter;
-    QTimer m_handOver; ///< gathers changes of one event into one new scene
+    QTimer m_handOver; ///< coalesces the changes of one event into one new scene
     double m_fingertip_mm = 0.0;
     servo::ServoOptions m_options;
     std::uint64_t m_ticks = 0;
@@ -117,7 +122,7 @@ class LiveTouch : public QObject
     bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
-    QString m_refused; ///< said last
+    QString m_refused; ///< last message of `stiffnessRefused`
 };
 
 } // namespace palpate::ui

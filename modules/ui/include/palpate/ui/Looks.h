@@ -7,26 +7,27 @@
 
 namespace palpate::ui {
 
-/// What a person chose the program to look like: its theme and the size of its texts, each a group of commands, kept in
-/// the settings and taken at once. Follows the system's palette while that is what was chosen.
-/// @par Thread The GUI's.
+/// Theme and text size of the application: two command groups, stored in the settings and applied immediately. Follows
+/// the system palette while the system theme is selected.
+///
+/// @par Thread GUI thread only.
 class Looks : public QObject
 {
     Q_OBJECT
   public:
-    /// Sizes of text to choose from. [%]
+    /// Selectable text sizes. [%]
     static constexpr int kTextSizes[] = {90, 100, 110, 125, 150, 175, 200};
 
-    /// Takes what the settings have.
-    /// @param actions  gets the commands "appearance-…" and "text-size-…"; @param window  is told of the system's
-    /// changes
+    /// Applies the saved settings.
+    /// @param actions  receives the commands "appearance-…" and "text-size-…"
+    /// @param window  source of palette change events
     Looks(ActionList& actions, QWidget* window);
 
-    /// Takes a theme, without a word to the settings.
+    /// Applies a theme without saving the choice.
     void use(Theme theme);
 
   Q_SIGNALS:
-    /// Texts have another size. @param ratio  to the one before
+    /// Emitted when the text size changed. @param ratio  new size divided by the previous size
     void textSizeChanged(double ratio);
 
   protected:

@@ -20,60 +20,61 @@
 
 namespace palpate::ui {
 
-/// What can be felt through an organ of the open scene, and what is needed to show it.
+/// Computed palpability of an organ's lumps and the data needed for display.
 struct FeltOrganShown
 {
-    study::FeltOrgan organ;                          ///< its numbers of structures are the rows
-    vtkSmartPointer<vtkPolyData> picture;            ///< of the felt surface, without colours
-    vtkSmartPointer<vtkStaticPointLocator> vertices; ///< of the felt surface
+    study::FeltOrgan organ;                          ///< structure numbers are the rows of StructureModel
+    vtkSmartPointer<vtkPolyData> picture;            ///< of the evaluated surface, uncoloured
+    vtkSmartPointer<vtkStaticPointLocator> vertices; ///< of the evaluated surface
 };
 using FeltOrgans = std::vector<std::shared_ptr<const FeltOrganShown>>;
 
-/// The maps of what lumps make of their organs' surfaces: one computation, on a thread of its own, for what is shown
-/// of them and for the hand, which gets those of the lumps that are felt through their organ. Made anew when tissue,
-/// ratio, radius or a structure changes; nothing is computed until it is wanted.
-/// @par Thread All functions on the window's thread; the signals come there too.
+/// Computes how buried lumps change the response of their organs' surfaces. One computation on a worker thread serves
+/// the overlay and the haptic scene; the latter uses only lumps in transmitted mode. Changes of tissue, stiffness
+/// ratio, contact radius or structures trigger a new computation. Nothing is computed until requested.
+///
+/// @par Thread All functions and signals on the GUI thread.
 class LumpMaps : public QObject
 {
     Q_OBJECT
   public:
-    /// @param model  gets the hand's maps; must outlive this
+    /// @param model  receives the maps for the haptic scene; must outlive this object
     explicit LumpMaps(StructureModel& model, QObject* parent = nullptr);
     ~LumpMaps() override; ///< cancels and waits
 
-    /// Whether the maps of all lumps are wanted, to be shown.
+    /// Requests the maps of all lumps for display.
     void setWanted(bool isWanted);
-    /// Stops what is being computed; `cancelled` follows at once, and nothing is computed until something is asked for
-    /// or changes.
+    /// Cancels the running computation and emits `cancelled` immediately. Nothing is computed until the next request or
+    /// change.
     void cancel();
 
-    /// The newest results; those of a scene that was changed since then are out of date until `changed`.
+    /// Latest results. After a scene change they are outdated until `changed`.
     [[nodiscard]] const FeltOrgans& organs() const noexcept { return m_organs; }
     [[nodiscard]] bool isUpToDate() const noexcept { return m_isUpToDate; }
-    /// Whether the hand feels through organs as the scene says; true where nothing is felt so.
+    /// True when the haptic scene's transmitted lumps match the scene, or when no lump is in transmitted mode.
     [[nodiscard]] bool isHandUpToDate() const noexcept { return m_isHandUpToDate || !isForHand(); }
     [[nodiscard]] bool isBusy() const noexcept { return m_job != nullptr; }
-    /// Why there are no results, or what was left out of them; one line each.
+    /// Reasons for missing or partial results, one line each.
     [[nodiscard]] const QStringList& notes() const noexcept { return m_notes; }
 
   Q_SIGNALS:
-    /// The results are out of date. @param isReset  the rows are other ones
+    /// Emitted when results become outdated. @param isReset  the rows belong to another scene
     void outdated(bool isReset);
-    /// Other results, or none because it was cancelled.
+    /// Emitted with new results, or with empty results after cancellation.
     void changed();
-    /// Of work that takes longer than a blink. @param share  0 … 1
+    /// Progress of longer computations. @param share  0 to 1
     void progressed(const QString& what, double share);
-    /// Nothing is computed any more, whether it was done, failed or cancelled.
+    /// Emitted when the computation has finished, failed or been cancelled.
     void ended();
     void cancelled(const QString& line);
-    /// An organ could not be judged, or a lump was left out. @param lines  one each
+    /// Emitted when an organ could not be evaluated or a lump was skipped. @param lines  one message each
     void noted(const QStringList& lines);
 
   private:
     struct Job;
     struct Found;
     class Making;
-    /// What the results follow from, of one structure.
+    /// Inputs of the computation for one structure.
     struct Cause
     {
         std::string name, inside;
@@ -96,15 +97,15 @@ class LumpMaps : public QObject
 
     StructureModel& m_model;
     QThreadPool m_thread;
-    QTimer m_wait; ///< gathers changes
+    QTimer m_wait; ///< coalesces changes
     QElapsedTimer m_since;
-    std::shared_ptr<Job> m_job; ///< null: nothing is computed
+    std::shared_ptr<Job> m_job; ///< Null: idle
     std::vector<Cause> m_causes;
-    std::vector<bool> m_forHand; ///< rows that are to be felt through their organ
+    std::vector<bool> m_forHand; ///< rows in transmitted mode
     FeltOrgans m_organs;
     QStringList m_notes;
     bool m_isWanted = false, m_isUpToDate = false, m_isHandUpToDate = false;
-    bool m_isGivenUp = false; ///< cancelled: the hand's maps are not tried again until something changes
+    bool m_isGivenUp = false; ///< Cancelled: the maps for the haptic scene are not retried until the next change
 };
 
 } // namespace palpate::ui

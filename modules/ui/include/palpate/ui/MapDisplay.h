@@ -14,40 +14,43 @@ namespace palpate::ui {
 
 class VtkViewport;
 
-/// Numbers over a structure that it can be coloured by.
+/// Scalar field over a structure, for colouring.
 struct SurfaceNumbers
 {
-    QString what;  ///< names them for the program: "felt:stiffness", "array:StiffnessScale"
-    QString title; ///< for a person, with the unit: "felt, N/mm"
+    QString what;  ///< internal id: "felt:stiffness", "array:StiffnessScale"
+    QString title; ///< display title with unit: "felt, N/mm"
     bool isPerTriangle = false;
-    std::vector<float> values{}; ///< NaN: not known
+    std::vector<float> values{}; ///< NaN: unknown
 };
 
-/// What a structure can be coloured by: what is felt of each map, then each array of its mesh. Without their values.
+/// Lists the available scalar fields: the resulting quantity of each map, then each array of the mesh. Values are not
+/// filled in.
 [[nodiscard]] std::vector<SurfaceNumbers> numbersOf(const meshio::LoadedStructure& structure);
-/// The same with its values. @param felt  the structure as it is felt: nothing is shown above what the device holds
+/// Scalar field with values. @param felt  the structure in the haptic scene; values are clamped to the device's limit
 [[nodiscard]] SurfaceNumbers numbersOf(const meshio::LoadedStructure& structure, const QString& what,
                                        const haptics::HapticStructure& felt);
 
-/// Colours one structure of the view by numbers, with a legend; follows what changes them.
-/// @par Thread The window's.
+/// Colours one structure of the view by a scalar field with a legend and follows changes of the data.
+///
+/// @par Thread GUI thread only.
 class MapDisplay : public QObject
 {
     Q_OBJECT
   public:
-    /// Both must outlive this.
+    /// Both references must outlive this object.
     MapDisplay(VtkViewport& viewport, StructureModel& model, QObject* parent = nullptr);
 
-    /// @param what  a `SurfaceNumbers::what`; empty: in its own colour again
+    /// Shows a scalar field. @param what  id from `SurfaceNumbers::what`; empty: the structure's own colour
     void show(int row, const QString& what);
-    /// What is shown, as a scene file keeps it; nothing where each structure has its own colour.
+    /// Current selection in the form stored in scene files; empty while no structure is coloured by a field.
     [[nodiscard]] std::optional<meshio::ShownMap> shown() const;
-    /// The number that is shown at a place: "stiffness felt 0.42 N/mm"; empty where this structure has no such colours.
-    /// @param triangle  number in the structure's repaired mesh; @param p_W  on it [mm]
+    /// Value of the displayed field at a place: "stiffness felt 0.42 N/mm"; empty for other structures.
+    /// @param triangle  index in the structure's repaired mesh
+    /// @param p_W  place on the structure [mm]
     [[nodiscard]] QString textAt(int row, std::size_t triangle, const core::Vec3& p_W) const;
-    /// Draws nothing while something else colours the structures; then what was chosen again.
+    /// Suspends the colours while another overlay colours the structures; false restores the selection.
     void setCovered(bool isCovered);
-    /// Says what the device holds.
+    /// Sets the stable limit of the device.
     void setGreatest(const haptics::Tissue& greatest);
 
   private:
@@ -60,7 +63,7 @@ class MapDisplay : public QObject
     int m_row = -1;
     bool m_isCovered = false;
     QString m_what;
-    SurfaceNumbers m_shown; ///< without values: none
+    SurfaceNumbers m_shown; ///< empty values: nothing shown
 };
 
 } // namespace palpate::ui

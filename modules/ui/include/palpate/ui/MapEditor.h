@@ -17,20 +17,20 @@ class QLabel;
 
 namespace palpate::ui {
 
-/// Which array of its mesh, or which volume, varies a tissue over the surface, and by which of them the structure is
-/// coloured.
+/// Editor of tissue maps: the mesh array or volume that varies a tissue parameter over the surface, and the scalar
+/// field that colours the structure.
 class MapEditor : public QWidget
 {
     Q_OBJECT
   public:
-    /// Nothing: by the arrays whose names say it.
+    /// Empty: maps inferred from array names.
     using Maps = std::optional<std::vector<core::TissueMapping>>;
 
     explicit MapEditor(QWidget* parent = nullptr);
 
-    /// @param coloured  what the structure is coloured by: a `SurfaceNumbers::what`, empty: by nothing
+    /// Shows a structure. @param coloured  `SurfaceNumbers::what` of the colours; empty: uncoloured
     void show(const StructureRow& row, const QString& coloured);
-    /// Takes a volume for the quantity that is shown.
+    /// Uses a volume as source of the selected quantity.
     void load(const std::filesystem::path& volume);
 
   Q_SIGNALS:
@@ -56,11 +56,11 @@ class MapEditor : public QWidget
     [[nodiscard]] const core::TissueMapping* current() const;
     [[nodiscard]] core::MappedQuantity quantity() const;
 
-    meshio::LoadedStructure m_structure; ///< as it is now
+    meshio::LoadedStructure m_structure; ///< current state
     std::vector<core::TissueMapping> m_mappings;
     QStringList m_problems;
-    bool m_isByHand = false;                         ///< chosen, though it says nothing yet
-    std::optional<core::TissueMapping> m_unitless{}; ///< a source is chosen; what its numbers are isn't said yet
+    bool m_isByHand = false;                         ///< manual mode was chosen but no mapping exists yet
+    std::optional<core::TissueMapping> m_unitless{}; ///< source chosen, unit still open
     bool m_isShowing = false;
     QFormLayout* m_form = nullptr;
     QComboBox* m_how = nullptr;

@@ -16,25 +16,26 @@
 
 namespace palpate::ui {
 
-/// Judges the maps of what can be touched, each time that they, the tissue or the device change: says of a structure
-/// whose map bends so sharply that the device can be kept swinging there where that is and what to do. Computed on a
-/// thread of its own, a little after the newest change.
-/// @par Thread All functions on the window's thread; the signals come there too.
+/// Checks the maps of the haptic scene for device stability. A map with a very sharp change of stiffness can keep a
+/// device oscillating; the warning names the structure, the place and a remedy. The check runs on a worker thread
+/// shortly after the latest change of map, tissue or device.
+///
+/// @par Thread All functions and signals on the GUI thread.
 class MapWarnings : public QObject
 {
     Q_OBJECT
   public:
-    /// @param live  what is touched, with which device; must outlive this
+    /// @param live  source of scene and device; must outlive this object
     explicit MapWarnings(LiveTouch& live, QObject* parent = nullptr);
-    ~MapWarnings() override; ///< waits for what is being computed
+    ~MapWarnings() override; ///< waits for the running check
 
-    /// By the structures' rows: a line, empty where there is nothing to warn of.
+    /// Warnings indexed by row; empty strings for structures without a warning.
     [[nodiscard]] const QStringList& lines() const noexcept { return m_lines; }
 
   Q_SIGNALS:
-    /// `lines` are others.
+    /// Emitted when `lines` changed.
     void changed();
-    /// A structure is warned of that was not, or at another place than before.
+    /// Emitted for a new warning or a warning at another place.
     void warned(const QString& line);
 
   private:
@@ -44,9 +45,9 @@ class MapWarnings : public QObject
 
     LiveTouch& m_live;
     QThreadPool m_thread;
-    QTimer m_wait;        ///< gathers changes
-    int m_job = 0;        ///< the newest; what older ones find is not taken
-    QSet<QString> m_told; ///< structure, device and place of each line
+    QTimer m_wait;        ///< coalesces changes
+    int m_job = 0;        ///< latest check; results of earlier checks are discarded
+    QSet<QString> m_told; ///< structure, device and place of the emitted warnings
     QStringList m_lines;
 };
 

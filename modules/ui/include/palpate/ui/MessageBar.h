@@ -14,12 +14,12 @@ class QVBoxLayout;
 
 namespace palpate::ui {
 
-/// One message over the view: an icon of its kind, its text, what can be done about it.
+/// Single message over the view with icon, text and buttons.
 class MessageRow : public QFrame
 {
     Q_OBJECT
   public:
-    /// @param buttons  what can be done about it; none, one or two
+    /// @param buttons  actions, at most two
     MessageRow(Messages::Kind kind, const QString& text, const QStringList& buttons, QWidget* parent);
     [[nodiscard]] Messages::Kind kind() const noexcept { return m_kind; }
     [[nodiscard]] const QString& text() const noexcept { return m_text; }
@@ -39,36 +39,37 @@ class MessageRow : public QFrame
     QLabel* m_symbol = nullptr;
 };
 
-/// Messages over the view that stay until they are answered or closed, the newest on top. Three are shown; older ones
-/// wait behind them and are counted. Each goes into the list of messages too, and is told to screen readers.
-/// @par Thread The GUI's.
+/// Messages over the view that stay until answered or closed, newest on top. At most `kShown` are visible; older
+/// messages are counted. Every message is also added to the message list and announced to screen readers.
+///
+/// @par Thread GUI thread only.
 class MessageBar : public QWidget
 {
     Q_OBJECT
   public:
-    /// How long an offer stands.
+    /// Lifetime of an offer.
     enum class Keep
     {
-        WithScene,    ///< it is about what is open
-        UntilAnswered ///< whatever is opened meanwhile
+        WithScene,    ///< until another scene is opened
+        UntilAnswered ///< independent of the scene
     };
     static constexpr int kShown = 3;
 
-    /// @param messages  outlives the bar
+    /// @param messages  must outlive the bar
     explicit MessageBar(Messages& messages, QWidget* parent = nullptr);
     void showError(const QString& text);
-    /// Shows a line with a button that does something about it and closes the line.
+    /// Shows a message with a button. The button runs `act` and closes the message.
     void offer(const QString& text, const QString& button, std::function<void()> act, Keep keep = Keep::WithScene);
-    /// Shows a question with two answers, each of which closes the line.
+    /// Shows a question with two answers. Each answer closes the message.
     void ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
              std::function<void()> otherAct);
-    /// Closes what was about the scene that was open.
+    /// Closes the messages about the previous scene.
     void forgetScene();
-    /// The texts that stand, the newest first, a line each.
+    /// Texts of the open messages, newest first, one per line.
     [[nodiscard]] QString text() const;
 
   Q_SIGNALS:
-    /// The line that counts what waits was pressed.
+    /// Emitted when the line with the number of hidden messages is pressed.
     void listWanted();
 
   private:
@@ -82,7 +83,7 @@ class MessageBar : public QWidget
     void arrange();
 
     Messages& m_messages;
-    std::vector<Entry> m_entries; ///< the newest first
+    std::vector<Entry> m_entries; ///< newest first
     QVBoxLayout* m_rows = nullptr;
     QPushButton* m_more = nullptr;
 };

@@ -7,12 +7,12 @@
 
 namespace palpate::ui {
 
-/// Shows the messages; selected ones are copied with Ctrl+C, a line each.
+/// List view of all messages. Ctrl+C copies the selection, one message per line.
 class MessageList : public QListView
 {
     Q_OBJECT
   public:
-    /// @param messages  outlives the list
+    /// @param messages  must outlive the list
     explicit MessageList(Messages& messages, QWidget* parent = nullptr);
     void copySelection() const;
 

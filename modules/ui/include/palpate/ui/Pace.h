@@ -8,15 +8,18 @@
 
 namespace palpate::ui {
 
-/// Does something that is wanted often at most twice a second, with the newest state: what a screen reader is told.
-/// @par Thread The GUI's.
+/// Rate limiter: runs an action at most twice a second, always with the newest state. Used for screen reader
+/// announcements.
+///
+/// @par Thread GUI thread only.
 class Pace
 {
   public:
     static constexpr int kPause_ms = 500;
 
     explicit Pace(std::function<void()> act);
-    /// Acts now when the last time is long enough ago, else once as soon as it is.
+    /// Requests the action. Runs immediately when the last run is at least `kPause_ms` ago, else once at the end of the
+    /// pause.
     void want();
 
   private:

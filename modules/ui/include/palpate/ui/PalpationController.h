@@ -13,65 +13,67 @@
 
 namespace palpate::ui {
 
-/// The pointer as a hand: view -> PointerHand -> device, and the servo's newest tick -> cursor and numbers. Runs only
-/// while a hand is over the view, or while another device than the pointer is the hand. Keys can do all that a pointer
-/// does: then a crosshair shows where the hand is, until the pointer takes it again.
+/// Uses the pointer as a haptic device: view → PointerHand → device, newest servo tick → cursor and readings. Active
+/// only while the pointer is over the view or another device is in use. The keyboard offers the same functions; a
+/// crosshair then marks the hand until the pointer takes over.
 class PalpationController : public QObject
 {
     Q_OBJECT
   public:
-    /// All must outlive this.
+    /// All references must outlive this object.
     PalpationController(VtkViewport& viewport, LiveTouch& live, StructureModel& model, QObject* parent = nullptr);
 
-    /// Switches between camera and palpation.
+    /// Switches between camera and palpation mode.
     void setPalpating(bool isPalpating);
     [[nodiscard]] bool isPalpating() const noexcept { return m_isPalpating; }
-    /// Lifts the hand off. @return false when nothing was pressed
+    /// Lifts the hand off the surface. Returns false when nothing was pressed.
     bool letGo();
-    /// Sizes depths for a new scene.
+    /// Adapts hover height, depths and strides to the size of a new scene.
     void setSceneSize(double diagonal_mm);
-    /// How the pointer presses: as deep as is set, or by effort, where the depth follows from what is pressed.
+    /// Selects pressing to a fixed depth or by effort, where the depth follows from the stiffness of the pressed
+    /// structures.
     void setPress(const HandSettings& settings);
     [[nodiscard]] bool isByEffort() const noexcept { return m_isByEffort; }
     [[nodiscard]] double depth_mm() const noexcept { return m_hand.settings().depth_mm; }
-    /// What the hand in the view does, in a few words: "camera", "presses 4.0 mm", "pressing 12 of 27 mm", "pressing
-    /// 2.3 of 5.0 N".
+    /// Short status of the hand: "camera", "presses 4.0 mm", "pressing 12 of 27 mm", "pressing 2.3 of 5.0 N".
     [[nodiscard]] QString text() const;
-    /// It presses, and the surface has given way to the side: less is felt than is pressed.
+    /// True while pressing when the surface has slid aside, so that the penetration depth is less than the commanded
+    /// depth.
     [[nodiscard]] bool isSlidOff() const noexcept { return m_isSlidOff; }
 
-    /// A hand that needs no pointer: goes where `place` of the view shows and presses.
+    /// Moves the hand to a place of the view and presses, without a pointer.
     void pressAt(const QPointF& place);
-    /// Moves the pressed or hovering hand.
+    /// Moves a pressing or hovering hand.
     void moveTo(const QPointF& place);
 
-    /// Moves the hand along the screen, by strides of 2 mm, less in a small scene. The first time it is put in the
-    /// middle of the view, or where the pointer has it.
+    /// Moves the hand along the screen in strides of 2 mm, less in a small scene. The first call places the hand at the
+    /// pointer's position or in the middle of the view.
     void stepAlongScreen(int right, int up);
-    /// Presses where the hand is, or lets go.
+    /// Presses at the current place, or releases.
     void togglePress();
-    /// A 6-axis mouse is pushed: presses where the hand is, by effort with this share of the hardest press; it lets go
-    /// of what it pressed when it rests. @param share  0 … 1; 0: it rests
+    /// Handles a push of the 6-axis mouse: presses by effort at the current place with a fraction of the force limit.
+    /// At rest, the press started by the 6-axis mouse is released.
+    /// @param share  0 to 1; 0: at rest
     void push(double share);
-    /// Deeper by steps of 0.5 mm, less in a small scene.
+    /// Changes the depth in steps of 0.5 mm, less in a small scene.
     void stepDepth(int steps);
-    /// The camera was moved by keys: a hand that hovers follows.
+    /// Updates a hovering hand after the camera was moved by keys.
     void followCamera();
-    /// Keys move the hand, and a crosshair shows it.
+    /// True while keys control the hand and the crosshair is visible.
     [[nodiscard]] bool isByKeys() const noexcept { return m_isByKeys; }
 
   Q_SIGNALS:
-    /// A newer moment of touch, at most at display rate.
+    /// Emitted for a new tick, at most at display rate.
     void touched(const palpate::ui::TouchReading& reading);
     void handGone();
     void depthChanged(double depth_mm);
-    /// The wheel or a key changed the force of a press at most.
+    /// Emitted when wheel or key changed the force limit.
     void effortTurned(double most_N);
-    /// `text` is another one.
+    /// Emitted when `text` changed.
     void textChanged();
-    /// A key for the hand was pressed while the pointer moves the camera.
+    /// Emitted for a hand key in camera mode.
     void palpationWanted();
-    /// Something to tell the person, a sentence.
+    /// Message for the user, one sentence.
     void said(const QString& line);
 
   private:
@@ -102,10 +104,10 @@ class PalpationController : public QObject
     Effort m_effort;
     bool m_isByEffort = false;
     bool m_isByKeys = false;
-    bool m_isPushed = false; ///< the press is a 6-axis mouse's
+    bool m_isPushed = false; ///< press by the 6-axis mouse
     bool m_isSlidOff = false;
-    double m_pressed_mm = 0.0; ///< how far the hand is in, along the line of sight
-    QString m_text;            ///< said last
+    double m_pressed_mm = 0.0; ///< depth of the hand along the line of sight
+    QString m_text;            ///< last emitted text
 };
 
 } // namespace palpate::ui

@@ -9,34 +9,34 @@
 
 namespace palpate::ui {
 
-/// F6 and Shift+F6: the keys go from one part of the window to the next, and come back to where they were in it. A
-/// panel behind another one's tab comes to the front while the keys are in it.
+/// Focus navigation with F6 and Shift+F6. Moves the keyboard focus between the parts of the window and restores the
+/// last focus widget of each part. A tabbed panel is raised while focused.
 class PanelRound
 {
   public:
-    /// Adds a part after those there are.
+    /// Appends a part.
     void add(QWidget* part);
-    /// Gives the keys to the next part that is shown. @param step  1: the next, -1: the one before
+    /// Focuses the next visible part. @param step  1: forward, -1: backward
     void go(int step);
 
   private:
     struct Part
     {
         QPointer<QWidget> widget;
-        QPointer<QWidget> last; ///< had the keys when the part was left
+        QPointer<QWidget> last; ///< focus widget when the part was left
     };
     bool isGivenKeys(Part& part);
     std::vector<Part> m_parts;
-    QPointer<QDockWidget> m_covered; ///< was in front before one behind it got the keys
+    QPointer<QDockWidget> m_covered; ///< front panel before another tab was raised
 };
 
-/// A narrow frame round what it holds, which shows when the keys go there.
+/// Frame around a widget that becomes visible with the keyboard focus.
 class FocusFrame : public QWidget
 {
     Q_OBJECT
   public:
-    /// @param held     what stands in the frame; taken over
-    /// @param watched  what has the keys when the frame shows
+    /// @param held  content of the frame; ownership is taken
+    /// @param watched  widget whose focus shows the frame
     FocusFrame(QWidget* held, QWidget* watched, QWidget* parent);
 
   protected:

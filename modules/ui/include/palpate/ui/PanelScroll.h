@@ -5,14 +5,13 @@
 
 namespace palpate::ui {
 
-/// Holds a panel and scrolls it where the window has no room for all of it, so that no panel makes the window larger
-/// than the screen.
+/// Scroll area of a panel, so that no panel enlarges the window beyond the screen.
 class PanelScroll : public QScrollArea
 {
     Q_OBJECT
   public:
     explicit PanelScroll(QWidget* panel, QWidget* parent = nullptr);
-    /// As wide as the panel at its narrowest, with the scroll bar.
+    /// Minimum width of the panel plus the scroll bar.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 };

@@ -17,8 +17,7 @@ namespace palpate::ui {
 
 class ActionList;
 
-/// A short fact in a rounded frame: "mouse", "1.00 kHz". What stands behind the first comma is left out where there is
-/// no room for it.
+/// Short fact in a rounded frame: "mouse", "1.00 kHz". The short form omits the text after the first comma.
 class Chip : public QLabel
 {
     Q_OBJECT
@@ -26,18 +25,18 @@ class Chip : public QLabel
     enum class Tone
     {
         Quiet,
-        Good, ///< quiet, with a green dot
+        Good, ///< quiet with a green dot
         Warning,
         Recording
     };
-    /// @param what  it is a fact of, for screen readers
+    /// @param what  description of the fact for screen readers
     explicit Chip(const QString& what, QWidget* parent = nullptr);
     void say(const QString& text, Tone tone = Tone::Quiet);
     [[nodiscard]] const QString& said() const noexcept { return m_said; }
     [[nodiscard]] Tone tone() const noexcept { return m_tone; }
-    /// Shows what was said in fewer words, or whole. Of what is good the dot alone stays.
+    /// Switches between full and short text. Chips with Tone::Good show only the dot.
     void setShort(bool isShort);
-    /// Width of the chip in fewer words, or whole. [px]
+    /// Width of the chip with short or full text. [px]
     [[nodiscard]] int widthFor(bool isShort) const;
 
   Q_SIGNALS:
@@ -58,13 +57,13 @@ class Chip : public QLabel
     bool m_isShort = false;
 };
 
-/// What is shown instead of an empty view: open, try the phantom, recent scenes.
+/// Start page of an empty view: open a file, try the phantom, recent scenes.
 class WelcomePage : public QWidget
 {
     Q_OBJECT
   public:
     explicit WelcomePage(QWidget* parent = nullptr);
-    /// @param hasPhantom  false hides its button
+    /// @param hasPhantom  false hides the phantom button
     void setChoices(bool hasPhantom, const QStringList& recent);
 
   Q_SIGNALS:
@@ -83,13 +82,13 @@ class WelcomePage : public QWidget
     QWidget* m_card = nullptr;
 };
 
-/// All keys on one card over the window; where that is too low for it, arrows and wheel scroll the card. Any other key
-/// or a click closes it.
+/// Key card: all shortcuts on one card over the window. Arrow keys and wheel scroll a card that is too high; any other
+/// key or a click closes the card.
 class KeysCard : public QFrame
 {
     Q_OBJECT
   public:
-    /// @param actions  what the card shows; outlives it
+    /// @param actions  content of the card; must outlive it
     KeysCard(const ActionList& actions, QWidget* parent);
     void toggle();
 
@@ -103,8 +102,8 @@ class KeysCard : public QFrame
     void fill();
 
     const ActionList& m_actions;
-    QScrollArea* m_scroll = nullptr; ///< its table is made anew each time the card is shown
-    QPointer<QWidget> m_before;      ///< had the keys before, and gets them back
+    QScrollArea* m_scroll = nullptr; ///< the table is rebuilt each time the card opens
+    QPointer<QWidget> m_before;      ///< previous focus widget, restored on closing
 };
 
 } // namespace palpate::ui

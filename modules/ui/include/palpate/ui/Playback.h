@@ -15,30 +15,30 @@
 
 namespace palpate::ui {
 
-/// Plays an open recording in the view: what was recorded is shown as it was, nothing is computed anew.
+/// Plays an open recording in the view. Shows the recorded ticks without recomputing contacts or forces.
 class Playback : public QObject
 {
     Q_OBJECT
   public:
-    /// @param model  of the open scene: gives structures of the recording their colours, by name. All must outlive
-    /// this.
+    /// @param model  structures of the open scene; provides colours by structure name
+    /// All references must outlive this object.
     Playback(VtkViewport& viewport, const StructureModel& model, SessionPanel& panel, TouchPanel& touch,
              QObject* parent = nullptr);
 
-    /// Takes a recording and shows its first moment; null takes it away.
+    /// Takes a recording and shows the first tick; null closes the recording.
     void setRecording(std::unique_ptr<RecordedTouch> recording);
     [[nodiscard]] const RecordedTouch* recording() const noexcept { return m_recording.get(); }
     [[nodiscard]] bool isPlaying() const;
     void play();
     void pause();
     void toStart();
-    /// Goes there and fills the chart with the seconds before.
+    /// Seeks and fills the chart with the preceding seconds.
     void seek(double position_s);
-    /// Shows where it is, after the view has shown something else; nothing without a recording.
+    /// Redraws the current position after other content was shown. No effect without a recording.
     void showAgain() { seek(position_s()); }
-    /// Where it is. [s]
+    /// Current position. [s]
     [[nodiscard]] double position_s() const { return m_panel.transport().position_s(); }
-    /// The moment of greatest force. [s]
+    /// Time of the greatest force. [s]
     [[nodiscard]] double peakTime_s() const noexcept { return m_peak_s; }
 
   Q_SIGNALS:

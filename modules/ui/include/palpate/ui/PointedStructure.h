@@ -18,34 +18,35 @@ namespace palpate::ui {
 
 class VtkViewport;
 
-/// Which structure the pointer is on: names it beside the pointer, with its number where the structure is coloured by a
-/// map, and says which was clicked. Also one that can't be felt.
-/// @par Thread The GUI's.
+/// Identifies the structure under the pointer: shows a label with the name and the value of a displayed scalar field,
+/// and reports clicks. Includes structures that are not palpable.
+///
+/// @par Thread GUI thread only.
 class PointedStructure : public QObject
 {
     Q_OBJECT
   public:
-    /// A place on a structure.
+    /// Place on a structure.
     struct Place
     {
         int row = 0;
-        std::size_t triangle = 0; ///< number in the structure's repaired mesh
+        std::size_t triangle = 0; ///< index in the structure's repaired mesh
         core::Vec3 p_W = core::Vec3::Zero();
     };
 
-    /// All must outlive this.
+    /// All references must outlive this object.
     PointedStructure(VtkViewport& viewport, const StructureModel& model, const MapDisplay& maps,
                      QObject* parent = nullptr);
 
-    /// The nearest structure that is shown at a place of the view. @par Cost As `view::firstHit`.
+    /// Nearest visible structure at a place of the view. @par Cost as `view::firstHit`.
     [[nodiscard]] std::optional<Place> at(const QPointF& place) const;
-    /// Says more of a place after the structure's name; an empty text says nothing.
+    /// Sets a callback that adds text after the structure's name; an empty result adds nothing.
     void setMore(std::function<QString(const Place&)> more) { m_more = std::move(more); }
-    /// "liver · stiffness felt 0.42 N/mm"
+    /// Label text: "liver · stiffness felt 0.42 N/mm".
     [[nodiscard]] QString textOf(const Place& place) const;
 
   Q_SIGNALS:
-    /// A structure was clicked while the pointer moves the camera. @param row  -1: beside all
+    /// Emitted for a click in camera mode. @param row  -1: background
     void clicked(int row, Qt::KeyboardModifiers modifiers);
 
   private:
@@ -55,7 +56,7 @@ class PointedStructure : public QObject
     const StructureModel& m_model;
     const MapDisplay& m_maps;
     std::function<QString(const Place&)> m_more;
-    QTimer m_frame; ///< at most one look a frame
+    QTimer m_frame; ///< at most one lookup per frame
     QPointF m_place;
     QLabel* m_name = nullptr;
 };

@@ -10,30 +10,39 @@ namespace palpate::ui {
 
 using core::Vec3;
 
-/// How a hand that is a mouse or pen feels.
+/// Parameters of a hand driven by mouse or pen.
 struct PointerHandSettings
 {
     double hover_mm = 2.0;     ///< gap to the surface while nothing is pressed
-    double depth_mm = 4.0;     ///< how far a press goes in
-    double step_mm = 0.5;      ///< one notch of the wheel; from 20 of them on a notch is more, see `turnDepth`
-    double deepest_mm = 200.0; ///< the wheel stops here
-    double pressTime_s = 0.15; ///< a press goes in over this time, so that it is felt as pressing and not as a knock, …
-    double gentle_mm = 6.0;    ///< … when its way is no longer than this, …
-    double deeper_mm_per_s = 20.0; ///< … and beyond at this speed while it is held
+    double depth_mm = 4.0;     ///< depth of a press
+    double step_mm = 0.5;      ///< one wheel notch; more from 20 steps on, see `turnDepth`
+    double deepest_mm = 200.0; ///< upper bound of the depth
+    double pressTime_s = 0.15; ///< duration of a shallow press, long enough to feel like pressing instead of a knock
+    double gentle_mm = 6.0;    ///< longest travel that takes pressTime_s
+    double deeper_mm_per_s = 20.0; ///< speed of the remaining travel while the press is held
     double liftTime_s = 0.10;
     double stride_mm = 2.0; ///< one step along the screen by keys
 };
 
-/// @return settings whose depths suit structures of this size, so that a vessel and a body are both pressed by a share
-///         of themselves: the usual 4 mm from 200 mm on. A press reaches through all of it.
+/// Returns settings scaled to the scene, so that a vessel and a whole body are pressed by a similar fraction of their
+/// size. The default depth of 4 mm applies from 200 mm on. A press can reach through the whole scene.
 [[nodiscard]] PointerHandSettings settingsForSize(double diagonal_mm);
 
-/// Turns a pointer over a surface into what a hand wants: it hovers over the point shown, a press pushes in along the
-/// line of sight to the set depth, a drag slides, a release lifts off. The device does the pushing, tick by tick.
+/// Converts pointer motion over a surface into motion of a hand: hovering above the picked point, pressing along the
+/// line of sight to the set depth, sliding on drag, lifting off on release. The device performs the motion tick by
+/// tick.
 ///
-/// Time comes from the caller, so that the same moves give the same states. While it hovers the device is told that
-/// no hand is there (`isPresent` false): a pointer jumps from place to place, and a hand that jumped through tissue
-/// would be caught by it.
+/// The caller provides the time, so that equal input gives equal states. A hovering hand is reported to the device as
+/// absent (`isPresent` false), because a pointer jumps between places and a god-object would be caught inside tissue.
+///
+/// @par Example
+/// @code
+/// PointerHand hand;
+/// hand.setSettings(settingsForSize(300.0)); // scene diagonal in mm
+/// hand.pointAt(Vec3(0, 0, 500), Vec3(0, 0, -1), Vec3(0, 0, 100)); // eye, direction, picked point
+/// hand.press();
+/// device::PointerState state = hand.state(0.1); // time in s
+/// @endcode
 class PointerHand
 {
   public:
@@ -48,47 +57,48 @@ class PointerHand
     void setSettings(const PointerHandSettings& settings);
     [[nodiscard]] const PointerHandSettings& settings() const noexcept { return m_settings; }
 
-    /// The pointer's line of sight and the surface point on it, if there is one. A press keeps its depth plane where
-    /// the pointer runs off the surface or over the rim of something in front of it.
-    /// @param d_W  unit, away from the viewer
+    /// Sets the line of sight and the picked surface point, if any. During a press the depth plane is kept when the
+    /// pointer leaves the surface or crosses the rim of a structure in front.
+    /// @param d_W  unit vector away from the viewer
     void pointAt(const Vec3& eye_W, const Vec3& d_W, const std::optional<Vec3>& surface_W);
-    /// The pointer is elsewhere, or palpation was switched off: lets go at once.
+    /// Releases immediately: the pointer has left the view, or palpation was switched off.
     void goAway();
     void press();
     void release(double now_s);
-    /// Changes the depth by notches, within 0 … `deepest_mm`. A notch is `step_mm`, twice that from 20 steps of depth
-    /// on, four times from 40, ten times from 100: 0.5 mm, from 10 mm on 1, from 20 mm on 2, from 50 mm on 5.
-    /// @return false when that was not all possible
+    /// Changes the depth by wheel notches, clamped to 0 … `deepest_mm`. A notch is `step_mm`, doubled from 20 steps on,
+    /// four times from 40 and ten times from 100. With 0.5 mm steps: 1 mm from 10 mm on, 2 mm from 20 mm, 5 mm from 50
+    /// mm.
+    /// @return false when the bounds cut the change short
     bool turnDepth(double notches);
-    /// Changes the depth by `step_mm` as often as said, wherever it is; otherwise as `turnDepth`.
+    /// Changes the depth by multiples of `step_mm`; otherwise as `turnDepth`.
     bool stepDepth(int steps);
-    /// A press goes in as deep as this instead of to the depth that is set; nothing: as set. Within `deepest_mm`, from
-    /// where it hovers. [mm]
+    /// Sets the target depth of a press instead of the configured depth; empty restores the configured depth. Clamped
+    /// to -`hover_mm` … `deepest_mm`. [mm]
     void setAim(std::optional<double> depth_mm);
 
     [[nodiscard]] Phase phase(double now_s) const;
-    /// Where the hand hovers; nothing while away. [mm]
+    /// Hover position; empty while away. [mm]
     [[nodiscard]] std::optional<Vec3> hoverPoint() const;
-    /// What the device is told: it goes in and lifts off by itself, see device/PointerDevice.h. Bit 0 of `buttons` is
-    /// the press.
+    /// State for the device, which performs press and lift-off motions, see device/PointerDevice.h. Bit 0 of `buttons`
+    /// is the press.
     [[nodiscard]] device::PointerState state(double now_s) const;
 
-    /// What the depth is counted from; nothing while away. [mm]
+    /// Reference point of the depth; empty while away. [mm]
     [[nodiscard]] const std::optional<Vec3>& surfacePoint() const noexcept { return m_surface_W; }
-    /// Unit, the way in.
+    /// Press direction, unit vector.
     [[nodiscard]] const Vec3& direction() const noexcept { return m_d_W; }
-    /// How far below the surface that was pointed at a place is, along the line of sight. [mm]
+    /// Depth of a place below the picked surface point along the line of sight. [mm]
     [[nodiscard]] double pressedDepth_mm(const Vec3& p_W) const;
 
   private:
     bool setDepth(double depth_mm);
 
     PointerHandSettings m_settings;
-    std::optional<Vec3> m_surface_W; ///< what the depth is counted from
+    std::optional<Vec3> m_surface_W; ///< reference point of the depth
     Vec3 m_d_W = Vec3::UnitZ();
-    std::optional<double> m_aim_mm; ///< stands for the depth that is set
+    std::optional<double> m_aim_mm; ///< overrides the configured depth
     bool m_isDown = false;
-    double m_release_s = -1.0; ///< when it was released; < 0: it hovers
+    double m_release_s = -1.0; ///< time of release; < 0: hovering
 };
 
 } // namespace palpate::ui

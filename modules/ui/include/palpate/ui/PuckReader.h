@@ -12,8 +12,8 @@ class vtkCamera;
 
 namespace palpate::ui {
 
-/// Reads a rate-controlled device that is not the hand, such as a 6-axis mouse, at display rate; where its reach ends
-/// it goes on from its origin.
+/// Polls a rate-controlled input device, such as a 6-axis mouse, at display rate. Used for devices that are not the
+/// haptic device. At the end of the range the device is recentred, so that motion continues.
 class PuckReader : public QObject
 {
     Q_OBJECT
@@ -21,12 +21,12 @@ class PuckReader : public QObject
     explicit PuckReader(QObject* parent = nullptr);
     ~PuckReader() override;
 
-    /// Starts it; null stops the one in use.
+    /// Starts a device; null stops the current one.
     core::Status use(std::unique_ptr<device::HapticDevice> device);
     [[nodiscard]] bool isOn() const noexcept { return m_device != nullptr; }
 
   Q_SIGNALS:
-    /// At each step: the hand's poses before and after; `isPresent` is false while the device is gone.
+    /// Emitted at each step with the poses before and after. `isPresent` is false while the device is disconnected.
     void moved(const palpate::device::DeviceState& from, const palpate::device::DeviceState& to, double passed_s);
 
   private:
@@ -35,18 +35,18 @@ class PuckReader : public QObject
     std::unique_ptr<device::HapticDevice> m_device;
     device::DeviceState m_last;
     std::int64_t m_last_ns = 0;
-    int m_recentring = 0; ///< steps in which it may still be on its way back to the origin
+    int m_recentring = 0; ///< steps left for the return to the origin
     QTimer m_timer;
 };
 
-/// Moves a camera as if the anatomy followed a hand that moved and turned: x right, y away from the viewer, z up in the
-/// picture. Shifts grow with the camera's distance.
-/// @param from,to  the hand's poses before and after
+/// Moves a camera as if the anatomy followed the motion of a hand: x right, y away from the viewer, z up on the screen.
+/// Translations scale with the camera's distance.
+/// @param from,to  hand poses before and after
 void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const device::DeviceState& to);
 
-/// How hard a puck is pushed down: its speed against z, as a share of the 60 mm/s that the 6-axis mouse's plugin gives
-/// it at full way as it comes. A share below 0.02 is a hand that rests.
-/// @return 0 … 1; 0 where nothing is measured
+/// Push strength of a 6-axis mouse: downward speed divided by 60 mm/s, the plugin's default at full deflection. Values
+/// below 0.02 count as rest.
+/// @return 0 to 1; 0 without a measurement
 [[nodiscard]] double pushOf(const device::DeviceState& from, const device::DeviceState& to, double passed_s) noexcept;
 
 } // namespace palpate::ui

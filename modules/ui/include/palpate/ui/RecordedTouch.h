@@ -18,12 +18,12 @@
 
 namespace palpate::ui {
 
-/// A recording opened for the window: any moment of it, and its force over time for the timeline.
+/// Opened recording with random access to ticks and an overview of the force for the timeline.
 class RecordedTouch : public QObject
 {
     Q_OBJECT
   public:
-    /// Bins of the overview: more than a timeline has pixels.
+    /// Bins of the overview; more than a timeline has pixels.
     static constexpr std::size_t kBins = 2000;
 
     [[nodiscard]] static core::Result<std::unique_ptr<RecordedTouch>> open(const std::filesystem::path& path);
@@ -31,30 +31,30 @@ class RecordedTouch : public QObject
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
     [[nodiscard]] double duration_s() const;
-    /// @return the newest tick at `time_s` since the first.
+    /// Newest tick at `time_s` after the first tick.
     [[nodiscard]] std::optional<servo::TickRecord> at(double time_s) const;
-    /// Name of a structure by its number in the scene that a tick felt, as the scene has it; empty when it has none.
+    /// Name of a structure by its number in the tick's scene; empty for unnamed structures.
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick, std::uint32_t number) const;
-    /// Radius of the ball that touched, 0 = a point. [mm]
+    /// Radius of the probe sphere; 0: a point. [mm]
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
-    /// Of the structure that a tick reports; null in free space, and when its scene is not known.
+    /// Tissue of the structure reported by a tick; null in free space or when the tick's scene is unknown.
     [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
-    /// How stiff what a tick touches was felt.
+    /// Stiffness at the recorded contact of a tick.
     [[nodiscard]] FeltStiffness stiffness(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
-    /// When something was noted [s], with its kind.
+    /// Times [s] and kinds of the recorded events.
     [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;
-    /// What was marked in it and not taken back, in the order of time.
+    /// Findings marked during the recording and not deleted, ordered by time.
     [[nodiscard]] std::vector<core::Finding> findings() const;
-    /// @return one line about ticks that were lost or a recording that ended by itself; empty when it is whole.
+    /// One line about lost ticks or an interrupted recording; empty for a complete recording.
     [[nodiscard]] QString losses() const;
 
-    /// Reads the greatest force in each of `kBins` equal spans, on a thread of its own.
+    /// Starts reading the greatest force in each of `kBins` equal intervals on a worker thread.
     void startOverview();
 
   Q_SIGNALS:
     void overviewReady(const std::vector<float>& peaks_N);
-    /// Once all was read: something is not as it was written that opening did not tell. @param what  as damageText
+    /// Emitted after the full read when damage was found that opening did not detect. @param what  result of damageText
     void damageFound(const QString& what);
 
   private:
@@ -66,7 +66,7 @@ class RecordedTouch : public QObject
     std::atomic<bool> m_isClosing{false};
 };
 
-/// One line for a person about a recording of which some places are not as they were written; empty for 0 places.
+/// One-line message about the number of damaged places of a recording; empty for 0 places.
 [[nodiscard]] QString damageText(const std::filesystem::path& recording, std::size_t places);
 
 } // namespace palpate::ui

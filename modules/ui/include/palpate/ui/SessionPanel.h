@@ -17,8 +17,8 @@ class QToolButton;
 
 namespace palpate::ui {
 
-/// Force as a waveform over the whole recording, with a head that is dragged to seek. A screen reader hears where the
-/// head stands and the greatest force there.
+/// Force waveform of the whole recording with a draggable playhead. Screen readers hear the position and the greatest
+/// force there.
 class ForceTimeline : public QWidget, public Spoken
 {
     Q_OBJECT
@@ -28,7 +28,7 @@ class ForceTimeline : public QWidget, public Spoken
     void setPeaks(std::vector<float> peaks_N, double duration_s);
     void setMarks(std::vector<std::pair<double, QString>> marks);
     void setPosition(double position_s);
-    /// Shows a recording as it grows. @param force_N  greatest since the last call
+    /// Extends the waveform during recording. @param force_N  greatest force since the previous call
     void addLive(double time_s, double force_N);
     void clear();
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
@@ -59,21 +59,21 @@ class ForceTimeline : public QWidget, public Spoken
     bool m_isLive = false;
 };
 
-/// The recording at hand: transport, timeline, speed.
+/// Panel of the current recording: transport, timeline, speed.
 class SessionPanel : public QWidget
 {
     Q_OBJECT
   public:
     explicit SessionPanel(QWidget* parent = nullptr);
 
-    /// The window's actions appear here as buttons too.
+    /// Adds an action of the window as a button.
     void addAction(QAction* action);
     [[nodiscard]] ForceTimeline& timeline() noexcept { return *m_timeline; }
     [[nodiscard]] Transport& transport() noexcept { return m_transport; }
     void showTitle(const QString& title);
-    /// Shows what the transport says.
+    /// Updates the display from the transport.
     void refresh();
-    /// Shows a recording in progress. @param losses  what `lossesText` says
+    /// Shows a running recording. @param losses  result of `lossesText`
     void showRecording(double duration_s, const QString& losses);
 
   Q_SIGNALS:
@@ -88,9 +88,10 @@ class SessionPanel : public QWidget
     QHBoxLayout* m_buttons = nullptr;
 };
 
-/// "01:02.3" for 62.3 s, rounded.
+/// Rounded time: "01:02.3" for 62.3 s.
 [[nodiscard]] QString clockText(double seconds);
-/// "109 late, 0 lost". @param late  ticks that the servo left out; @param lost  those that the disk was too slow for
+/// Loss summary: "109 late, 0 lost". @param late  ticks skipped by the servo loop
+/// @param lost  ticks lost because the disk was too slow
 [[nodiscard]] QString lossesText(qulonglong late, qulonglong lost);
 
 } // namespace palpate::ui

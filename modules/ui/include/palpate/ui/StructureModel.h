@@ -17,25 +17,27 @@
 
 namespace palpate::ui {
 
-/// A structure of the open scene: what its file said, how it is now, and what was built from it.
+/// Structure of the open scene: loaded data, current description and derived data.
 struct StructureRow
 {
-    meshio::LoadedStructure loaded; ///< `loaded.description` is what the panel edits
+    meshio::LoadedStructure loaded; ///< `loaded.description` is edited by the panel
     vtkSmartPointer<vtkPolyData> picture;
-    std::shared_ptr<const geometry::SurfaceIndex> touch; ///< null until it is palpable and built
-    std::string sha256;                                  ///< geometryHash, where `touch` is
-    std::optional<int> in{};                             ///< row of the smallest structure that it lies in
-    haptics::TissueMaps felt{};                          ///< `loaded.maps` for the tick, where `touch` is
-    QStringList mapProblems{};                           ///< why a map can't be had, one sentence an entry
-    /// `loaded.feltBelow` as a recording had it: felt while lumps are felt as layers, and never made anew.
+    std::shared_ptr<const geometry::SurfaceIndex> touch; ///< haptic copy; null until palpable and built
+    std::string sha256;                                  ///< geometryHash, available together with `touch`
+    std::optional<int> in{};                             ///< row of the smallest structure around this one
+    haptics::TissueMaps felt{}; ///< `loaded.maps` prepared for the servo tick, available together with `touch`
+    QStringList mapProblems{};  ///< reasons for unavailable maps, one sentence each
+    /// `loaded.feltBelow` from a recording. Used while buried lumps are separate layers; never recomputed.
     std::vector<std::vector<float>> recordedBelow{};
-    /// Taken out of the scene: neither shown, felt, listed nor saved. It keeps its number, which recordings, undo steps
-    /// and the view know it by, and comes back with undo.
+    /// Removed from the scene: not drawn, palpable, listed or saved. The row keeps its number for recordings, undo
+    /// steps and the view, and returns with undo.
     bool isRemoved = false;
 };
 
-/// The open scene's structures as a table: shown, name and colour, health, felt. One place holds what view, hand, panel
-/// and file agree on.
+/// Table of the open scene's structures: visible, name and colour, mesh health, palpable. Single source of truth for
+/// view, haptics, panel and file.
+///
+/// @par Thread GUI thread only.
 class StructureModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -49,10 +51,10 @@ class StructureModel : public QAbstractTableModel
         ColumnCount
     };
 
-    /// How far in a name stands in the list, as a number: its layer.
+    /// Indentation of a name in the list, equal to the structure's layer.
     static constexpr int kLayerRole = Qt::UserRole;
 
-    /// What a change is about; view and hand take what concerns them.
+    /// Aspect of a change: appearance for the view, touch for the haptic scene.
     enum class Change
     {
         Look,
@@ -61,98 +63,102 @@ class StructureModel : public QAbstractTableModel
 
     explicit StructureModel(QObject* parent = nullptr);
 
-    /// @param buried  how what lies in an organ is felt
+    /// Replaces all rows. @param buried  touch mode of structures inside organs
     void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers);
     [[nodiscard]] const std::vector<StructureRow>& rows() const noexcept { return m_rows; }
     [[nodiscard]] const meshio::SceneStructure& structure(int row) const;
 
-    /// A structure as it is to be.
+    /// New description of a structure.
     struct Edited
     {
         int row = 0;
         meshio::SceneStructure description;
     };
 
-    /// Replaces a structure's description, undoably; tells what changed. The mesh stays.
+    /// Replaces a structure's description as an undo step and emits `edited`. The mesh is unchanged.
     void edit(int row, const meshio::SceneStructure& description);
-    /// The same of several structures as one step to undo; nothing when there is none. @param text  what is undone
-    /// @param buried  how what lies in an organ is felt from now on; nothing: as it is
+    /// Edits several structures as one undo step; no step without a change.
+    /// @param text  label of the undo step
+    /// @param buried  new touch mode of structures inside organs; empty: unchanged
     void editAll(std::vector<Edited> edits, const QString& text,
                  std::optional<meshio::BuriedTouch> buried = std::nullopt);
-    /// Appends structures, undoably. @param text  what is undone, "Add lump"
+    /// Appends structures as an undo step. @param text  label of the undo step, "Add lump"
     void addRows(std::vector<StructureRow> rows, const QString& text);
-    /// Takes structures out of the scene, undoably.
+    /// Removes structures from the scene as an undo step.
     void removeRows(std::vector<int> rows);
-    /// Says what each structure lies in, as was found out for another set of them. Not undone.
+    /// Sets the surrounding structure of each row after a containment test. Not undoable.
     void setNesting(const std::vector<std::optional<int>>& in);
-    /// Structures that are in the scene.
+    /// Number of structures in the scene, without removed rows.
     [[nodiscard]] int presentCount() const;
-    /// Gives each structure its layer, as one step to undo; what gets one below is no longer felt through its organ.
-    /// @param text  what is undone, "Feel below"
+    /// Assigns the layers as one undo step. Structures with a layer above 0 leave the transmitted mode.
+    /// @param text  label of the undo step, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
-    /// How what lies in an organ is felt.
+    /// Touch mode of structures inside organs.
     [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_buried; }
-    /// @return true for a lump that is to be felt through its organ (see study::feelBuried). Until its map is
-    /// there, `loaded.isFeltThrough` is false and it is felt as a layer.
+    /// True for a lump in transmitted mode, felt through its organ (see study::feelBuried). Until the map is computed,
+    /// `loaded.isFeltThrough` is false and the lump is a separate layer.
     [[nodiscard]] bool isToBeFeltThrough(int row) const;
-    /// @return the organ that a lump is, or would be, felt through: the one that it names, else the smallest around it
-    /// that is felt and closed, in a scene that names none the largest; nothing where there is none.
+    /// Organ through which a lump is or would be felt: the organ named by the lump, else the smallest surrounding
+    /// structure that is palpable and closed. In transmitted mode without any named organ, the search continues
+    /// outwards to the first structure that cannot be a lump. Empty if there is no such structure.
     [[nodiscard]] std::optional<int> organAround(int row) const;
-    /// @return how many structures that are felt lie around one: the layer in which it is felt meanwhile
+    /// Number of palpable structures around a structure, limited to the innermost layer: the layer used until the map
+    /// is computed.
     [[nodiscard]] std::uint32_t layerWithin(int row) const;
-    /// What the lumps in an organ make of its surface, for each of haptics::kFeltPress_mm a number at each vertex.
+    /// Effect of an organ's lumps on the organ's surface: for each haptics::kFeltPress_mm one number per vertex.
     struct FeltThrough
     {
         int organ = 0;
         std::vector<int> lumps;
         std::vector<std::vector<float>> below; ///< k/k0 [1]
     };
-    /// Takes all maps of what is felt through organs, in place of those before; tells what changed. Not an edit.
+    /// Replaces the maps of all organs and emits `edited` for changed rows. Not an edit.
     void setFeltThrough(const std::vector<FeltThrough>& maps);
-    /// In which order a structure would be felt in a layer: "outermost", "below liver" when it lies in the liver and
-    /// that is felt just outside of it (what the hand passes through in between is not named), else "2 below".
+    /// Position in the order of touch for a layer: "outermost", "below liver" when the structure is directly below the
+    /// liver (structures that are not palpable are skipped), else "2 below".
     [[nodiscard]] QString feltText(int row, std::uint32_t layer) const;
-    /// The same as a structure is felt now; of one that is felt through its organ: "through liver".
+    /// Position of a structure with its current layer, or "through liver" in transmitted mode.
     [[nodiscard]] QString feltText(int row) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
-    /// Gives a structure its haptic copy, or takes it back with null.
+    /// Sets a structure's haptic copy; null removes the copy.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
-    /// Takes what varies over a structure, as `meshio::resolveMaps` found it on another thread.
-    /// @param of  the mappings that it was found for: nothing happens when the structure has others by now
+    /// Takes the maps computed by `meshio::resolveMaps` on a worker thread.
+    /// @param of  mappings used for the computation; the call has no effect when the mappings have changed since
     void setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
                  std::vector<meshio::SurfaceMap> maps, const QStringList& problems);
-    /// Takes the surface that `surfaceWanted` asked for, with all that was built from it. Nothing happens when the
-    /// structure is to have another one by now. Not an edit.
+    /// Takes the surface requested by `surfaceWanted` with all derived data. No effect when the description has changed
+    /// since. Not an edit.
     void setSurface(int row, const StructureRow& built);
-    /// @return true when a structure's surface can be smoothed and turned: it was read from a mesh file.
+    /// True when a surface can be smoothed and reoriented, that is, read from a mesh file.
     [[nodiscard]] bool isReshapable(int row) const;
-    /// Rows that are in the scene and inside out, and those that are staircases and not smoothed.
+    /// Present rows that are inside out, and present rows with voxel steps that are not smoothed.
     [[nodiscard]] std::vector<int> insideOutRows() const;
     [[nodiscard]] std::vector<int> steppedRows() const;
-    /// Turns closed parts of structures outwards, or smooths their surfaces, as one step to undo. The surfaces follow
-    /// (`surfaceWanted`).
+    /// Reorients closed parts outwards, or smooths the surfaces, as one undo step. The new surfaces follow
+    /// asynchronously (`surfaceWanted`).
     void turnOutwards(const std::vector<int>& rows);
     void smooth(const std::vector<int>& rows);
-    /// What was found in the structure's mesh, one sentence an entry, empty when it is clean.
+    /// Mesh findings of a structure, one sentence each; empty for a clean mesh.
     [[nodiscard]] QStringList findings(int row) const;
-    /// The same in plain words: how it feels for that, an entry a kind.
+    /// Effect of the mesh findings on touch in plain words, one entry per kind.
     [[nodiscard]] QStringList defects(int row) const;
-    /// More than an open rim, which vessels and sheets have by nature: something was repaired or stands out.
+    /// True for findings beyond an open boundary: repaired or conspicuous geometry. Vessels and sheets are open by
+    /// nature.
     [[nodiscard]] bool isDefective(int row) const;
 
-    /// How the view shows a structure; one that was removed is hidden.
+    /// Appearance in the view; removed structures are hidden.
     [[nodiscard]] view::Appearance appearanceOf(int row) const;
-    /// A structure is felt when it is palpable and shown: a hidden one must not be an invisible wall.
+    /// True for palpable and visible structures: a hidden structure must not be an invisible wall.
     [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
     [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
-    /// What the servo thread can feel now; numbers are the rows.
-    /// @param fingertip_mm  radius of the ball that touches, 0 = a point
-    /// @param greatest  what the device holds stably bounds the sum of the layers: see study/DeviceLimit.h
+    /// Builds the haptic scene; structure numbers equal rows.
+    /// @param fingertip_mm  radius of the probe sphere, 0: a point
+    /// @param greatest  stable limit of the device, applied to the sum of the layers, see study/DeviceLimit.h
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
                                                                           double fingertip_mm = 0.0) const;
-    /// The structures as they are felt, numbers are the rows: bounded by what the device holds in all.
+    /// Structures with parameters limited by the device's total stiffness; numbers equal rows.
     [[nodiscard]] std::vector<haptics::HapticStructure> feltStructures(const haptics::Tissue& greatest) const;
-    /// Where the surfaces came from, with those themselves that can be felt.
+    /// Sources of the surfaces for a recording, including the geometry of palpable structures.
     [[nodiscard]] std::vector<session::StructureSource> sources() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -165,15 +171,14 @@ class StructureModel : public QAbstractTableModel
 
   Q_SIGNALS:
     void edited(int row, palpate::ui::StructureModel::Change change);
-    /// A structure has another name, before `edited`.
+    /// Emitted before `edited` when a structure's name changed.
     void renamed(int row, const QString& before, const QString& after);
-    /// A structure's maps are of volumes, which take time to read: `setMaps` brings them. Until then the old ones are
-    /// felt.
+    /// Emitted when maps from volumes must be read; `setMaps` delivers the result. The old maps stay in use until then.
     void mapsWanted(int row);
-    /// A structure's surface is to be made anew from `loaded.asRead`, as its description says now: `setSurface` brings
-    /// it. Until then the old one is drawn and felt.
+    /// Emitted when a surface must be rebuilt from `loaded.asRead` according to the description; `setSurface` delivers
+    /// the result. The old surface stays in use until then.
     void surfaceWanted(int row);
-    /// A structure has another surface: picture, touch and maps are of that.
+    /// Emitted after a surface was replaced together with picture, haptic copy and maps.
     void surfaceReplaced(int row);
 
   private:
@@ -193,9 +198,9 @@ class StructureModel : public QAbstractTableModel
     QUndoStack m_undo;
 };
 
-/// The colour that a structure is drawn in.
+/// Display colour of a structure.
 [[nodiscard]] QColor colourOf(const meshio::SceneStructure& structure);
-/// "VH_F_liver_capsule" or "liver_capsule" as a person writes it: "liver capsule".
+/// Readable name: "VH_F_liver_capsule" and "liver_capsule" become "liver capsule".
 [[nodiscard]] QString readableName(const std::string& name);
 
 } // namespace palpate::ui

@@ -26,46 +26,48 @@ class MapEditor;
 class StructureList;
 struct TouchReading;
 
-/// The list of structures, and look and feel of the selected ones: what is edited is edited of all of them, as one step
-/// to undo.
+/// Structure list with an editor for appearance and touch of the selection. An edit applies to all selected structures
+/// as one undo step.
 class StructurePanel : public QWidget
 {
     Q_OBJECT
   public:
     explicit StructurePanel(StructureModel& model, QWidget* parent = nullptr);
 
-    /// Says what the device holds. An edit beyond it is refused: the value stays, and a line by the field says why.
-    /// @param why  the device, its limit and what sets it, for a person
+    /// Sets the stable limit of the device. Edits beyond the limit are rejected: the value is restored and a line next
+    /// to the field gives the reason.
+    /// @param why  device, limit and cause of the limit, for the user
     void setGreatest(const haptics::Tissue& greatest, const QString& why);
-    /// Says by rows what there is to warn of with their maps; see MapWarnings.
+    /// Sets the stability warnings of maps by row, see MapWarnings.
     void setMapWarnings(const QStringList& lines);
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] std::vector<int> selectedRows() const;
     void select(int row);
-    /// Selects what a person pointed at in the view, which then shows it; nothing: ends that.
-    /// @param adds  to what is selected, or takes it out when it is selected already
+    /// Selects the structure picked in the view and highlights it there; empty clears the picked selection.
+    /// @param adds  toggles the structure in the selection
     void choose(std::optional<std::size_t> row, bool adds);
-    /// Puts the cursor into the filter's field.
+    /// Moves the keyboard focus to the filter field.
     void focusFilter();
-    /// Takes the selected structures out of the scene.
+    /// Removes the selected structures from the scene.
     void removeSelected();
-    /// Lets a person write another name in the list.
+    /// Starts renaming the current structure in the list.
     void renameCurrent();
-    /// Shows in the curve of the selected structure's law how deep the hand is in it.
+    /// Marks the current penetration depth in the force law plot of the selected structure.
     void showTouch(const TouchReading& reading);
 
-    /// Colours a structure by numbers, where it has them, as a scene file says.
+    /// Applies the surface colours stored in a scene file, where available.
     void colourBy(const meshio::ShownMap& shown);
 
   Q_SIGNALS:
-    /// A structure is to be coloured by numbers, and no other. @param what  a `SurfaceNumbers::what`; empty: by none
+    /// Emitted when one structure is to be coloured by a scalar field. @param what  id from `SurfaceNumbers::what`;
+    /// empty: uncoloured
     void colourChosen(int row, const QString& what);
-    /// A person selected these, in the list or the view: the picture shows which they are.
+    /// Emitted when the user selects structures in the list or the view, to highlight them.
     void highlighted(const std::vector<int>& rows);
 
   protected:
-    /// In the list: Ctrl+E shows or hides the selected structures, Ctrl+H makes them felt or not, Ctrl+Down and Ctrl+Up
-    /// have them felt a layer deeper or farther out; Del takes them out, Esc selects none.
+    /// Keys of the list: Ctrl+E shows or hides the selected structures, Ctrl+H toggles palpability, Ctrl+Down and
+    /// Ctrl+Up move to a deeper or outer layer, Del removes, Esc clears the selection.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -113,26 +115,26 @@ class StructurePanel : public QWidget
     QSlider* m_opacity = nullptr;
     QLabel* m_opacityText = nullptr;
     QComboBox* m_preset = nullptr;
-    QLabel* m_source = nullptr; ///< of the preset's numbers
+    QLabel* m_source = nullptr; ///< source of the preset's numbers
     LawEditor* m_law = nullptr;
     MapEditor* m_map = nullptr;
-    QLabel* m_mapWarning = nullptr; ///< of the map
-    QStringList m_mapWarnings;      ///< by rows
+    QLabel* m_mapWarning = nullptr; ///< stability warning of the map
+    QStringList m_mapWarnings;      ///< indexed by row
     int m_colouredRow = -1;
-    QString m_coloured; ///< by which numbers
+    QString m_coloured; ///< scalar field of the colours
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
-    QComboBox* m_surface = nullptr; ///< items: as in the file, smoothed
+    QComboBox* m_surface = nullptr; ///< Items: as in the file, smoothed
     QWidget* m_surfaceRow = nullptr;
-    QComboBox* m_layer = nullptr; ///< data: the layer; none: through the organ around it
-    QLabel* m_bound = nullptr;    ///< what is felt of the values, where the device holds less
+    QComboBox* m_layer = nullptr; ///< item data: layer; invalid: transmitted through the surrounding organ
+    QLabel* m_bound = nullptr;    ///< effective values when limited by the device
     QLabel* m_refusal = nullptr;
-    haptics::Tissue m_greatest = core::unbounded(); ///< until a device says its own
+    haptics::Tissue m_greatest = core::unbounded(); ///< unbounded until a device is known
     QString m_why;
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;
-    bool m_isChosen = false; ///< what is selected was selected by a person
+    bool m_isChosen = false; ///< selection made by the user
 };
 
 } // namespace palpate::ui

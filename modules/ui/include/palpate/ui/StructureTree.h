@@ -10,15 +10,15 @@
 
 namespace palpate::ui {
 
-/// The structures of the scene as the list shows them: in an order, in groups, those that match a filter. Columns are
-/// StructureModel's; what was removed from the scene isn't there.
+/// Sorted, grouped and filtered tree of the scene's structures for the list. The columns are those of StructureModel;
+/// removed structures are omitted.
 class StructureTree : public QAbstractItemModel
 {
     Q_OBJECT
   public:
     enum class Order
     {
-        Scene, ///< as the files were opened, what lies in something after it
+        Scene, ///< file order, contained structures after their container
         Name,
         Tissue, ///< softest first
         Layer   ///< outermost first
@@ -26,27 +26,27 @@ class StructureTree : public QAbstractItemModel
     enum class Grouping
     {
         None,
-        Source, ///< by the file that holds several structures, else by the folder of the files
+        Source, ///< by a file with several structures, else by folder
         Layer
     };
 
-    /// @param model  must outlive this
+    /// @param model  must outlive this object
     explicit StructureTree(StructureModel& model, QObject* parent = nullptr);
 
     void setOrder(Order order);
     [[nodiscard]] Order order() const noexcept { return m_order; }
     void setGrouping(Grouping grouping);
     [[nodiscard]] Grouping grouping() const noexcept { return m_grouping; }
-    /// Lists only the structures whose name has each word of `text`, in any order; all for none.
+    /// Lists only structures whose names contain every word of `text` in any order. An empty text lists all.
     void setFilter(const QString& text);
-    /// Structures that are listed.
+    /// Number of listed structures.
     [[nodiscard]] int listedCount() const;
 
-    /// @return the structure's row in StructureModel; -1 for a group.
+    /// Row of a structure in StructureModel; -1 for a group.
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
-    /// @return rows of a structure or of all that a group lists.
+    /// Row of a structure, or all listed rows of a group.
     [[nodiscard]] std::vector<int> rowsOf(const QModelIndex& index) const;
-    /// @return an invalid index when the structure isn't listed.
+    /// Index of a row; invalid when the structure is not listed.
     [[nodiscard]] QModelIndex indexOf(int row, int column = StructureModel::Name) const;
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -76,8 +76,8 @@ class StructureTree : public QAbstractItemModel
     StructureModel& m_model;
     Order m_order = Order::Scene;
     Grouping m_grouping = Grouping::None;
-    QStringList m_words;         ///< of the filter
-    std::vector<Group> m_groups; ///< one, without a title, when there is no grouping
+    QStringList m_words;         ///< words of the filter
+    std::vector<Group> m_groups; ///< A single untitled group without grouping
 };
 
 } // namespace palpate::ui

@@ -8,10 +8,10 @@
 
 namespace palpate::ui {
 
-/// A text of `core::TissueTerm` or `core::LawTerm` in the window's language.
+/// Translates a text of `core::TissueTerm` or `core::LawTerm`.
 [[nodiscard]] QString termText(std::string_view text);
 
-/// All texts of those terms, as the catalogues have them: core itself knows no languages.
+/// All texts of these terms, for the translation catalogues; the core module has no translations.
 [[nodiscard]] std::span<const char* const> termTexts() noexcept;
 
 } // namespace palpate::ui

@@ -8,55 +8,57 @@ class QWidget;
 
 namespace palpate::ui {
 
-/// What the application looks like.
+/// Colour theme of the application.
 enum class Theme
 {
-    System, ///< light or dark as the system's palette is
+    System, ///< light or dark, following the system palette
     Light,
     Dark,
-    ContrastOnBlack, ///< all texts and signs at 7 : 1 or more
+    ContrastOnBlack, ///< all texts and symbols at a contrast of 7 : 1 or more
     ContrastOnWhite
 };
 
-/// Takes the Fusion style with a palette for the whole application. The first call notes what the system had.
-/// @par Thread The GUI's.
+/// Applies the Fusion style with a theme's palette to the application. The first call saves the system palette.
+///
+/// @par Thread GUI thread only.
 void applyTheme(Theme theme);
 
-/// Checks whether the application's palette was set elsewhere since `applyTheme`: then it is the system's.
-/// @param mustAsk  the system said that it changed: its palette is fetched anew, and ours is gone until `applyTheme`
-/// @return whether `applyTheme` is to be called again.
+/// Checks whether the application palette was changed externally after `applyTheme`. An external palette is saved as
+/// the system palette.
+/// @param mustAsk  fetches the system palette after a system change; the theme is lost until the next `applyTheme`
+/// @return true when `applyTheme` must be called again
 [[nodiscard]] bool noteSystemPalette(bool mustAsk);
 
-/// Makes the application's texts this large, 100: as the system has them. [%]
+/// Sets the text size of the application; 100: system size. [%]
 void applyTextSize(int percent);
-/// The size that was applied last. [%]
+/// Current text size. [%]
 [[nodiscard]] int textSize_percent();
-/// A size of what goes with a text, such as a picture beside it, at the size of texts now.
-/// @param usual_px  at 100 %
+/// Scales a dimension with the text size, e.g. the size of an icon next to text.
+/// @param usual_px  size at 100 %
 [[nodiscard]] int withText_px(int usual_px);
 
-/// Keeps a widget's font at a ratio to its parent's, also when that changes.
+/// Keeps a widget's font at a fixed ratio to the parent's font, also after changes.
 /// @param weight  QFont::Weight
 void keepFont(QWidget& widget, double ratio, int weight);
 
-/// Keeps the size of the icons of a button, list or tool bar with that of texts. @param usual_px  at 100 %
+/// Scales the icons of a button, list or tool bar with the text size. @param usual_px  size at 100 %
 void keepIconSize(QWidget& widget, int usual_px);
 
-/// @return whether the palette in use is dark.
+/// True for a dark palette.
 [[nodiscard]] bool isDarkTheme();
-/// @return whether the palette in use is one of high contrast.
+/// True for a high-contrast palette.
 [[nodiscard]] bool isHighContrast();
 
-/// Colours with a meaning, each at 4.5 : 1 or more on the window's background, in high contrast at 7 : 1. The palette
-/// has the colour of warnings as QPalette::BrightText, so that a label follows it by that role.
-[[nodiscard]] QColor forceColour();   ///< lines of force
-[[nodiscard]] QColor depthColour();   ///< lines of depth
-[[nodiscard]] QColor goodColour();    ///< all is well
-[[nodiscard]] QColor warningColour(); ///< something to look at
-[[nodiscard]] QColor recordColour();  ///< recording is on
+/// Semantic colours with a contrast of 4.5 : 1 or more on the window background, 7 : 1 in high contrast. The palette
+/// provides the warning colour as QPalette::BrightText, so that labels follow theme changes by role.
+[[nodiscard]] QColor forceColour();   ///< force curves
+[[nodiscard]] QColor depthColour();   ///< depth curves
+[[nodiscard]] QColor goodColour();    ///< normal state
+[[nodiscard]] QColor warningColour(); ///< warning
+[[nodiscard]] QColor recordColour();  ///< recording is running
 [[nodiscard]] QColor mutedColour();   ///< units and secondary text
 
-/// The pictures on buttons, drawn in the palette's text colour at any size.
+/// Icons for buttons, drawn in the palette's text colour at any size.
 enum class Symbol
 {
     Open,

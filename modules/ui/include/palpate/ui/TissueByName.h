@@ -9,13 +9,13 @@
 
 namespace palpate::ui {
 
-/// How structures are felt and shown by what their names say (study::namedStiffness_N_per_mm): healthy tissue as it was
-/// measured, a lump by the published ratio to its organ, and opaque; an organ is translucent when others lie in it; the
-/// hand passes through vessels, nerves and ducts while anything else is felt. What no name says stays as it is, as does
-/// a structure with a map of its own.
-/// @param layering  what lies in what, row by row; seeming to lie in something open counts here
-/// @param first  structures before this row are left alone
-/// @return those that this changes
+/// Derives touch and appearance from structure names (study::namedStiffness_N_per_mm). Healthy tissue gets measured
+/// values. A lump gets the published ratio to its organ and is opaque. An organ that contains other structures is
+/// translucent. Vessels, nerves and ducts are not palpable as long as another structure is. Structures with an unknown
+/// name or their own map are unchanged.
+/// @param layering  containment by row; apparent containment in open meshes counts
+/// @param first  rows before this one are unchanged
+/// @return the changed descriptions
 [[nodiscard]] std::vector<StructureModel::Edited> tissueByName(const StructureModel& model,
                                                                const study::Layering& layering, int first);
 

@@ -7,27 +7,27 @@
 
 namespace palpate::ui {
 
-/// A tissue by name, "as felt" by a fingertip: stiffness, damping and law. Friction is chosen apart from it.
+/// Named tissue as perceived by a fingertip: stiffness, damping and force law. Friction is a separate choice.
 struct TissuePreset
 {
     const char* name;
-    const char* source; ///< where its numbers are from, for a person
+    const char* source; ///< source of the numbers, for the user
     core::Tissue tissue;
 };
 [[nodiscard]] const std::vector<TissuePreset>& tissuePresets();
-/// @return the position of the preset that a tissue is, but for its friction; -1: it is its own.
+/// Index of the preset that matches a tissue apart from friction; -1: no match.
 [[nodiscard]] int presetOf(const core::Tissue& tissue);
-/// @return `tissue` as the preset has it, its friction kept.
+/// Applies a preset and keeps the friction of `tissue`.
 [[nodiscard]] core::Tissue withPreset(core::Tissue tissue, const TissuePreset& preset);
 
-/// How much a surface holds a fingertip, by name.
+/// Named friction coefficient between surface and fingertip.
 struct FrictionPreset
 {
     const char* name;
-    double coefficient; ///< at rest and sliding
+    double coefficient; ///< static and dynamic
 };
 [[nodiscard]] const std::vector<FrictionPreset>& frictionPresets();
-/// @return the position of the preset that a tissue's friction is; -1: it is its own.
+/// Index of the preset that matches a tissue's friction; -1: no match.
 [[nodiscard]] int frictionPresetOf(const core::Tissue& tissue);
 
 } // namespace palpate::ui

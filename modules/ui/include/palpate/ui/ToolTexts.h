@@ -8,12 +8,12 @@ class QToolButton;
 
 namespace palpate::ui {
 
-/// Takes the texts from a tool bar's buttons, the last first, where there is no room for them: else Qt would put what
-/// stands at the bar's end, such as the chips, behind a button.
+/// Hides the button texts of a narrow tool bar, last button first. Otherwise Qt would move widgets at the end of the
+/// bar, such as the chips, into the extension menu.
 class ToolTexts : public QObject
 {
   public:
-    /// @param bar  whose buttons have both icon and text where they show one; it owns this
+    /// @param bar  owner of this object; buttons that show text must have both icon and text
     explicit ToolTexts(QToolBar& bar);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -9,9 +9,10 @@
 
 namespace palpate::ui {
 
-/// Force and depth over the last ten seconds, one above the other on the same time. Where several layers are felt, the
-/// area below the force is theirs, the outermost at the bottom, in the structures' colours; inner ones are hatched.
-/// What of the force is along the surface, by friction, is a dotted line. A screen reader hears the newest numbers.
+/// Chart of force and depth over the last ten seconds, stacked on a common time axis. With several layers in contact,
+/// the area below the force is divided into the layers' components in the structures' colours, outermost at the bottom,
+/// inner layers hatched. A dotted line shows the tangential (friction) component. Screen readers hear the newest
+/// values.
 class TouchChart : public QWidget, public Spoken
 {
     Q_OBJECT
@@ -27,13 +28,13 @@ class TouchChart : public QWidget, public Spoken
 
   private:
     void paintLane(QPainter& painter, const QRectF& lane, bool isForce) const;
-    /// One value of each sample over time.
+    /// Curve of one sample member over time.
     [[nodiscard]] QPainterPath curve(const QRectF& lane, double top, double TouchSample::*value) const;
     void paintLayers(QPainter& painter, const QRectF& lane, double top_N) const;
     const TouchHistory& m_history;
 };
 
-/// A bar from 0 to the device's limit, coloured as the ball in the view.
+/// Bar from 0 to the device's force limit in the colours of the cursor sphere in the view.
 class ForceBar : public QWidget, public Spoken
 {
     Q_OBJECT
@@ -42,7 +43,7 @@ class ForceBar : public QWidget, public Spoken
     void setLimit(double force_N);
     void setForce(double force_N);
     [[nodiscard]] double limit_N() const noexcept { return m_limit_N; }
-    /// Share of the bar that is filled, 0 … 1.
+    /// Filled fraction of the bar, 0 to 1.
     [[nodiscard]] double share() const noexcept;
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
     [[nodiscard]] QString spokenText() const override;

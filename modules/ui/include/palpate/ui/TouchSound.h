@@ -8,8 +8,9 @@
 
 namespace palpate::ui {
 
-/// Lets touch be heard: as high as the place is stiff, as loud as the force (TouchTone). Off until it is switched on.
-/// @par Threads the window's; samples are made on one of its own.
+/// Sonification of touch: pitch for stiffness, loudness for force (see TouchTone). Off by default.
+///
+/// @par Thread GUI thread; samples are generated on a separate thread.
 class TouchSound : public QObject
 {
     Q_OBJECT
@@ -17,21 +18,23 @@ class TouchSound : public QObject
     explicit TouchSound(QObject* parent = nullptr);
     ~TouchSound() override;
 
-    /// @return why nothing can be heard here, as a few words for a person; empty where it can
+    /// Short reason why sound is unavailable; empty when available.
     [[nodiscard]] static QString whyNot();
-    /// @return whether it is on now: false where `whyNot` says so
+    /// Switches the sound. Returns the new state: false when `whyNot` gives a reason.
     bool setOn(bool isOn);
-    /// @param ratio  stiffness felt by that of the touched tissue alone [1]; @param force_N  0 in air
-    /// @param limit_N  the device's
+    /// Updates pitch and loudness.
+    /// @param ratio  stiffness relative to the touched tissue alone [1]
+    /// @param force_N  0 in free space
+    /// @param limit_N  force limit of the device
     void setTouch(double ratio, double force_N, double limit_N);
 
   Q_SIGNALS:
-    /// The loudspeaker has gone: it is off now.
+    /// Emitted when the audio device disappeared; the sound is then off.
     void ended();
 
   private:
     struct Output;
-    std::unique_ptr<Output> m_output; ///< null: off
+    std::unique_ptr<Output> m_output; ///< Null: off
 };
 
 } // namespace palpate::ui

@@ -12,9 +12,10 @@ class QPushButton;
 
 namespace palpate::ui {
 
-/// Callouts that show parts of a window one after the other, each beside its part, which is framed. Enter goes on,
-/// buttons go back and end. The window stays in use meanwhile.
-/// @par Thread The GUI's.
+/// Guided tour with callouts next to the framed parts of a window. Enter continues; buttons go back and end the tour.
+/// The window stays usable.
+///
+/// @par Thread GUI thread only.
 class Tour : public QFrame
 {
     Q_OBJECT
@@ -26,20 +27,21 @@ class Tour : public QFrame
         QString text;
     };
 
-    /// @param window  over which the callouts stand; owns this
+    /// @param window  parent of the callouts; owns this object
     explicit Tour(QWidget* window);
-    /// Begins with the first stop; a tour that runs begins anew.
-    /// @pre there is a stop
+    /// Starts at the first stop; restarts a running tour.
+    /// @pre `stops` is not empty
     void start(std::vector<Stop> stops);
-    /// @return false when none ran
+    /// Ends the tour. Returns false when no tour was running.
     bool end();
-    /// Number of the stop that is shown, from 0.
+    /// Index of the current stop, from 0.
     [[nodiscard]] int at() const noexcept { return m_at; }
-    /// What is pointed at, in the window. Of a part that leaves no room for the callout beside it only the middle.
+    /// Highlighted rectangle in window coordinates. For a part that leaves no space for the callout, only the central
+    /// region.
     [[nodiscard]] QRect target() const noexcept { return m_target; }
 
   Q_SIGNALS:
-    /// A stop is about to be shown: its part may have to come to the front.
+    /// Emitted before a stop is shown, so that the part can be raised.
     void coming(QWidget* part);
     void ended();
 
@@ -57,8 +59,8 @@ class Tour : public QFrame
     QLabel* m_text = nullptr;
     QPushButton* m_next = nullptr;
     QPushButton* m_back = nullptr;
-    QWidget* m_frame = nullptr; ///< round what is pointed at
-    QPointer<QWidget> m_before; ///< had the keys before, and gets them back
+    QWidget* m_frame = nullptr; ///< around the target
+    QPointer<QWidget> m_before; ///< previous focus widget, restored at the end
     QRect m_target;
     int m_at = 0;
 };

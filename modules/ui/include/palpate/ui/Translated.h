@@ -7,10 +7,11 @@
 
 namespace palpate::ui {
 
-/// A message of the engine in the window's language: its text and its parts are looked up in the catalogue, its numbers
-/// get the decimal point and the digit separators of `QLocale()`. A sentence that is not ours (`Message::untranslated`)
-/// stays as it is and is marked as English. In an English window the result is `message.english()`.
-/// Thread: any but the servo's.
+/// Translates an engine message: text and parts from the catalogue, numbers with the decimal point and digit separators
+/// of `QLocale()`. Third-party sentences (`Message::untranslated`) are kept and marked as English. In an English window
+/// the result equals `message.english()`.
+///
+/// @par Thread Any thread except the servo thread.
 [[nodiscard]] QString translated(const core::Message& message);
 
 } // namespace palpate::ui

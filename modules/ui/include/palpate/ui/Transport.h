@@ -3,7 +3,16 @@
 
 namespace palpate::ui {
 
-/// Where a recording stands and how it runs: play, pause, seek, speed. Time comes from the caller.
+/// Playback state of a recording: position, play, pause, seek, speed. The caller provides the time.
+///
+/// @par Example
+/// @code
+/// Transport transport;
+/// transport.setDuration(20.0); // s
+/// transport.setSpeed(0.5);
+/// transport.play();
+/// transport.advance(2.0); // position is 1 s
+/// @endcode
 class Transport
 {
   public:
@@ -13,14 +22,14 @@ class Transport
     [[nodiscard]] double position_s() const noexcept { return m_position_s; }
     [[nodiscard]] bool isPlaying() const noexcept { return m_isPlaying; }
 
-    /// At the end it starts again from the beginning.
+    /// Starts playing, from the beginning when at the end.
     void play();
     void pause() { m_isPlaying = false; }
-    /// Clamped to 0 … duration.
+    /// Moves the position, clamped to 0 … duration.
     void seek(double position_s);
-    /// @param speed  > 0; 1 is as it was recorded
+    /// @param speed  > 0; 1: original speed
     void setSpeed(double speed);
-    /// Lets time pass. @return true when the end was reached in this step; it then pauses there
+    /// Advances the position. Returns true when this step reached the end and paused.
     bool advance(double elapsed_s);
 
   private:

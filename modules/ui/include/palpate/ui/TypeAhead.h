@@ -5,14 +5,14 @@
 
 namespace palpate::ui {
 
-/// Lets a person type in lists: there a letter looks for what begins with it, and is no command. Home and End go to the
-/// ends of lists, sliders and texts, as fields to write in do by themselves. Wherever else the keys are, letters, Home
-/// and End stay the window's commands.
+/// Event filter for typing in lists. In a list, letters search for entries instead of triggering single-letter
+/// commands. Home and End move to the ends of lists, sliders and selectable texts, as in text fields. Elsewhere
+/// letters, Home and End remain commands of the window.
 class TypeAhead : public QObject
 {
     Q_OBJECT
   public:
-    /// @param window  whose lists and choices are meant; owns this
+    /// @param window  window with the lists and combo boxes; owns this object
     explicit TypeAhead(QWidget* window);
     bool eventFilter(QObject* watched, QEvent* event) override;
 };

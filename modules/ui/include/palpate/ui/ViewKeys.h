@@ -11,21 +11,22 @@ class ActionList;
 class PalpationController;
 class VtkViewport;
 
-/// Camera and pressing by keys, while the view has the focus: arrows turn the camera, with Shift they move it, + and −
-/// zoom; Ctrl+arrows move the place that is pressed, Enter presses or lets go, Page down and up set the depth.
-/// @par Thread The GUI's.
+/// Keyboard control of camera and press while the view has the focus: arrows orbit, Shift+arrows pan, + and − zoom;
+/// Ctrl+arrows move the hand, Enter presses or releases, Page Up and Page Down set the depth.
+///
+/// @par Thread GUI thread only.
 class ViewKeys : public QObject
 {
     Q_OBJECT
   public:
     static constexpr double kTurn_deg = 15.0;
-    static constexpr double kShift = 0.05; ///< of the view's height
+    static constexpr double kShift = 0.05; ///< fraction of the view's height
     static constexpr double kZoom = 1.12;
 
-    /// Both must outlive this.
+    /// Both references must outlive this object.
     ViewKeys(VtkViewport& viewport, PalpationController& palpation, QObject* parent = nullptr);
 
-    /// Puts what the keys do on the key card.
+    /// Adds the keys to the key card.
     static void describe(ActionList& actions);
 
   protected:

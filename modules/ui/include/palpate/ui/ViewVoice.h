@@ -10,14 +10,15 @@ namespace palpate::ui {
 
 class TouchPanel;
 
-/// Says to a screen reader what is felt in the 3D view: the view's name becomes "3D view: liver, 2.31 N, 4.6 mm deep",
-/// another one at most twice a second.
-/// @par Thread The GUI's.
+/// Announces the current touch in the 3D view to screen readers: the view's accessible name becomes "3D view: liver,
+/// 2.31 N, 4.6 mm deep", updated at most twice a second.
+///
+/// @par Thread GUI thread only.
 class ViewVoice : public QObject
 {
     Q_OBJECT
   public:
-    /// @param touch  has what is felt now; must outlive this, as the view
+    /// @param touch  source of the reading; must outlive this object, as must the view
     ViewVoice(QWidget& view, const TouchPanel& touch, QObject* parent);
 
   private:

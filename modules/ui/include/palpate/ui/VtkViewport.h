@@ -14,23 +14,23 @@ class vtkGenericRenderWindowInteractor;
 
 namespace palpate::ui {
 
-/// The 3D view as a Qt widget: draws a SceneView into Qt's framebuffer, and turns mouse, pen and wheel into camera
-/// moves or, in palpate mode, into rays for the hand.
+/// 3D view as a Qt widget. Draws a SceneView into Qt's framebuffer and converts mouse, pen and wheel input to camera
+/// motion or, in palpation mode, to rays for the hand.
 ///
-/// It draws when asked (`update()`) and when the camera moves, never by itself. Ambient occlusion is switched on when
-/// the first frames show a graphics card that has the time for it; where frames are slow, the folds of translucent
-/// tissue are sorted only once the picture stands still: its colours are the same in motion.
+/// Draws on request (`update()`) and on camera motion, without a continuous render loop. Ambient occlusion is enabled
+/// when the first frames show a sufficiently fast graphics card. On slow systems the sorting of translucent folds is
+/// delayed until the picture is still; colours are the same in motion.
 class VtkViewport : public QOpenGLWidget
 {
     Q_OBJECT
   public:
     enum class Mode
     {
-        Camera, ///< left rotates, middle pans, right zooms, the wheel zooms
-        Palpate ///< left presses, the wheel sets the depth; middle pans and right rotates
+        Camera, ///< left orbits, middle pans, right zooms, the wheel zooms
+        Palpate ///< left presses, the wheel sets the depth; middle pans and right orbits
     };
 
-    /// What the view's OpenGL context needs; set it as the default before the application object is made.
+    /// Required OpenGL format. Set as the default before constructing the application object.
     [[nodiscard]] static QSurfaceFormat surfaceFormat();
 
     explicit VtkViewport(QWidget* parent = nullptr);
@@ -38,38 +38,38 @@ class VtkViewport : public QOpenGLWidget
 
     [[nodiscard]] view::SceneView& view() noexcept { return m_view; }
     void setMode(Mode mode);
-    /// The ray under the pointer; nothing when it is outside.
+    /// Ray under the pointer; empty when the pointer is outside.
     [[nodiscard]] std::optional<view::Ray> pointerRay();
-    /// The ray through a place of the widget, in logical pixels from its upper left.
+    /// Ray through a place of the widget. @param place  logical pixels from the upper left corner
     [[nodiscard]] view::Ray rayAt(const QPointF& place);
-    /// Where a point of the scene is seen, in logical pixels from the widget's upper left. [mm]
+    /// Projects a scene point to logical pixels from the widget's upper left corner. @param p_W  [mm]
     [[nodiscard]] QPointF placeOf(const core::Vec3& p_W);
-    /// A place near the middle that shows something palpable; nothing when none is in view.
+    /// Place near the middle of the view that shows a palpable structure; empty if no palpable structure is visible.
     [[nodiscard]] std::optional<QPointF> palpablePlace();
-    /// Makes the next frame as good as a still one, for a picture that is kept.
+    /// Renders the next frame at full quality, e.g. for a snapshot.
     void refineNext();
-    /// Time that the newest frame took to draw. [ms]
+    /// Rendering time of the newest frame. [ms]
     [[nodiscard]] double frame_ms() const noexcept { return m_frame_ms; }
 
   Q_SIGNALS:
-    /// The pointer moved over the view, or the view under the pointer. Palpate mode only, as the following.
+    /// Pointer motion over the view, or view motion under the pointer. Palpation mode only, as the next signals.
     void pointerMoved();
     void pointerPressed();
     void pointerReleased();
     void pointerLeft();
-    /// @param steps  notches of the wheel, away from the user > 0
+    /// @param steps  wheel notches, positive away from the user
     void depthTurned(double steps);
-    /// A pen that tells its pressure is down, or was just lifted. @param pressure  0 … 1
+    /// Pen with pressure in contact or just lifted. @param pressure  0 to 1
     void penPressed(double pressure);
-    /// The space bar went down or up: palpate while it is held.
+    /// Space bar pressed or released: palpation mode while held.
     void spaceHeld(bool isDown);
-    /// In both modes: the pointer moved with no button down.
+    /// Both modes: pointer motion without a pressed button.
     void hovered(const QPointF& place);
-    /// It is elsewhere, or a button is down.
+    /// The pointer left the view or a button was pressed.
     void hoverEnded();
-    /// Camera mode: the left button went down and up without a move.
+    /// Camera mode: left click without motion.
     void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
-    /// In both modes: centre here.
+    /// Both modes: request to centre on this place.
     void centreWanted(const QPointF& place);
 
   protected:
@@ -98,18 +98,18 @@ class VtkViewport : public QOpenGLWidget
     vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
     QPointF m_pointer;
     QPointF m_pressedAt;
-    bool m_hasMoved = false; ///< since the button went down
+    bool m_hasMoved = false; ///< since the button was pressed
     Mode m_mode = Mode::Camera;
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;
     bool m_isPressed = false;
     bool m_isReady = false;
     double m_frame_ms = 0.0;
-    double m_slowest_ms = 0.0; ///< of the frames since the scene changed, without the first
+    double m_slowest_ms = 0.0; ///< slowest frame since the scene changed, except the first
     int m_frames = 0;
     QTimer m_still;
     bool m_isSlow = false;
-    bool m_isStill = false; ///< the frame at hand is drawn because nothing moved for a while
+    bool m_isStill = false; ///< the current frame is drawn because the picture has been still
 };
 
 } // namespace palpate::ui
