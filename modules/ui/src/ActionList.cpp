@@ -10,11 +10,11 @@ namespace palpate::ui {
 
 namespace {
 
-/// One that types a sign: a letter, a digit, "?". Esc, Home and F1 type none.
+/// True for shortcuts that type a character: a letter, a digit or "?". Esc, Home and F1 type none of these.
 bool isLetterKey(const QKeySequence& key)
 {
     const QKeyCombination combination = key[0];
-    constexpr int kFirstWithoutSign = 0x01000000; // Qt::Key_Escape
+    constexpr int kFirstWithoutSign = 0x01000000; // Qt::Key_Escape; smaller codes are characters
     return key.count() == 1 && combination.key() < kFirstWithoutSign &&
            (combination.keyboardModifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
 }
@@ -32,7 +32,7 @@ QAction* ActionList::add(const char* id, ActionGroup group, const QString& text,
 {
     auto* action = new QAction(text, m_window);
     action->setObjectName(QLatin1String(id));
-    m_window->addAction(action); // its key works with menus hidden too
+    m_window->addAction(action); // makes the shortcut work while the menus are hidden
     m_entries.push_back({group, action, {}, tip, keys});
     takeKeys(m_entries.back());
     return action;

@@ -17,11 +17,11 @@ core::ViewPose viewPose(VtkViewport& viewport)
 
 namespace {
 
-/// The share of the turn that takes `from` to `to`, both of length 1, about `up` where they are opposite: from the
-/// front to the back a patient passes by sideways.
+/// Rotation by a fraction of the angle from `from` to `to` (unit vectors). Opposite vectors have no unique axis; `up`
+/// is used, so that a flight from front to back passes the patient's side.
 Eigen::Quaterniond partOfTurn(const Vec3& from, const Vec3& to, const Vec3& up, double share)
 {
-    constexpr double kOpposite_rad = 1e-6; // less, and rounding would choose the axis
+    constexpr double kOpposite_rad = 1e-6; // below this, rounding errors would determine the axis
     Vec3 axis = from.cross(to);
     const double angle_rad = std::atan2(axis.norm(), from.dot(to));
     if (axis.norm() < kOpposite_rad) {

@@ -54,7 +54,7 @@ int ChipRow::needed() const
     return sum + (isAnyFolded ? m_rest->sizeHint().width() : 0);
 }
 
-/// Takes one word or one chip more away until what is left has room.
+/// Shortens or folds one chip at a time until the row fits.
 void ChipRow::shrink()
 {
     std::vector<Entry*> order;

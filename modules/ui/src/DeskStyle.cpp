@@ -39,7 +39,7 @@ void drawEdge(QPainter& painter, const QStyleOption& option, const QRect& place,
     painter.restore();
 }
 
-/// The tabs of panels that share a place.
+/// True for the tab bar of tabified dock panels.
 bool isOfPanels(const QWidget* tabs)
 {
     return qobject_cast<const QTabBar*>(tabs) != nullptr &&
@@ -51,8 +51,8 @@ int titleWidth(const QTabBar& tabs, const QString& title)
     return tabs.fontMetrics().size(Qt::TextShowMnemonic, title).width();
 }
 
-/// How wide a tab may be, so that shortening the longest titles alone makes room for all.
-/// @param beside_px  a tab's width less its title's
+/// Maximum tab width such that eliding only the longest titles makes all tabs fit.
+/// @param beside_px  tab width without the title
 int widestTab(const QTabBar& tabs, int beside_px)
 {
     std::vector<int> widths;
@@ -61,7 +61,8 @@ int widestTab(const QTabBar& tabs, int beside_px)
     }
     std::sort(widths.begin(), widths.end());
     int left = tabs.width();
-    for (std::size_t i = 0; i < widths.size(); ++i) { // the shortest get what they ask for, the others share the rest
+    // Water filling: short titles keep their width, longer ones share the rest.
+    for (std::size_t i = 0; i < widths.size(); ++i) {
         const int share = left / static_cast<int>(widths.size() - i);
         if (widths[i] > share) {
             return share;
@@ -77,8 +78,8 @@ void DeskStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
     if (auto* tabs = qobject_cast<QTabBar*>(widget)) {
-        // Of panels that share a place each has to be seen, by a part of its name where there is no room; its tip has
-        // the whole. Other tabs keep their names and are scrolled to.
+        // Every dock panel must stay visible, if necessary with an elided title; the tool tip shows the full title.
+        // Other tab bars keep full titles and scroll.
         tabs->setElideMode(isOfPanels(tabs) ? Qt::ElideRight : Qt::ElideNone);
         tabs->setUsesScrollButtons(!isOfPanels(tabs));
     }
@@ -86,7 +87,7 @@ void DeskStyle::polish(QWidget* widget)
 
 int DeskStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
-    constexpr int kTabBeside_px = 12; // of a title, both sides together
+    constexpr int kTabBeside_px = 12; // horizontal padding of a title, sum of both sides
     return metric == PM_TabBarTabHSpace && isOfPanels(widget) ? kTabBeside_px
                                                               : QProxyStyle::pixelMetric(metric, option, widget);
 }
@@ -131,7 +132,7 @@ void DeskStyle::drawControl(ControlElement element, const QStyleOption* option, 
     QProxyStyle::drawControl(element, option, painter, widget);
     if (isHighContrast() && element == CE_TabBarTabShape) {
         drawEdge(*painter, *option, option->rect, Edge::Square);
-        if (option->state.testFlag(State_Selected)) { // by more than its height
+        if (option->state.testFlag(State_Selected)) { // selection must not be visible by height alone
             constexpr int kMark_px = 3;
             painter->fillRect(QRect(option->rect.topLeft(), QSize(option->rect.width(), kMark_px)),
                               option->palette.color(QPalette::Highlight));

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kPuckPlugin = "spacemouse";
 
-/// Presses, slides and lifts at a place of the surface, over and over.
+/// Endless palpation pattern at a place of the surface: press, slide, lift.
 std::vector<device::HandTarget> palpationAt(const core::Vec3& p_W, const core::Vec3& inwards_W)
 {
     constexpr double kAbove_mm = 15.0;
@@ -56,7 +56,7 @@ DeviceChoice::DeviceChoice(LiveTouch& live, VtkViewport& viewport, Playback& pla
 
 DeviceChoice::~DeviceChoice()
 {
-    // What a plugin made must be gone before the plugins.
+    // Objects created by a plugin must be destroyed before the plugin is unloaded.
     (void)m_puck.use(nullptr);
     (void)m_live.useDevice(nullptr);
 }
@@ -297,7 +297,7 @@ void DeviceChoice::tellWhatIsOnTheBus()
         for (const std::string& id : ids) {
             const auto found = m_plugins->find(id);
             if (!found.isOk()) {
-                continue; // named below
+                continue; // error is reported below
             }
             for (const device::FoundDevice& one : found.value()) {
                 lines << QString::fromStdString(one.problem.empty() ? one.name : one.name + ": " + one.problem);

@@ -39,7 +39,7 @@ double Effort::force_N(double now_s) const noexcept
 
 std::vector<study::PressedSurface> surfacesInTheWay(const haptics::HapticScene& scene, const view::Ray& press)
 {
-    constexpr double kFlattest = 0.05; // a surface seen edge on is no plane to be pressed
+    constexpr double kFlattest = 0.05; // limits the correction for surfaces seen edge-on
     std::vector<study::PressedSurface> found;
     for (std::size_t i = 0; i < scene.layerCount(); ++i) {
         std::optional<study::PressedSurface> first;

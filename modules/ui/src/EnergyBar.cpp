@@ -35,7 +35,7 @@ QString EnergyBar::spokenText() const
 
 void EnergyBar::paintEvent(QPaintEvent*)
 {
-    constexpr double kZero = 0.25; // of the width: what is too much should be little
+    constexpr double kZero = 0.25; // fraction of the width; excess energy is expected to be small
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::Mid));

@@ -14,22 +14,22 @@ namespace palpate::ui {
 
 namespace {
 
-/// What stands at the places of a sentence that hold no part.
+/// Allowed content of places that hold no part.
 enum class Holds
 {
     Numbers,
-    Names, ///< or numbers, or words that may be known
+    Names, ///< also numbers or known words
 };
 
-/// A sentence, or a part of one, with places for names, numbers and parts: %1, %2 and so on.
+/// Sentence or part of a sentence with places %1, %2 … for names, numbers and parts.
 struct Template
 {
     const char* english;
-    unsigned parts; ///< bit i: place i + 1 holds a part that must be known itself
+    unsigned parts; ///< bit i: place i + 1 holds a part that must be a known template
     Holds holds;
 };
 
-// What fits much comes last: the first that fits is taken.
+// General patterns come last, because the first match is used.
 constexpr Template kTemplates[] = {
     {QT_TRANSLATE_NOOP("palpate::ui::Engine",
                        "%1: %2: this version does not know this field; it is kept, but not used"),
@@ -481,7 +481,7 @@ const std::vector<Pattern>& patterns()
     return kAll;
 }
 
-/// A number as the window's language writes it; what is none stays as it is.
+/// Formats a number for the window's locale; other text is returned unchanged.
 QString withNumber(const QString& text)
 {
     static const QRegularExpression number(QStringLiteral("\\d{1,3}(,\\d{3})+|\\d+\\.\\d+"));
@@ -494,13 +494,13 @@ QString withNumber(const QString& text)
                                            : QLocale().toString(QString(text).remove(QLatin1Char(',')).toLongLong());
 }
 
-/// Whether a part can stay as it is: a name in quotes, or one word.
+/// True for text that needs no translation: a quoted name or a single word.
 bool isName(const QString& text)
 {
     return (text.startsWith(QLatin1Char('"')) && text.endsWith(QLatin1Char('"'))) || !text.contains(QLatin1Char(' '));
 }
 
-/// @return nothing when the text, or a part of it that must be known, is not.
+/// Translates a text by the first matching template; empty if the text or a required part is unknown.
 std::optional<QString> find(const QString& text)
 {
     for (const Pattern& pattern : patterns()) {
@@ -514,7 +514,7 @@ std::optional<QString> find(const QString& text)
             const QString held = match.captured(i);
             const std::optional<QString> part = find(held);
             isKnown = part || (pattern.sentence->parts & (1U << (i - 1))) == 0 || isName(held);
-            // Not by arg(): what is put in may hold a per cent sign and a digit.
+            // Not with arg(): the inserted text may contain a percent sign followed by a digit.
             out.replace(QLatin1Char('%') + QString::number(i), part.value_or(withNumber(held)));
         }
         if (isKnown) {
@@ -533,7 +533,7 @@ QString engineText(std::string_view line)
     const char* const unknown = QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 (in English)");
     const QString untranslated = translated(unknown);
     if (text.isEmpty() || untranslated == QLatin1String(unknown)) {
-        return text; // the window speaks English
+        return text; // English window
     }
     const std::optional<QString> found = find(text);
     return found ? *found : QString(untranslated).replace(QStringLiteral("%1"), text);

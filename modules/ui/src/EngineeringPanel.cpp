@@ -16,9 +16,9 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kEnough = 0.95; // of the rate asked for: with less a hand feels that ticks are missing
+constexpr double kEnough = 0.95; // fraction of the requested rate below which missed ticks become perceptible
 
-/// "12 µs" below a millisecond, "1.53 ms" above.
+/// Duration as text: "12 µs" below a millisecond, "1.53 ms" above.
 QString timeText(std::int64_t time_ns)
 {
     const double time_us = static_cast<double>(time_ns) * 1e-3;
@@ -27,7 +27,7 @@ QString timeText(std::int64_t time_ns)
                : EngineeringPanel::tr("%1 ms").arg(QLocale().toString(1e-3 * time_us, 'f', 2));
 }
 
-/// "half below 12 µs, 99 % below 30 µs"; nothing where nothing was measured.
+/// Distribution of durations: "half below 12 µs, 99 % below 30 µs"; empty without measurements.
 QString spreadText(const core::TimingSummary& times)
 {
     return times.count == 0 ? QString()
@@ -48,7 +48,7 @@ QString reportsText(const EngineeringReading& reading)
                      .arg(countText(reading.reports), countText(reading.refused), countText(reading.losses));
 }
 
-/// A line for each thing that was granted or not, and what permits it.
+/// One line for each real-time privilege, granted or denied, with the required permission.
 QString realtimeText(const servo::RealtimeReport& report)
 {
     QStringList lines;

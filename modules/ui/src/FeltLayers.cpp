@@ -19,16 +19,18 @@ QString number(double value)
     return QLocale().toString(value, 'f', value < 0.95 ? 2 : 1);
 }
 
-/// True for the second and third of the structures that hold one god-object: the first has the largest force.
+/// True for further structures in contact with the god-object of a layer; the first of them has the largest force.
 bool sharesGodObject(const servo::TickRecord& tick, std::size_t i)
 {
     return i > 0 && tick.felt.contacts[i].layer == tick.felt.contacts[i - 1].layer;
 }
 
-/// @param isInner  how deep the outermost layer is pressed in stands elsewhere
+/// Text of a layer's force. @param isInner  adds the penetration depth, which the panel shows elsewhere for the
+/// outermost layer
 QString shareText(const FeltLayer& layer, bool isInner)
 {
-    // Its part along the whole force, with as many digits: these add up to it, the lengths of the vectors do not.
+    // The component along the total force, with fixed digits. These components add up to the total; the vector lengths
+    // do not.
     const QString along = QLocale().toString(layer.along_N, 'f', 2);
     const QString share =
         isInner ? QCoreApplication::translate("FeltLayers", "%1 N, pressed in %2 mm").arg(along, number(layer.depth_mm))
@@ -75,7 +77,7 @@ FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissu
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
         if (sharesGodObject(tick, i)) {
-            continue; // it pushes along another direction
+            continue; // its force has another direction
         }
         const core::Tissue* tissue = tissueOf(contact.structure);
         const double own_N_per_mm = tissue != nullptr ? haptics::stiffnessAt(*tissue, contact.depth_mm) : 0.0;

@@ -20,7 +20,7 @@ using core::Vec3;
 
 namespace {
 
-/// How much otherwise than without a lump, softer or stiffer. [%]
+/// Relative change of stiffness against the organ without a lump, in either direction. [%]
 float changeOf(float ratio)
 {
     return 100.0F * std::expm1(std::abs(std::log(ratio)));
@@ -81,7 +81,7 @@ void FeltOverlay::setTabled(bool isTabled)
 void FeltOverlay::setPress(std::size_t press)
 {
     m_press = std::min(press, kPress_mm.size() - 1);
-    m_viewport.view().placeRing().hide(); // another press may have another best place
+    m_viewport.view().placeRing().hide(); // the best place depends on the penetration depth
     draw();
     Q_EMIT changed();
 }
@@ -190,7 +190,8 @@ bool FeltOverlay::showBestPlace(std::size_t organ, std::size_t lump)
     const double distance_mm = std::min((pose.position_W - pose.focus_W).norm(), kFarthest_mm);
     pose.focus_W = p_W;
     pose.position_W = p_W + distance_mm * n_W;
-    const Vec3 usual = std::abs(n_W.z()) < 0.9 ? Vec3(Vec3::UnitZ()) : Vec3(-Vec3::UnitY()); // head up, else front up
+    // Screen up: towards the head, else the patient's front.
+    const Vec3 usual = std::abs(n_W.z()) < 0.9 ? Vec3(Vec3::UnitZ()) : Vec3(-Vec3::UnitY());
     pose.up_W = (usual - usual.dot(n_W) * n_W).normalized();
     m_flight.flyTo(pose);
     m_viewport.view().placeRing().show(p_W + kOff_mm * n_W, n_W, felt.radius_mm);

@@ -24,10 +24,10 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kUsualOrgan_kPa = 6.9; // a healthy liver: three times its shear modulus of 2.3 kPa (PMC2894569)
+constexpr double kUsualOrgan_kPa = 6.9; // healthy liver: 3 times the shear modulus of 2.3 kPa (PMC2894569)
 constexpr double kLeastRatio = 0.001, kLeast_kPa = 0.01, kMost_kPa = 1e6;
 
-/// A text of the table in full, and as brief as a narrow table needs: the verdict's sign without its words.
+/// Item roles with the full text and a short text for narrow tables, which contains only the verdict's symbol.
 constexpr int kFullText = Qt::UserRole, kBriefText = Qt::UserRole + 1;
 
 QString verdictWords(buried::Verdict verdict)
@@ -35,7 +35,7 @@ QString verdictWords(buried::Verdict verdict)
     return verdictSign(verdict) + QLatin1Char(' ') + verdictText(verdict);
 }
 
-/// " (○ … ●)": the verdicts for the ends of the ratio's range, where they differ.
+/// Verdicts for the ends of the ratio's range, when different: " (○ … ●)".
 QString ends(const buried::FeltSurface::LumpPress& press)
 {
     return press.verdictAtLow == press.verdict && press.verdictAtHigh == press.verdict
@@ -43,7 +43,7 @@ QString ends(const buried::FeltSurface::LumpPress& press)
                : QStringLiteral(" (%1 … %2)").arg(verdictSign(press.verdictAtLow), verdictSign(press.verdictAtHigh));
 }
 
-/// What the tip of a press says: between which bounds the change is, and the verdict with what it rests on.
+/// Tool tip of a cell: bounds of the change, and the verdict with the underlying ratios.
 QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltSurface::Lump& lump)
 {
     const QString verdict = verdictRangeText(press, lump.ratio);
@@ -65,7 +65,7 @@ QString briefText(const buried::FeltSurface::LumpPress& press)
     return (press.best ? feltChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign) + ends(press);
 }
 
-/// What the verdicts' signs mean.
+/// Legend of the verdict symbols.
 QString keyOfSigns()
 {
     QStringList words;
@@ -77,7 +77,7 @@ QString keyOfSigns()
     return words.join(QStringLiteral(" · "));
 }
 
-/// In two lines where it has several words, broken as near to its middle as can be.
+/// Breaks a text into two lines at the space closest to the middle.
 QString inTwoLines(QString text)
 {
     qsizetype best = -1;
@@ -93,7 +93,7 @@ QDoubleSpinBox* makeSpin(double least, double most, const QString& name, QWidget
     spin->setRange(least, most);
     spin->setDecimals(3);
     spin->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    spin->setKeyboardTracking(false); // what is typed counts when it is finished
+    spin->setKeyboardTracking(false); // commits the value when editing is finished
     spin->setAccessibleName(name);
     return spin;
 }
@@ -123,7 +123,7 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
 
     connect(&overlay, &FeltOverlay::changed, this, &FeltPanel::fill);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &FeltPanel::showChosen);
-    connect(m_table, &QTableWidget::cellActivated, this, &FeltPanel::showBestPlace); // a double click, or Enter
+    connect(m_table, &QTableWidget::cellActivated, this, &FeltPanel::showBestPlace); // double click or Enter
     fill();
 }
 
@@ -157,7 +157,7 @@ void FeltPanel::makeTable()
     fitRows();
 }
 
-/// Two lines of text in each row.
+/// Sets the row height to two lines of text.
 void FeltPanel::fitRows()
 {
     m_table->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
@@ -173,7 +173,8 @@ void FeltPanel::changeEvent(QEvent* event)
     }
 }
 
-/// The table's width can change without the panel's: what is beside it grows with the text.
+/// Watches the table, because its width can change while the panel's width stays: the widgets beside the table grow
+/// with the text size.
 bool FeltPanel::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isTaken = QWidget::eventFilter(watched, event);
@@ -198,7 +199,7 @@ void FeltPanel::setBrief(bool isBrief)
     m_notice->setText(isBrief ? notice + QLatin1Char(' ') + keyOfSigns() : notice);
 }
 
-/// In full where that has room, else briefly: no column may hide at the right.
+/// Uses full texts if they fit and short texts otherwise, so that no column is cut off at the right.
 void FeltPanel::fitColumns()
 {
     setBrief(false);
@@ -268,7 +269,7 @@ void FeltPanel::fill()
     const QString notes = m_overlay.notes().join(QLatin1Char('\n'));
     m_status->setText(isBusy && m_overlay.isBusy() ? tr("Being computed…") : notes);
     m_status->setVisible(!m_status->text().isEmpty());
-    m_table->setEnabled(!isBusy); // what is there is out of date
+    m_table->setEnabled(!isBusy); // current results are outdated
     if (!isBusy || m_overlay.organs().empty()) {
         const std::optional<Row> before = chosen();
         const QSignalBlocker blocker(m_table);
@@ -336,7 +337,7 @@ std::optional<FeltPanel::Row> FeltPanel::chosen() const
                                                            : std::nullopt;
 }
 
-/// What is said of the chosen lump's stiffness.
+/// Shows the stiffness ratio of the selected lump and its source.
 void FeltPanel::showChosen()
 {
     const std::optional<Row> row = chosen();
@@ -369,7 +370,7 @@ void FeltPanel::showChosen()
     m_moduli->setVisible(source == Moduli);
 }
 
-/// @param ratio  nothing: by tissues or names
+/// Sets the ratio of the selected lump. @param ratio  empty: derived from tissues or names
 void FeltPanel::setRatio(std::optional<double> ratio)
 {
     const std::optional<Row> row = chosen();

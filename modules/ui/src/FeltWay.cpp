@@ -23,7 +23,8 @@ std::optional<int> organToFeelThrough(const StructureModel& model, int row)
     if (!organ || !hasSureInside(model, row) || !hasSureInside(model, *organ)) {
         return std::nullopt;
     }
-    for (int other = 0; other < model.rowCount(); ++other) { // a file knows it by its name
+    // A scene file identifies the organ by name, which must be unique.
+    for (int other = 0; other < model.rowCount(); ++other) {
         if (other != *organ && model.structure(other).name == model.structure(*organ).name &&
             !model.rows()[static_cast<std::size_t>(other)].isRemoved) {
             return std::nullopt;
@@ -42,7 +43,7 @@ void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString
         meshio::SceneStructure changed = now;
         const bool isThrough = way == ways.end() ? model.isToBeFeltThrough(row) : !way->layer;
         const std::optional<int> organ = isThrough ? model.organAround(row) : std::nullopt;
-        if (organ) { // by name, so that no other becomes one by its shape
+        if (organ) { // names the organ explicitly, so that no other structure is chosen as an organ by its shape
             changed.inside = model.structure(*organ).name;
             changed.layer = 0;
             isAnyThrough = true;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kContext = "palpate::ui::FeltWords";
 
-/// For the catalogues; the texts are those of buried::kVerdictNames and study::sourceText.
+/// Texts of buried::kVerdictNames and study::sourceText, listed for the translation catalogues.
 [[maybe_unused]] constexpr std::array<const char*, 26> kTranslated{
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "not by hand"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "by a trained hand"),
@@ -72,7 +72,8 @@ QString whyNotJudged(std::uint8_t why)
         .arg(reasons.join(QStringLiteral(", ")));
 }
 
-/// "; +17 % when pressed 4 mm": where pressing harder makes the verdict better, else how much the hardest press makes.
+/// Effect of a deeper press: "; +17 % when pressed 4 mm". Uses the shallowest press that improves the verdict, else the
+/// deepest press.
 QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
 {
     const buried::Verdict now = buried::verdictOf(felt.press[press].ratio[vertex]);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kMostSize_mm = 1e4;
 
-/// A size is shown as it was typed.
+/// Formats a size with the digits that were entered.
 QString sizeText(const std::optional<double>& value)
 {
     QLocale locale;
@@ -71,14 +71,14 @@ QString typeSign(core::FindingType type)
     return QChar(kSigns[static_cast<std::size_t>(type)]);
 }
 
-/// One step to undo: rows that come, go, or become others.
+/// Undo step that inserts, removes or replaces rows.
 class FindingsModel::Step final : public QUndoCommand
 {
   public:
     struct Change
     {
         int row = 0;
-        std::optional<core::Finding> before, after; // nothing: it is not there
+        std::optional<core::Finding> before, after; // empty: the row does not exist
     };
     Step(FindingsModel& model, std::vector<Change> changes, const QString& text)
         : QUndoCommand(text)
@@ -158,7 +158,7 @@ void FindingsModel::edit(int row, core::Finding finding, const QString& text)
 
 void FindingsModel::remove(std::vector<int> rows)
 {
-    std::sort(rows.rbegin(), rows.rend()); // from below, so that the others keep their places
+    std::sort(rows.rbegin(), rows.rend()); // from the end, so that the remaining row numbers stay valid
     std::vector<Step::Change> changes;
     for (const int row : rows) {
         changes.push_back({row, m_findings[static_cast<std::size_t>(row)], std::nullopt});
@@ -302,7 +302,7 @@ bool FindingsModel::setData(const QModelIndex& index, const QVariant& value, int
         return true;
     case Name:
         if (text.trimmed().isEmpty()) {
-            return false; // as it was
+            return false; // keeps the old name
         }
         finding.name = text.trimmed().toStdString();
         edit(index.row(), finding, tr("Rename %1").arg(name));

@@ -20,7 +20,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Lets the type be chosen from a list.
+/// Combo box editor for the type column.
 class TypeDelegate final : public QStyledItemDelegate
 {
   public:
@@ -66,7 +66,7 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     m_table->setObjectName(QStringLiteral("findingsTable"));
     m_table->setAccessibleName(tr("Findings and notes"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 does; a double click flies
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 edits; a double click moves the camera
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
     m_table->setShowGrid(false);
@@ -189,7 +189,7 @@ QString FindingsPanel::copiedText() const
     return lines.join(QLatin1Char('\n'));
 }
 
-/// @return whether it is a key of the table's own
+/// Handles the table's own keys. Returns false for other keys.
 bool FindingsPanel::handleKey(int key, Qt::KeyboardModifiers modifiers)
 {
     const int row = current();
@@ -223,7 +223,7 @@ bool FindingsPanel::eventFilter(QObject* watched, QEvent* event)
     if (watched == m_note) {
         const bool leaves = key->key() == Qt::Key_Escape;
         if (leaves && event->type() == QEvent::KeyPress) {
-            giveFocusBack(); // what was written stays
+            giveFocusBack(); // keeps the entered text
         } else if (leaves) {
             event->accept();
         }
@@ -232,7 +232,7 @@ bool FindingsPanel::eventFilter(QObject* watched, QEvent* event)
     const bool isOwn = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter || key->key() == Qt::Key_Delete ||
                        key->key() == Qt::Key_F2 || key->matches(QKeySequence::Copy);
     if (event->type() == QEvent::ShortcutOverride) {
-        if (isOwn) { // before a command of the window
+        if (isOwn) { // takes precedence over shortcuts of the window
             event->accept();
         }
         return isOwn;

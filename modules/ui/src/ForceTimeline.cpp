@@ -20,9 +20,9 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kLiveBin_s = 0.05;
-constexpr double kStep_s = 0.1; // of an arrow key
+constexpr double kStep_s = 0.1; // step of an arrow key
 
-/// Seconds between two ticks of the axis, so that their texts have room.
+/// Tick interval of the time axis in seconds, wide enough for the labels.
 double axisStep(double duration_s, double width_px)
 {
     const double room = duration_s * 70.0 / std::max(1.0, width_px);
@@ -84,7 +84,7 @@ QString ForceTimeline::spokenText() const
     const QLocale locale;
     const QString time =
         tr("%1 of %2 s").arg(locale.toString(m_position_s, 'f', 1), locale.toString(m_duration_s, 'f', 1));
-    if (m_peaks_N.empty()) { // the recording is still read
+    if (m_peaks_N.empty()) { // overview not yet read
         return time;
     }
     const double bin = std::clamp(m_position_s / m_duration_s * bins, 0.0, bins - 1.0);
@@ -111,7 +111,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
     }
     const auto bin = static_cast<std::size_t>(std::max(0.0, time_s) / kLiveBin_s);
     if (bin >= m_peaks_N.size()) {
-        // A slow picture leaves out bins: they get what came after them, not a gap that was never felt.
+        // A slow frame skips bins. Fill them with the current force; a gap would look like a loss of contact.
         m_peaks_N.resize(bin + 1, static_cast<float>(force_N));
     }
     m_peaks_N[bin] = std::max(m_peaks_N[bin], static_cast<float>(force_N));
@@ -136,7 +136,7 @@ double ForceTimeline::timeAt(double x) const
     return std::clamp(x / std::max(1, width()), 0.0, 1.0) * m_duration_s;
 }
 
-/// Over a mark its words are shown, else what the timeline does.
+/// Shows the label of a mark in the tool tip, or the help text elsewhere.
 bool ForceTimeline::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip && m_duration_s > 0.0) {
@@ -169,7 +169,7 @@ void ForceTimeline::paintEvent(QPaintEvent*)
         painter.drawText(lane, Qt::AlignCenter, tr("The force of a recording appears here"));
         return;
     }
-    // A column a pixel: the greatest force of its time, so that no knock is lost at any width.
+    // One column per pixel with the maximum of its interval, so that short peaks remain visible at any width.
     float greatest = 0.0f;
     for (const float peak : m_peaks_N) {
         greatest = std::max(greatest, peak);

@@ -29,7 +29,7 @@ HandControl::HandControl(VtkViewport& viewport, LiveTouch& live, StructureModel&
     connect(&panel, &HandPanel::centreWanted, this, &HandControl::centre);
     connect(&panel, &HandPanel::clutchWanted, this, &HandControl::setClutched);
     connect(&panel, &HandPanel::fitWanted, this, &HandControl::fit);
-    // Later, when the scene's camera is there too.
+    // Queued, because the scene's camera is set after the model.
     connect(&model, &QAbstractItemModel::modelReset, this, &HandControl::takeScene, Qt::QueuedConnection);
     connect(&live, &LiveTouch::statusChanged, this, &HandControl::showStatus);
     takeDevice();
@@ -92,9 +92,9 @@ void HandControl::takeLoop()
 {
     HandSettings settings = m_panel.settings();
     if (const core::Status allowed = servo::checkCpu(settings.cpu); !allowed.isOk()) {
-        settings.cpu = -1; // kept on another machine, or outside a container
+        settings.cpu = -1; // saved on another machine or outside a container
         m_panel.setSettings(settings);
-        // After what else is said of a device just chosen.
+        // Queued, to follow other messages about a newly selected device.
         QMetaObject::invokeMethod(
             this, [this, line = tr("%1; any is used").arg(engineText(allowed))] { Q_EMIT said(line); },
             Qt::QueuedConnection);
@@ -128,7 +128,7 @@ void HandControl::centre()
 {
     ++m_centreRequest;
     if (m_live.deviceInfo().isRateControlled) {
-        (void)m_live.calibrate(); // its own origin too: where it is now, it is nowhere
+        (void)m_live.calibrate(); // also resets the origin of a rate-controlled device to its current position
     }
     lay();
 }

@@ -100,7 +100,7 @@ QWidget* HandPanel::makeFits()
     row->setSpacing(4);
     const auto add = [&](const QString& text, MapFill fill, const QString& tip) {
         auto* button = new QPushButton(text, fits);
-        button->setMinimumWidth(40); // three fit into a narrow panel
+        button->setMinimumWidth(40); // three buttons fit into a narrow panel
         button->setToolTip(tip);
         row->addWidget(button);
         connect(button, &QPushButton::clicked, this, [this, fill] { Q_EMIT fitWanted(fill); });
@@ -131,7 +131,7 @@ QWidget* HandPanel::makeMapping()
     m_scale->setDecimals(3);
     m_scale->setSingleStep(0.1);
     m_scale->setSuffix(tr(" mm per mm"));
-    m_scale->setKeyboardTracking(false); // 15 is not first 1
+    m_scale->setKeyboardTracking(false); // typing 15 must not apply 1 first
     m_scale->setAccessibleName(tr("Scale"));
     m_scale->setToolTip(tr("Millimetres of the scene for a millimetre of the device"));
     form->addRow(tr("Scale"), m_scale);
@@ -214,8 +214,8 @@ void HandPanel::setDevice(const device::DeviceInfo& info, const HandSettings& se
     setSettings(settings);
 }
 
-/// A hand without a workspace of its own (pointer, simulated hand) lies as the scene does and has no buttons; only the
-/// pointer's force or depth is chosen here.
+/// Shows the applicable controls. Devices without a workspace (pointer, simulated hand) are not mapped and have no
+/// buttons; only force or depth of the pointer can be chosen.
 void HandPanel::showWhatApplies(const device::DeviceInfo& info)
 {
     m_mapping->setVisible(servo::edgeOf(info) > 0.0);

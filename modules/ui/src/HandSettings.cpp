@@ -10,7 +10,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kLump_mm = 10.0;
-constexpr double kRoom = 1.2; // of the workspace for what fills it
+constexpr double kRoom = 1.2; // size of the workspace relative to the filled region
 
 QString key(const QString& id, const char* what)
 {
@@ -89,13 +89,13 @@ servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo
     if (map.isDirect) {
         return map;
     }
-    Eigen::Matrix3d R_WU; // U: x right, y up, z towards the user
+    Eigen::Matrix3d R_WU; // U: user frame, x right, y up, z towards the user
     if (settings.turn == MapTurn::Camera) {
         R_WU.col(0) = place.right_W;
         R_WU.col(1) = place.up_W;
         R_WU.col(2) = place.right_W.cross(place.up_W);
     } else {
-        R_WU << 1, 0, 0, 0, 0, -1, 0, 1, 0; // left, head, front of the patient in LPS
+        R_WU << 1, 0, 0, 0, 0, -1, 0, 1, 0; // patient's left, head, front in LPS
     }
     map.q_WD = (core::Quaternion(R_WU) * info.q_UD).normalized();
     if (settings.fill == MapFill::Scale) {
@@ -105,7 +105,7 @@ servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo
         const core::Vec3 size = place.filled.sizes();
         map.centre_W = place.filled.center();
         if (settings.fill != MapFill::Scale) {
-            // What begins before it must go as far again to reach all of it.
+            // The hand starts in front of the region and needs twice the range to reach its far side.
             const double way = info.isRateControlled ? 2.0 : 1.0;
             map.scale = servo::scaleToFill(way * kRoom * size.maxCoeff(), edge_mm);
         }

@@ -24,7 +24,7 @@ void HintLine::say(const QString& text)
     setToolTip(text.isEmpty() ? QString() : tr("%1\nPress here or F4 for all messages").arg(text));
     fit();
     if (!text.isEmpty()) {
-        setAccessibleName(text); // whole, where the line is shortened
+        setAccessibleName(text); // full text, since the visible text may be elided
         QAccessibleEvent alert(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&alert);
     } else {

@@ -11,14 +11,14 @@ namespace palpate::ui {
 
 namespace {
 
-// Symbols are drawn on a field of 24 by 24.
+// Symbols are drawn on a 24 x 24 grid.
 
 void poly(QPainter& p, std::initializer_list<QPointF> points)
 {
     p.drawPolyline(QPolygonF(points));
 }
 
-/// An outstretched finger on a surface.
+/// Outstretched finger on a surface.
 QPainterPath finger()
 {
     QPainterPath finger;
@@ -64,7 +64,7 @@ void drawArrowBack(QPainter& p)
     poly(p, {{8.8, 5}, {4.5, 9.5}, {8.8, 14}});
 }
 
-/// What is filled alone: what a player and a recorder have.
+/// Filled symbols of the recorder and player controls.
 void drawControl(QPainter& p, Symbol symbol)
 {
     switch (symbol) {
@@ -87,7 +87,7 @@ void drawControl(QPainter& p, Symbol symbol)
     }
 }
 
-/// The kinds of messages.
+/// Symbols of the message kinds.
 void drawMessage(QPainter& p, Symbol symbol)
 {
     switch (symbol) {
@@ -123,7 +123,7 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         poly(p, {{3, 18.5}, {3, 6}, {9, 6}, {11, 8.5}, {19, 8.5}, {19, 11}});
         poly(p, {{3, 18.5}, {6.2, 11}, {21.5, 11}, {18.5, 18.5}, {3, 18.5}});
         break;
-    case Symbol::Camera: // an orbit about a cube's corner: turning the view
+    case Symbol::Camera: // orbits around a cube's corner: rotating the view
         p.drawEllipse(QPointF(12, 12), 9.0, 3.8);
         p.drawEllipse(QPointF(12, 12), 3.8, 9.0);
         p.setBrush(ink);

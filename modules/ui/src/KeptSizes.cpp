@@ -9,7 +9,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Sets a widget's font anew when its parent's changes: Qt keeps a size that was set once.
+/// Updates a widget's font when the parent's font changes, because Qt does not scale an explicitly set size.
 class KeptFont final : public QObject
 {
   public:
@@ -25,7 +25,7 @@ class KeptFont final : public QObject
     bool eventFilter(QObject* watched, QEvent* event) override
     {
         if (event->type() == QEvent::FontChange && watched == m_widget.parentWidget()) {
-            // Later: the style sheet, which hands fonts down, would put the old one back.
+            // Queued: the style sheet propagates fonts after this event and would restore the old one.
             QMetaObject::invokeMethod(
                 this, [this] { take(); }, Qt::QueuedConnection);
         }
@@ -51,7 +51,7 @@ class KeptFont final : public QObject
     int m_weight;
 };
 
-/// Sets the size of a widget's icons anew when its font changes.
+/// Updates the icon size when the widget's font changes.
 class KeptIconSize final : public QObject
 {
   public:
@@ -75,7 +75,7 @@ class KeptIconSize final : public QObject
     void take()
     {
         const int side_px = withText_px(m_usual_px);
-        m_widget.setProperty("iconSize", QSize(side_px, side_px)); // buttons, lists and tool bars have it
+        m_widget.setProperty("iconSize", QSize(side_px, side_px)); // common property of buttons, lists and tool bars
     }
 
     QWidget& m_widget;
@@ -86,12 +86,12 @@ class KeptIconSize final : public QObject
 
 void keepIconSize(QWidget& widget, int usual_px)
 {
-    new KeptIconSize(widget, usual_px); // the widget owns it
+    new KeptIconSize(widget, usual_px); // owned by the widget
 }
 
 void keepFont(QWidget& widget, double ratio, int weight)
 {
-    new KeptFont(widget, ratio, weight); // the widget owns it
+    new KeptFont(widget, ratio, weight); // owned by the widget
 }
 
 } // namespace palpate::ui

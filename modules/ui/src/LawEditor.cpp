@@ -24,8 +24,10 @@ namespace palpate::ui {
 
 namespace {
 
-/// The law that goes on from how a tissue is: nothing jumps more than it must when another one is chosen.
-/// @param greatest  slope that the device holds [N/mm]
+/// Initial parameters of a newly selected law. The exponential law is limited to the device's slope, and measured
+/// points sample the current law, so that the force changes as little as possible. Other laws start with their
+/// defaults.
+/// @param greatest  largest stable slope of the device [N/mm]
 core::ForceLaw startingLaw(core::LawKind kind, const core::Tissue& tissue, double greatest)
 {
     core::ForceLaw law = core::usualLaw(kind);
@@ -110,7 +112,7 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
             const core::LawTerm& term = terms[i];
             const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
             static_cast<QLabel*>(m_form->labelForField(field))->setText(name);
-            field->setRange(0.0, term.most); // what is too small is refused in words
+            field->setRange(0.0, term.most); // too small values are rejected with a message instead
             field->setDecimals(term.usual < 1.0 ? 3 : 2);
             field->setSingleStep(0.1 * term.usual);
             field->setSuffix(QLatin1Char(' ') + unit);
@@ -142,7 +144,7 @@ void LawEditor::choose(core::LawKind kind)
 
 void LawEditor::editNumber(std::size_t i, double value)
 {
-    if (!m_isShowing) { // a field shows fewer digits than a scene may have: only the one that was edited counts
+    if (!m_isShowing) { // fields round to fewer digits than the scene stores: take over only the edited one
         core::ForceLaw law = m_tissue.law;
         law.numbers[i] = value;
         Q_EMIT edited(law);

@@ -57,7 +57,7 @@ void LawPlot::takeLaw(const core::ForceLaw& law)
     update();
 }
 
-/// As deep as hands press, or as far as the law has something to tell.
+/// Fits the axes to the usual range of penetration depths, or to the extent of the law.
 void LawPlot::fitAxes()
 {
     constexpr double kPress_mm = 12.0;
@@ -100,7 +100,7 @@ QString LawPlot::limitText() const
     return tr("– – device %1 N/mm").arg(plotText(m_greatest));
 }
 
-/// What the device holds stands beside the axis's name, or in a line of its own where there is no room for both.
+/// True when the device limit needs a line of its own because the space next to the axis title is too small.
 bool LawPlot::isLimitAbove() const
 {
     const QFontMetricsF metrics(font());
@@ -130,7 +130,7 @@ QPointF LawPlot::touchedPlace() const
 
 QString LawPlot::touchText() const
 {
-    constexpr double kSeen = 0.01; // a difference from 1 that is worth a word
+    constexpr double kSeen = 0.01; // smallest difference from 1 that is shown
     if (m_depth_mm <= 0.0) {
         return {};
     }
@@ -145,7 +145,7 @@ QPolygonF LawPlot::curve(const haptics::ForceTable* table) const
         line << placeOf(d, table == nullptr ? m_tissue.stiffness_N_per_mm * d : table->force(d));
     };
     constexpr int kPieces = 240;
-    std::size_t knot = 0; // corners are drawn as corners
+    std::size_t knot = 0; // inserts the knots, so that corners stay sharp
     for (int i = 0; i <= kPieces; ++i) {
         const double d = m_reach_mm * i / kPieces;
         for (; table != nullptr && knot < table->knots().size() && table->knots()[knot].depth_mm < d; ++knot) {
@@ -172,7 +172,8 @@ void LawPlot::paintFrame(QPainter& painter) const
     painter.drawText(scale.translated(0.0, in.height()), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
     const QRectF foot(in.left(), in.bottom() + 2.0, in.width() + 6.0, metrics.height());
     const QString end = tr("%1 mm deep").arg(plotText(m_reach_mm)), now = touchText();
-    if (metrics.horizontalAdvance(now + QStringLiteral("  ") + end) < foot.width()) { // else what is felt goes first
+    // In a narrow plot the live contact replaces the axis label.
+    if (metrics.horizontalAdvance(now + QStringLiteral("  ") + end) < foot.width()) {
         painter.drawText(foot, Qt::AlignRight, end);
     }
     painter.setPen(palette().color(QPalette::Text));
@@ -205,7 +206,7 @@ void LawPlot::paintEvent(QPaintEvent*)
     paintFrame(painter);
     paintLimit(painter);
     painter.setClipRect(area().adjusted(-4, -4, 4, 4));
-    if (m_felt != m_table) { // what was asked for; what is felt of it goes over it
+    if (m_felt != m_table) { // requested law; the limited law is drawn on top
         painter.setPen(QPen(forceColour(), 1.5, Qt::DotLine));
         painter.drawPolyline(curve(m_table.get()));
     }
@@ -230,7 +231,7 @@ void LawPlot::paintEvent(QPaintEvent*)
 void LawPlot::mousePressEvent(QMouseEvent* event)
 {
     double nearest_px = kGrab_px;
-    for (std::size_t i = 1; i < m_tissue.law.points.size(); ++i) { // the first stays at (0, 0)
+    for (std::size_t i = 1; i < m_tissue.law.points.size(); ++i) { // the first point is fixed at (0, 0)
         const QPointF away = placeOf(m_tissue.law.points[i][0], m_tissue.law.points[i][1]) - event->position();
         const double distance_px = std::hypot(away.x(), away.y());
         if (distance_px < nearest_px) {
@@ -278,7 +279,7 @@ void LawPlot::keyPressEvent(QKeyEvent* event)
     }
 }
 
-/// Moves the held point between its neighbours, as far as the curve stays a law.
+/// Moves the held point between its neighbours, as long as the points form a valid law.
 void LawPlot::movePoint(double depth_mm, double force_N)
 {
     core::ForceLaw law = m_tissue.law;

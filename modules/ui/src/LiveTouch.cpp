@@ -22,7 +22,7 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kRounding = 1e-5; // of the slope of a law that was bounded
+constexpr double kRounding = 1e-5; // relative rounding error of the slope of a limited law
 
 } // namespace
 
@@ -56,7 +56,7 @@ haptics::Tissue LiveTouch::greatestTissue() const
 
 double LiveTouch::heldStiffness_N_per_mm() const
 {
-    // A mm of the scene is 1 / scale mm of the device, and it is there that the loop is closed.
+    // A scene millimetre is 1 / scale device millimetres, and the loop is closed in device units.
     return servo::heldStiffness_N_per_mm(m_info, rate_Hz(), true, m_delayTicks) / (m_map.isDirect ? 1.0 : m_map.scale);
 }
 
@@ -112,7 +112,7 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
             status = start();
         }
     }
-    m_handOver.start(); // what may be held is another
+    m_handOver.start(); // the stable limit has changed
     Q_EMIT greatestChanged();
     return status;
 }
@@ -157,7 +157,7 @@ core::Status LiveTouch::start()
         m_device.reset();
         m_info = m_pointer.info();
         handOverScene();
-        (void)m_session.start(m_pointer, m_options); // the first reason is the one to tell
+        (void)m_session.start(m_pointer, m_options); // the first error is reported
         Q_EMIT deviceChanged();
     }
     m_ticks = 0;
@@ -223,7 +223,7 @@ void LiveTouch::tellRefused()
                                                                : study::greatestStiffness(wanted()[at]);
         const double is = study::greatestStiffness(felt[at]);
         if (one.palpable && asked > is * (1.0 + kRounding)) {
-            // Short enough for a line below the picture; the field of the stiffness says why.
+            // Short for the line below the view; the stiffness field explains the reason.
             line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.")
                        .arg(QString::fromStdString(one.name), number(asked), number(is),
                             QString::fromStdString(m_info.name),
@@ -259,7 +259,7 @@ void LiveTouch::measure()
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
         Q_EMIT faulted(engineText(fault.message));
         if (m_info.actuatedAxes == 0) {
-            m_session.loop().rearm(); // it has no motors: touch goes on, eased in
+            m_session.loop().rearm(); // a device without motors cannot push: resume touch with a ramp
         }
     }
     m_wasFaulted = fault.isFaulted();
@@ -269,7 +269,7 @@ void LiveTouch::measure()
 void LiveTouch::setDelay(int ticks)
 {
     if (ticks <= m_delayTicks) {
-        return; // the limit does not come and go with every percentile
+        return; // keeps the maximum, so that the limit does not fluctuate with each percentile
     }
     m_delayTicks = ticks;
     m_session.loop().setDelay(ticks);

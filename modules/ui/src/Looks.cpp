@@ -32,7 +32,7 @@ void Looks::addThemes(ActionList& actions)
     struct Choice
     {
         Theme theme;
-        const char* id; ///< of the command; behind the dash as the settings have it
+        const char* id; ///< command id; the settings store the part after the dash
         QString text, tip;
     };
     const Choice choices[] = {
@@ -51,7 +51,7 @@ void Looks::addThemes(ActionList& actions)
         QAction* action = actions.add(one.id, ActionGroup::Appearance, one.text, one.tip);
         action->setCheckable(true);
         group->addAction(action);
-        if (name == kept || one.theme == Theme::System) { // what the settings cannot mean is as the system
+        if (name == kept || one.theme == Theme::System) { // invalid settings fall back to the system theme
             action->setChecked(true);
             m_theme = one.theme;
         }
@@ -97,7 +97,7 @@ bool Looks::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isAsked = event->type() == QEvent::ThemeChange;
     if ((isAsked || event->type() == QEvent::ApplicationPaletteChange) && noteSystemPalette(isAsked)) {
-        // Not now: widgets are being told of the palette that is to go.
+        // Queued: widgets are still being notified of the palette that is about to be replaced.
         QMetaObject::invokeMethod(
             this, [this] { applyTheme(m_theme); }, Qt::QueuedConnection);
     }

@@ -14,26 +14,26 @@
 
 namespace palpate::ui {
 
-/// What window and worker share.
+/// State shared by the GUI thread and the worker.
 struct LumpMaps::Job
 {
     std::atomic<bool> isCancelled{false};
 };
 
-/// What the worker found.
+/// Results of the worker.
 struct LumpMaps::Found
 {
-    FeltOrgans shown, felt; ///< of all lumps, of those that the hand feels
+    FeltOrgans shown, felt; ///< of all lumps; of the lumps in transmitted mode
     QStringList notes;
-    bool isShown = false; ///< `shown` was wanted, or is the same
+    bool isShown = false; ///< `shown` was requested or equals `felt`
 };
 
 namespace {
 
-constexpr int kWait_ms = 300;  // after the newest change
-constexpr int kBlink_ms = 400; // work that is done by then shows no progress
+constexpr int kWait_ms = 300;  // delay after the latest change
+constexpr int kBlink_ms = 400; // shorter computations show no progress
 
-/// @param picture  of the organ as it was given
+/// Prepares the display data of an organ. @param picture  original display mesh of the organ
 std::shared_ptr<const FeltOrganShown> shownOrgan(study::FeltOrgan organ, std::size_t triangles,
                                                  const vtkSmartPointer<vtkPolyData>& picture)
 {
@@ -60,7 +60,7 @@ std::shared_ptr<const FeltOrganShown> shownOrgan(study::FeltOrgan organ, std::si
     return std::make_shared<const FeltOrganShown>(std::move(one));
 }
 
-/// What the hand feels of an organ: the maps at the organ's own vertices, which come first.
+/// Extracts the maps for the haptic scene at the organ's original vertices, which precede those added by refinement.
 StructureModel::FeltThrough feltThrough(const study::FeltOrgan& from)
 {
     StructureModel::FeltThrough to;
@@ -79,14 +79,14 @@ StructureModel::FeltThrough feltThrough(const study::FeltOrgan& from)
 
 } // namespace
 
-/// One computation, on the worker.
+/// A single computation on the worker thread.
 class LumpMaps::Making
 {
   public:
     using Progress = std::function<bool(const QString& what, double share)>;
 
-    /// @param forHand  rows that are felt through their organ; none: the hand's maps are not wanted
-    /// @param known  results that still hold
+    /// @param forHand  rows in transmitted mode; empty: no maps for the haptic scene
+    /// @param known  results that are still valid
     Making(meshio::LoadedScene scene, std::vector<vtkSmartPointer<vtkPolyData>> pictures, std::vector<bool> forHand,
            bool isShown, FeltOrgans known, Progress progress)
         : m_scene(std::move(scene))
@@ -123,7 +123,7 @@ class LumpMaps::Making
     }
 
   private:
-    /// @return the organ's maps with the same lumps, where they were made
+    /// Looks for already computed maps of this organ with the same lumps; null otherwise.
     std::shared_ptr<const FeltOrganShown> made(const study::OrganWithLumps& organ) const
     {
         for (const FeltOrgans* from : {&m_found.felt, &m_known}) {
@@ -179,14 +179,14 @@ class LumpMaps::Making
     FeltOrgans m_known;
     Progress m_progress;
     Found m_found;
-    double m_count = 1.0, m_done = 0.0; ///< organs
+    double m_count = 1.0, m_done = 0.0; ///< in organs
 };
 
 LumpMaps::LumpMaps(StructureModel& model, QObject* parent)
     : QObject(parent)
     , m_model(model)
 {
-    m_thread.setMaxThreadCount(1); // a new job waits until the cancelled one has noticed
+    m_thread.setMaxThreadCount(1); // a new job waits until the cancelled job has ended
     m_wait.setSingleShot(true);
     m_wait.setInterval(kWait_ms);
     connect(&m_wait, &QTimer::timeout, this, &LumpMaps::begin);
@@ -235,7 +235,8 @@ bool LumpMaps::isForHand() const
     return std::find(m_forHand.begin(), m_forHand.end(), true) != m_forHand.end();
 }
 
-/// The scene for the worker: what was removed has no surface, so that numbers stay the rows.
+/// Copies the scene for the worker. Removed structures have no surface but keep their place, so that numbers equal
+/// rows.
 meshio::LoadedScene LumpMaps::sceneNow() const
 {
     meshio::LoadedScene scene;
@@ -248,7 +249,7 @@ meshio::LoadedScene LumpMaps::sceneNow() const
     return scene;
 }
 
-/// Another scene. What was opened with it is felt as it is: its maps were made as it was read.
+/// Starts over for another scene. Maps loaded with the scene are used as they are.
 void LumpMaps::reset()
 {
     stop();
@@ -267,7 +268,7 @@ void LumpMaps::reset()
     }
 }
 
-/// Computes what is wanted and not there.
+/// Reacts to changes: starts a computation if requested results are missing.
 void LumpMaps::follow()
 {
     std::vector<Cause> now = causes();
@@ -325,7 +326,7 @@ void LumpMaps::begin()
     });
 }
 
-/// The worker ends when it notices; nothing that it found is taken.
+/// Cancels the job. The worker ends at its next progress call, and its results are discarded.
 void LumpMaps::stop()
 {
     if (m_job != nullptr) {
@@ -370,7 +371,7 @@ void LumpMaps::take(Found& found)
                 maps.push_back(std::move(map));
             }
         }
-        m_model.setFeltThrough(maps); // `edited` follows, of nothing that this follows from
+        m_model.setFeltThrough(maps); // emits `edited`, but changes none of the causes
     }
     if (!m_notes.isEmpty()) {
         Q_EMIT noted(m_notes);

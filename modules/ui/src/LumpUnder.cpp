@@ -11,7 +11,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// k/k0 at a vertex, linear between the presses, as the hand feels it.
+/// k/k0 at a vertex, interpolated linearly between the tabulated depths as in the haptic rendering.
 double ratioAt(const std::vector<std::vector<float>>& below, std::size_t vertex, double depth_mm)
 {
     for (std::size_t i = 1; i < below.size(); ++i) {
@@ -24,7 +24,8 @@ double ratioAt(const std::vector<std::vector<float>>& below, std::size_t vertex,
     return double{below.back()[vertex]};
 }
 
-/// A lump's share far from it, but for a factor that all have: its volume by the fourth power of its distance.
+/// Far-field share of a lump up to a common factor: volume divided by the fourth power of the distance
+/// (resources/docs/felt.md).
 double shareOf(const meshio::LoadedStructure& lump, const core::Vec3& p_W)
 {
     const geometry::MeshReport& report = lump.surface->report;

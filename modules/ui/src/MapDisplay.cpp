@@ -27,7 +27,7 @@ QString keyOf(const meshio::SurfaceMap& map)
     return kFelt + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// What an array's numbers are, where a map says it.
+/// Meaning and unit of an array's values according to the maps that use the array; empty without a map.
 QString unitOf(const meshio::LoadedStructure& structure, const std::string& array)
 {
     for (const meshio::SurfaceMap& map : structure.maps) {
@@ -59,7 +59,7 @@ QString feltTitle(const meshio::SurfaceMap& map, const core::Tissue& tissue)
                                                     : MapDisplay::tr("stiffness felt, times the law");
 }
 
-/// In the unit of study::feltMap.
+/// Upper limit of a mapped quantity, in the unit of study::feltMap.
 double mostOf(const meshio::SurfaceMap& map, const core::Tissue& tissue, const haptics::HapticStructure& felt)
 {
     switch (map.mapping.quantity) {
@@ -67,7 +67,7 @@ double mostOf(const meshio::SurfaceMap& map, const core::Tissue& tissue, const h
         return study::greatestDamping(felt);
     case core::MappedQuantity::Stiffness:
         if (felt.maps.stiffness.isEmpty()) {
-            break; // it isn't touched now
+            break; // not in the haptic scene
         }
         return tissue.law.kind == core::LawKind::Linear ? study::greatestStiffness(felt)
                                                         : felt.maps.stiffness.greatest();
@@ -163,7 +163,7 @@ QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W)
     }
     const geometry::RepairedMesh& surface = *m_model.rows()[static_cast<std::size_t>(row)].loaded.surface;
     const double value = study::valueAt(surface, m_shown.values, m_shown.isPerTriangle, triangle, p_W);
-    // A title ends in its unit, behind the last comma.
+    // The unit follows the last comma of a title.
     const qsizetype comma = m_shown.title.lastIndexOf(QStringLiteral(", "));
     const QString name = comma < 0 ? m_shown.title : m_shown.title.left(comma);
     const QString unit = comma < 0 ? QString() : m_shown.title.mid(comma + 2);
@@ -189,7 +189,7 @@ void MapDisplay::setGreatest(const haptics::Tissue& greatest)
     refresh();
 }
 
-/// The structure in its own colour.
+/// Restores the structure's own colour.
 void MapDisplay::restore()
 {
     m_shown = {};
@@ -213,7 +213,7 @@ void MapDisplay::refresh()
     const StructureRow& row = m_model.rows()[i];
     SurfaceNumbers numbers =
         m_what.isEmpty() ? SurfaceNumbers() : numbersOf(row.loaded, m_what, m_model.feltStructures(m_greatest)[i]);
-    if (numbers.values.empty()) { // also where a map is no more
+    if (numbers.values.empty()) { // including maps that were removed
         restore();
         return;
     }

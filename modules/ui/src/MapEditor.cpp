@@ -33,10 +33,10 @@ enum How
     ByHand
 };
 
-constexpr int kNothing = 0;                  ///< of the sources; the arrays follow
+constexpr int kNothing = 0;                  ///< index of "no source"; the arrays follow
 constexpr double kMostRadius_mm = 30.0;      // a palm
-constexpr double kMostOfArray = 1e9;         // of what a clamp's field takes
-const QString kVolume = QStringLiteral("?"); ///< data of the source that asks for a file
+constexpr double kMostOfArray = 1e9;         // range of the clamp fields
+const QString kVolume = QStringLiteral("?"); ///< item data of the entry that opens a file dialog
 
 bool isModulus(core::MapUnit unit)
 {
@@ -159,7 +159,7 @@ core::MappedQuantity MapEditor::quantity() const
     return static_cast<core::MappedQuantity>(std::max(0, m_quantity->currentIndex()));
 }
 
-/// Those of the description, or those that names say.
+/// Mappings of the description, or inferred from array names.
 std::vector<core::TissueMapping> MapEditor::mappings() const
 {
     if (m_structure.description.maps) {
@@ -169,13 +169,13 @@ std::vector<core::TissueMapping> MapEditor::mappings() const
                                           : meshio::knownMappings(m_structure.surface->mesh);
 }
 
-/// Of the quantity that is shown; null: nothing varies it.
+/// Mapping of the selected quantity; null: unmapped.
 const core::TissueMapping* MapEditor::current() const
 {
     if (m_unitless) {
         return &*m_unitless;
     }
-    const core::TissueMapping* found = nullptr; // the last one counts
+    const core::TissueMapping* found = nullptr; // the last mapping of a quantity takes effect
     for (const core::TissueMapping& one : m_mappings) {
         found = one.quantity == quantity() ? &one : found;
     }
@@ -191,7 +191,7 @@ void MapEditor::chooseHow(int how)
     } else if (how == None) {
         Q_EMIT edited(std::vector<core::TissueMapping>());
     } else if (!m_mappings.empty()) {
-        Q_EMIT edited(m_mappings); // goes on from what names say
+        Q_EMIT edited(m_mappings); // starts from the inferred mappings
     }
     refresh();
 }
@@ -234,7 +234,7 @@ void MapEditor::askForVolume()
     }
 }
 
-/// Takes a new source, in the unit that its name or its quantity says; where neither does, the person is asked.
+/// Uses a new source with the unit given by its name or quantity; otherwise the user must choose a unit.
 void MapEditor::put(const core::TissueMapping& mapping)
 {
     m_unitless = mapping;
@@ -268,7 +268,7 @@ void MapEditor::editNumbers()
         return;
     }
     core::TissueMapping changed = *now;
-    if (sender() == m_radius) { // a field shows fewer digits than a scene may have: only the one that was edited counts
+    if (sender() == m_radius) { // fields round to fewer digits than the scene stores: take over only the edited one
         changed.contactRadius_mm = m_radius->value();
     } else if (!m_clamp->isChecked()) {
         changed.clamp.reset();
@@ -283,7 +283,7 @@ void MapEditor::editNumbers()
     }
 }
 
-/// Puts a mapping in place of the one for its quantity.
+/// Replaces the mapping of the same quantity.
 void MapEditor::change(const core::TissueMapping& mapping)
 {
     std::vector<core::TissueMapping> all = m_mappings;
@@ -325,14 +325,14 @@ void MapEditor::refreshSources(const core::TissueMapping* now)
         int at = m_source->findText(name);
         if (at <= kNothing) {
             at = m_source->count();
-            m_source->addItem(name); // a volume, or what isn't there
+            m_source->addItem(name); // a volume, or a missing array
         }
         m_source->setCurrentIndex(at);
     }
     m_source->addItem(tr("Volume…"), kVolume);
 }
 
-/// @param now  what the fields show; null: none of them
+/// Updates the fields of a mapping. @param now  null disables the fields
 void MapEditor::refreshNumbers(const core::TissueMapping* now)
 {
     const bool isStiffness = now != nullptr && now->quantity == core::MappedQuantity::Stiffness;
@@ -372,7 +372,7 @@ void MapEditor::refreshColours(const QString& coloured)
     m_form->setRowVisible(m_colours->parentWidget(), m_colours->count() > 1);
 }
 
-/// What there is to say of the maps: what is asked, what can't be had, what is missing, what names say.
+/// Notes on the maps: open questions, errors, missing data and inferred mappings.
 QString MapEditor::note() const
 {
     if (m_unitless) {

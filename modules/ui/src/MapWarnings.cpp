@@ -11,7 +11,7 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kSettled_ms = 200; // after the newest change
+constexpr int kSettled_ms = 200; // delay after the latest change
 
 bool pushesAnywhere(const haptics::HapticScene& scene)
 {

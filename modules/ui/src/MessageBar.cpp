@@ -18,7 +18,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// A few lines of a long text; the list of messages has it whole.
+/// First lines of a long text; the message list shows the full text.
 QString shortened(const QString& text)
 {
     constexpr int kLines = 3;
@@ -75,7 +75,7 @@ void MessageRow::drawIcon()
 void MessageRow::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        drawIcon(); // in the palette's text colour
+        drawIcon(); // uses the palette's text colour
     }
     QFrame::changeEvent(event);
 }
@@ -104,7 +104,7 @@ void MessageBar::offer(const QString& text, const QString& button, std::function
 {
     MessageRow* row = put(Messages::Kind::Offer, text, {button}, keep);
     connect(row, &MessageRow::answered, this, [this, row, act = std::move(act)] {
-        remove(row); // first: what is done may say something itself
+        remove(row); // before acting, which may add further messages
         act();
     });
 }
@@ -124,7 +124,7 @@ MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStr
 {
     const auto same =
         std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.row->text() == text; });
-    if (same != m_entries.end()) { // told again: once is enough, with what can be done now
+    if (same != m_entries.end()) { // replace a repeated message, since its buttons may have changed
         remove(same->row);
     }
     m_messages.add(kind, text);
@@ -146,7 +146,7 @@ void MessageBar::remove(MessageRow* row)
     m_rows->removeWidget(row);
     row->hide();
     row->setParent(nullptr);
-    row->deleteLater(); // one of its buttons may have been pressed
+    row->deleteLater(); // a button of the row may be the sender of the current signal
     arrange();
 }
 

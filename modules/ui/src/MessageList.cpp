@@ -29,8 +29,8 @@ MessageList::MessageList(Messages& messages, QWidget* parent)
     connect(&messages, &QAbstractItemModel::rowsInserted, this, &MessageList::scrollLater);
 }
 
-/// Scrolling lays out every row. Files bring hundreds of notes at once, so it waits for the last of them, and for the
-/// list to be shown.
+/// Scrolls to the end once, after the last of a burst of messages and when the list is visible. Scrolling lays out
+/// every row, and opening files can add hundreds of messages at once.
 void MessageList::scrollLater()
 {
     if (!isVisible() || m_isScrollPending) {

@@ -9,7 +9,7 @@ Pace::Pace(std::function<void()> act)
     : m_act(std::move(act))
 {
     m_later.setSingleShot(true);
-    m_later.setTimerType(Qt::PreciseTimer); // a coarse one may come too early
+    m_later.setTimerType(Qt::PreciseTimer); // a coarse timer may fire early
     QObject::connect(&m_later, &QTimer::timeout, &m_later, [this] { actNow(); });
 }
 

@@ -15,8 +15,8 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kHandPeriod_ms = 4;              // the device gets a new HIP this often while it moves
-constexpr std::int64_t kFrame_ns = 15'000'000; // the view and the numbers follow at display rate
+constexpr int kHandPeriod_ms = 4;              // update interval of the device's target while the pointer moves
+constexpr std::int64_t kFrame_ns = 15'000'000; // view and readings update at display rate
 
 double seconds(std::int64_t time_ns)
 {
@@ -47,7 +47,7 @@ void PalpationController::connectPointer()
 {
     connect(&m_viewport, &VtkViewport::pointerMoved, this, [this] {
         if (m_isByKeys && isPressing()) {
-            return; // a nudge at the mouse must not drag what keys press
+            return; // an accidental mouse motion must not drag a press made by keys
         }
         m_isByKeys = false;
         if (const auto ray = m_viewport.pointerRay()) {
@@ -56,7 +56,7 @@ void PalpationController::connectPointer()
     });
     connect(&m_viewport, &VtkViewport::pointerPressed, this, [this] {
         if (m_isByKeys) {
-            letGo(); // the first click gives the hand to the pointer
+            letGo(); // the first click only transfers the hand to the pointer
         } else {
             press();
         }
@@ -97,7 +97,7 @@ void PalpationController::tellDepth(bool isWithin, bool isDeeper)
 void PalpationController::setPress(const HandSettings& settings)
 {
     if (m_isByEffort != settings.isByEffort) {
-        letGo(); // what is held was pressed the other way
+        letGo(); // the current press uses the other mode
         m_hand.setAim(std::nullopt);
     }
     m_isByEffort = settings.isByEffort;
@@ -115,11 +115,11 @@ void PalpationController::turnEffort(double notches)
     refreshText();
 }
 
-/// Lets a press by effort go as deep as what is in its way gives way to the force.
+/// Sets the depth of a press by effort to the depth at which the surfaces in the way resist with the requested force.
 void PalpationController::sinkByEffort(double now_s)
 {
     if (!m_isByEffort || !isPressing()) {
-        return; // lifted off, the hand comes back from where it is
+        return; // during lift-off the hand returns from its current depth
     }
     const double hover_mm = m_hand.settings().hover_mm;
     const view::Ray press{*m_hand.hoverPoint(), m_hand.direction()};
@@ -127,7 +127,7 @@ void PalpationController::sinkByEffort(double now_s)
     if (m_live.scene() != nullptr) {
         inTheWay = surfacesInTheWay(*m_live.scene(), press);
     }
-    // With nothing in the way, as off a rim, there is nothing to push against: the hand stays at the surface's height.
+    // Without a surface in the way, e.g. beyond a rim, nothing resists: the hand stays at surface height.
     m_hand.setAim(inTheWay.empty() ? 0.0
                                    : study::wayOfPress_mm(inTheWay, m_effort.force_N(now_s),
                                                           hover_mm + m_hand.settings().deepest_mm) -
@@ -137,7 +137,7 @@ void PalpationController::sinkByEffort(double now_s)
 bool PalpationController::takeByKeys()
 {
     if (!m_live.usesPointer()) {
-        return false; // the device is the hand
+        return false; // another device is the hand
     }
     if (!m_isPalpating) {
         Q_EMIT palpationWanted();
@@ -167,7 +167,7 @@ void PalpationController::stepAlongScreen(int right, int up)
     const double stride_mm = m_hand.settings().stride_mm;
     const core::Vec3 p_W = *m_hand.surfacePoint() + stride_mm * (right * frame.right_W + up * frame.up_W);
     if (isPressing()) {
-        // In its own direction, also after the camera was turned: seen from aside the hand must not jump.
+        // Keeps the press direction after a camera rotation; a new line of sight would make the hand jump.
         const core::Vec3 d_W = m_hand.direction();
         point({p_W - (frame.eye_W - p_W).norm() * d_W, d_W});
     } else {
@@ -239,10 +239,12 @@ void PalpationController::refreshText()
     }
 }
 
-/// How far the pointer's hand is in, and whether what it pressed has given way to the side.
+/// Updates the commanded depth, and whether the surface has slid aside from under the hand.
 void PalpationController::judgePress(const servo::TickRecord& tick, TouchReading& reading)
 {
-    constexpr double kFelt = 0.4; // of the way pressed: less is felt only where the surface leads the finger aside
+    // Fraction of the commanded depth. The penetration depth falls below this only where the surface deflects the hand
+    // sideways.
+    constexpr double kFelt = 0.4;
     m_pressed_mm = m_live.usesPointer() && isPressing() ? m_hand.pressedDepth_mm(tick.p_WH) : 0.0;
     const double felt_mm = tick.felt.structure >= 0 ? (tick.felt.p_WG - tick.p_WH).norm() : 0.0;
     reading.isSlidOff = m_isSlidOff = m_pressed_mm > m_hand.settings().hover_mm && felt_mm < kFelt * m_pressed_mm;
@@ -270,7 +272,7 @@ bool PalpationController::letGo()
     m_hand.release(now_s);
     m_isPushed = false;
     m_effort.end();
-    m_live.pointer().setState(m_hand.state(now_s)); // at once: the next step may wait for a picture
+    m_live.pointer().setState(m_hand.state(now_s)); // immediately, since the next step may be delayed by rendering
     run();
     m_pressed_mm = 0.0;
     m_isSlidOff = false;
@@ -359,7 +361,8 @@ void PalpationController::step()
         return;
     }
     if (phase == PointerHand::Phase::Hovering) {
-        // The device is told nothing of a hovering hand, so its ticks say nothing of it: show where it hovers.
+        // A hovering hand is reported to the device as absent, so its ticks contain no position. Show the hover point
+        // instead.
         servo::TickRecord hover;
         hover.p_WH = *m_hand.hoverPoint();
         hover.felt.p_WG = hover.p_WH;
@@ -392,7 +395,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         return;
     }
     m_shown_ns = now_ns;
-    // What the hand feels: of a device that pushes, what it was given, nothing after a fault.
+    // Force on the hand: the sent force for devices with motors (zero after a fault), else the model force.
     const core::Vec3& f_W = m_live.deviceInfo().actuatedAxes > 0 ? tick.fSent_W : tick.felt.f_W;
     TouchReading reading;
     const bool isTouching = tick.felt.structure >= 0;
@@ -408,7 +411,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
                                      ? &m_model.structure(tick.felt.structure).tissue
                                      : nullptr;
     view::TouchState state = touchState(tick, f_W, m_live.fingertip_mm(), reading.layers, tissue);
-    state.isPresent = true; // hovering too, of which the device is told nothing
+    state.isPresent = true; // including hovering, which the device does not know
     state.hasCrosshair = m_isByKeys;
     judgePress(tick, reading);
     if (!m_shown.isPresent || state.innerCount != m_shown.innerCount || state.p_WH != m_shown.p_WH ||

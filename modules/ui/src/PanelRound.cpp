@@ -12,7 +12,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// The first that takes the keys by Tab, in or at the part.
+/// First widget of a part that accepts focus by Tab.
 QWidget* firstIn(QWidget* part)
 {
     for (QWidget* one = part; one != nullptr;) {
@@ -44,7 +44,7 @@ QList<QDockWidget*> besideByTab(const QDockWidget& dock)
     return window != nullptr ? window->tabifiedDockWidgets(const_cast<QDockWidget*>(&dock)) : QList<QDockWidget*>();
 }
 
-/// Whether a panel is seen: behind another one's tab Qt puts it outside the window.
+/// True when a dock panel is visible. Qt moves panels behind another tab outside the window.
 bool isInFront(const QDockWidget& dock)
 {
     const QWidget* window = dock.window();
@@ -73,7 +73,7 @@ void PanelRound::go(int step)
     }
     const QDockWidget* left = focus != nullptr ? dockOf(focus) : nullptr;
     if (m_covered != nullptr && (left == nullptr || !besideByTab(*m_covered).contains(left))) {
-        m_covered.clear(); // a pointer has been elsewhere since
+        m_covered.clear(); // the pointer has moved the focus in the meantime
     }
     for (int tried = 1; tried <= count; ++tried) {
         const int i = ((now < 0 && step < 0 ? 0 : now) + step * tried + 2 * count) % count;
@@ -83,7 +83,7 @@ void PanelRound::go(int step)
     }
 }
 
-/// @return false when the part is hidden or has nothing that takes keys
+/// Focuses a part. Returns false when the part is hidden or contains no focusable widget.
 bool PanelRound::isGivenKeys(Part& part)
 {
     if (part.widget == nullptr || !part.widget->isVisible()) {
@@ -97,7 +97,7 @@ bool PanelRound::isGivenKeys(Part& part)
     QDockWidget* dock = dockOf(part.widget);
     const QList<QDockWidget*> tabs = dock != nullptr ? besideByTab(*dock) : QList<QDockWidget*>();
     if (m_covered != nullptr && m_covered != dock && !tabs.contains(m_covered)) {
-        m_covered->raise(); // the keys leave the panels that share a place
+        m_covered->raise(); // the focus leaves the tabbed panels
         m_covered.clear();
     }
     if (dock != nullptr && !isInFront(*dock)) {

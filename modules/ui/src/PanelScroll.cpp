@@ -13,7 +13,7 @@ PanelScroll::PanelScroll(QWidget* panel, QWidget* parent)
     setWidget(panel);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::NoFocus); // what it holds takes the keys, and is scrolled to
+    setFocusPolicy(Qt::NoFocus); // the content takes the focus and is scrolled into view
 }
 
 QSize PanelScroll::sizeHint() const
@@ -23,7 +23,7 @@ QSize PanelScroll::sizeHint() const
 
 QSize PanelScroll::minimumSizeHint() const
 {
-    constexpr int kMostWidth_px = 260; // below this the panel scrolls sideways too
+    constexpr int kMostWidth_px = 260; // narrower panels also scroll horizontally
     constexpr int kHeight_px = 60;
     const QSize held = widget()->minimumSizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 0);
     return {std::min(kMostWidth_px, held.width()), std::min(kHeight_px, held.height())};

@@ -19,7 +19,7 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kSide_px = 9; // beside a chip's text
+constexpr int kSide_px = 9; // horizontal padding of the text
 constexpr int kDot_px = 8;
 
 bool isQuiet(Chip::Tone tone)
@@ -32,11 +32,11 @@ bool isQuiet(Chip::Tone tone)
 Chip::Chip(const QString& what, QWidget* parent)
     : QLabel(parent)
 {
-    setAccessibleDescription(what); // its name is what it says
+    setAccessibleDescription(what); // the accessible name is the text itself
     setTextFormat(Qt::PlainText);
     setContentsMargins(kSide_px, 3, kSide_px, 3);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    hide(); // until it has something to say
+    hide(); // until a text is set
 }
 
 void Chip::say(const QString& text, Tone tone)
@@ -133,7 +133,7 @@ KeysCard::KeysCard(const ActionList& actions, QWidget* parent)
     layout->addWidget(title);
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setFocusPolicy(Qt::NoFocus); // the card has the keys
+    m_scroll->setFocusPolicy(Qt::NoFocus); // the card handles the keys
     m_scroll->setWidgetResizable(true);
     m_scroll->viewport()->setBackgroundRole(QPalette::Base);
     layout->addWidget(m_scroll);
@@ -165,7 +165,7 @@ void KeysCard::fill()
         does->setMinimumWidth(std::min(300, parentWidget()->width() / 3));
         grid->addWidget(does, i % half, column + 1, Qt::AlignTop);
     }
-    m_scroll->setWidget(table); // the one before is gone with this
+    m_scroll->setWidget(table); // deletes the previous table
 }
 
 void KeysCard::toggle()

@@ -10,7 +10,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr int kFrame_ms = 16;
-constexpr double kChartStep_s = 0.04; // of the past that a seek brings back
+constexpr double kChartStep_s = 0.04; // sampling interval of the chart after a seek
 
 } // namespace
 
@@ -136,7 +136,7 @@ std::vector<FeltLayer> Playback::layersOf(const servo::TickRecord& tick) const
     return feltLayers(tick, tick.felt.f_W.norm(), [&](std::uint32_t number) { return lookOf(tick, number); });
 }
 
-/// Names the lump that is felt through what is touched, where the open scene has it.
+/// Adds the transmitted lump at the contact, if the open scene contains the touched structure.
 void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) const
 {
     const std::string name = m_recording->structureName(tick, static_cast<std::uint32_t>(tick.felt.structure));

@@ -12,8 +12,8 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kLook_ms = 16;  // a frame
-constexpr int kAside_px = 16; // off the pointer
+constexpr int kLook_ms = 16;  // one frame
+constexpr int kAside_px = 16; // distance from the pointer
 
 } // namespace
 
@@ -58,7 +58,7 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
     const view::Ray ray = m_viewport.rayAt(place);
     view::SceneView& view = m_viewport.view();
     if (view.structureCount() != m_model.rows().size()) {
-        return std::nullopt; // between two scenes
+        return std::nullopt; // the scene is being replaced
     }
     std::optional<Place> found;
     double nearest_mm = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ void PointedStructure::show()
     }
     m_name->setText(textOf(*place));
     m_name->adjustSize();
-    // Below and right of the pointer, or on the other side where there is no room.
+    // Below and to the right of the pointer, or on the other side near the edges.
     const QSize size = m_name->size(), room = m_viewport.size();
     const QPoint at = m_place.toPoint();
     const int x =

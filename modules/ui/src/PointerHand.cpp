@@ -36,7 +36,8 @@ void PointerHand::pointAt(const Vec3& eye_W, const Vec3& d_W, const std::optiona
     std::optional<Vec3> place = surface_W;
     const bool isTouching = m_isDown && m_surface_W.has_value();
     if (isTouching && place) {
-        // A step much deeper or nearer than it is wide is the rim of something else, not the slope of what is pressed.
+        // A step much longer along the line of sight than across indicates the rim of another structure, not the slope
+        // of the pressed surface.
         const Vec3 step = *place - *m_surface_W;
         const double along = step.dot(m_d_W);
         const double across = (step - along * m_d_W).norm();
@@ -45,7 +46,7 @@ void PointerHand::pointAt(const Vec3& eye_W, const Vec3& d_W, const std::optiona
         }
     }
     if (!place && m_surface_W) {
-        // Off the surface the hand stays at the distance it had.
+        // Beyond the surface the hand stays in the depth plane.
         const double towards = d_W.dot(m_d_W);
         if (towards > 1e-3) {
             place = eye_W + d_W * ((*m_surface_W - eye_W).dot(m_d_W) / towards);
@@ -85,9 +86,9 @@ bool PointerHand::setDepth(double depth_mm)
 
 bool PointerHand::turnDepth(double notches)
 {
-    // Depths in steps, from which a notch is so many of them.
+    // Depths in steps, and the number of steps per notch from there on.
     constexpr std::pair<double, double> kNotches[] = {{0.0, 1.0}, {20.0, 2.0}, {40.0, 4.0}, {100.0, 10.0}};
-    constexpr double kRounding = 1e-9; // of a step
+    constexpr double kRounding = 1e-9; // in steps
     double depth = m_settings.depth_mm / m_settings.step_mm;
     const bool isDeeper = notches > 0.0;
     double left = std::abs(notches);

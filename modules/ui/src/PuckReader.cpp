@@ -13,10 +13,10 @@ namespace palpate::ui {
 namespace {
 
 constexpr int kStep_ms = 16;
-constexpr double kUsualDistance_mm = 250.0; // at which a millimetre of the hand is one of the anatomy
-constexpr double kFull_mm_per_s = 60.0;     // a puck at full way
-constexpr int kRecentring = 8;              // steps that this may take at most: then the device is gone
-constexpr double kRests = 0.02;             // share of it, above the rounding of positions over a step
+constexpr double kUsualDistance_mm = 250.0; // camera distance for a motion scale of 1
+constexpr double kFull_mm_per_s = 60.0;     // 6-axis mouse at full deflection
+constexpr int kRecentring = 8;              // maximum steps for recentring; longer means the device is lost
+constexpr double kRests = 0.02;             // fraction of full speed, above the rounding of positions within a step
 
 core::Vec3 vec(const double* v)
 {
@@ -32,13 +32,13 @@ void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const devi
     const core::Vec3 away = (focus - position).normalized();
     const core::Vec3 right = away.cross(vec(camera.GetViewUp())).normalized();
     const core::Vec3 up = right.cross(away);
-    Eigen::Matrix3d axes; // of the hand, in world coordinates
+    Eigen::Matrix3d axes; // axes of the hand in world coordinates
     axes << right, away, up;
 
     const double gain = camera.GetDistance() / kUsualDistance_mm;
     const core::Vec3 shift = axes * (to.p_D - from.p_D) * gain;
     const Eigen::Matrix3d turn = axes * (to.q_D * from.q_D.conjugate()).toRotationMatrix() * axes.transpose();
-    // The anatomy stands still: the camera makes the opposite move.
+    // The anatomy is fixed: the camera performs the inverse motion.
     const Eigen::Matrix3d back = turn.transpose();
     const core::Vec3 movedFocus = focus - axes.col(0) * shift.dot(axes.col(0)) - axes.col(2) * shift.dot(axes.col(2));
     core::Vec3 arm = position - focus;
@@ -98,14 +98,14 @@ void PuckReader::step()
     const device::DeviceState state = m_device->read(now_ns);
     const device::DeviceState last = std::exchange(m_last, state);
     const double passed_s = static_cast<double>(now_ns - std::exchange(m_last_ns, now_ns)) * 1e-9;
-    if (m_recentring > 0) { // a hand that is put back to its origin has not moved there
+    if (m_recentring > 0) { // the jump to the origin is not a motion of the hand
         const bool isBack = state.isPresent && state.p_D.norm() < 0.25 * m_device->info().workspaceRadius_mm;
         m_recentring = isBack ? 0 : m_recentring - 1;
     } else {
         Q_EMIT moved(last, state, passed_s);
     }
     if (m_recentring == 0 && state.p_D.norm() > 0.5 * m_device->info().workspaceRadius_mm) {
-        (void)m_device->calibrate(); // it can go on for ever, the hand's reach ends
+        (void)m_device->calibrate(); // a rate-controlled device moves without end, but its workspace is limited
         m_recentring = kRecentring;
     }
 }

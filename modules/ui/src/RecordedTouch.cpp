@@ -93,11 +93,13 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
     std::vector<std::pair<double, QString>> marks;
     for (const session::RecordingEvent& event : m_reader->events()) {
         if (event.kind == "scene" || event.kind == "clutch" || event.kind == "timing") {
-            continue; // what changed has an event of its own, each press is a clutch, and timing is of the whole
+            // Scene changes have events of their own, clutch events repeat with each press, and timing covers the whole
+            // recording.
+            continue;
         }
         const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;
         if (event.kind == "finding" || event.kind == "note" || event.kind.starts_with("finding-")) {
-            continue; // below, as they are in the end
+            continue; // findings are added below in their final state
         }
         marks.emplace_back(std::max(0.0, time_s), QString::fromStdString(event.kind));
     }
@@ -163,7 +165,7 @@ void RecordedTouch::startOverview()
         return;
     }
     m_overview = std::thread([this] {
-        // A reader of its own: one reader serves one thread.
+        // A reader must not be shared between threads.
         auto reader = session::RecordingReader::open(m_path);
         if (!reader.isOk()) {
             return;

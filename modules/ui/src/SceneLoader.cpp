@@ -17,7 +17,7 @@
 
 namespace palpate::ui {
 
-/// What window and worker share; outlives both.
+/// State shared by the GUI thread and the worker; outlives both.
 struct SceneLoader::Job
 {
     std::atomic<bool> isCancelled{false};
@@ -25,7 +25,7 @@ struct SceneLoader::Job
 
 namespace {
 
-constexpr double kReading = 0.7; // of the progress; the rest is pictures and haptic copies
+constexpr double kReading = 0.7; // fraction of the progress; the rest is for pictures and haptic copies
 
 } // namespace
 
@@ -54,7 +54,7 @@ void SceneLoader::cancel()
 {
     cancelOpening();
     m_maps->isCancelled = true;
-    m_maps = std::make_shared<Job>(); // of those that are asked for from now on
+    m_maps = std::make_shared<Job>(); // for subsequent requests
 }
 
 void SceneLoader::cancelOpening()
@@ -73,11 +73,11 @@ void SceneLoader::finish()
     m_isBusy = false;
 }
 
-/// Opens files on a thread of its own.
+/// Opens files on the worker thread.
 class SceneLoader::Opening
 {
   public:
-    /// @param open  what the files are added to; none: a scene of its own
+    /// @param open  structures of the scene to which the files are added; empty: a new scene
     Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, const meshio::ReadOptions& options,
             std::vector<OpenSurface> open)
         : m_loader(loader)
@@ -89,7 +89,7 @@ class SceneLoader::Opening
     {
         m_opened->addedTo = m_open.size();
     }
-    /// Opens a scene that is in memory.
+    /// Reopens a scene from memory.
     Opening(SceneLoader& loader, std::vector<std::filesystem::path> files, meshio::SceneFile scene)
         : Opening(loader, {files.empty() ? std::filesystem::path() : files.front()}, meshio::ReadOptions(), {})
     {
@@ -130,7 +130,7 @@ class SceneLoader::Opening
     }
 
   private:
-    /// Calls in the window's thread, unless another job has taken this one's place by then.
+    /// Runs a call on the GUI thread, unless another job has replaced this one.
     template<class Call>
     void tell(Call&& call)
     {
@@ -144,7 +144,7 @@ class SceneLoader::Opening
             Qt::QueuedConnection);
     }
 
-    /// @return false when the job was cancelled
+    /// Reports progress in steps of 1 %. Returns false when the job was cancelled.
     bool progress(const QString& what, double share)
     {
         if (share - m_lastTold >= 0.01 || share < m_lastTold) {
@@ -194,7 +194,7 @@ class SceneLoader::Opening
         }
     }
 
-    /// Adds a scene to those before it. There is one view: the first that a file says.
+    /// Merges a scene into the preceding ones. Only the first camera is kept.
     void join(const meshio::SceneFile& scene, const std::filesystem::path& file)
     {
         meshio::SceneFile& all = m_opened->scene;
@@ -229,7 +229,7 @@ class SceneLoader::Opening
         }
     }
 
-    /// Makes of each surface what is drawn and what is felt.
+    /// Builds the display mesh and the haptic copy of each surface.
     void prepare()
     {
         double triangles = 0.0;
@@ -252,7 +252,7 @@ class SceneLoader::Opening
         nest();
     }
 
-    /// Finds out what lies in what.
+    /// Determines the containment of the structures.
     void nest()
     {
         if (m_job->isCancelled) {
@@ -276,7 +276,7 @@ class SceneLoader::Opening
         }
     }
 
-    /// What lies in something follows it in the list, else all stays in the order of the files.
+    /// Sorts contained structures after their container and keeps the file order otherwise.
     void sortByNesting()
     {
         const std::vector<std::size_t> order = m_opened->layering.order();
@@ -292,8 +292,8 @@ class SceneLoader::Opening
     std::shared_ptr<Job> m_job;
     Reader m_read;
     meshio::ReadOptions m_options;
-    std::vector<std::filesystem::path> m_files; ///< to open
-    std::vector<OpenSurface> m_open;            ///< what the files are added to
+    std::vector<std::filesystem::path> m_files; ///< files to open
+    std::vector<OpenSurface> m_open;            ///< structures of the scene to which the files are added
     double m_lastTold = -1.0;
     std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
     QStringList m_problems;
@@ -339,7 +339,7 @@ void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMe
         QMetaObject::invokeMethod(
             this,
             [this, row, touch, hash, scene] {
-                if (scene == m_scene) { // the row is of the scene that is still open
+                if (scene == m_scene) { // the row belongs to the scene that is still open
                     Q_EMIT touchBuilt(row, touch, hash);
                 }
             },
@@ -380,7 +380,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
 
 void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
 {
-    struct Kept // as long as the search runs
+    struct Kept // keeps the data alive during the search
     {
         std::vector<std::shared_ptr<const geometry::RepairedMesh>> surfaces;
         std::vector<std::shared_ptr<const geometry::SurfaceIndex>> indices;
@@ -427,7 +427,8 @@ void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
                 this,
                 [this, row, made, problems, scene, job]() mutable {
                     --m_mapJobs;
-                    if (job->isCancelled && problems.isEmpty()) { // what was ready by then is not wanted either
+                    // Results completed before the cancellation are discarded too.
+                    if (job->isCancelled && problems.isEmpty()) {
                         for (const meshio::SurfaceMap& map : made->maps) {
                             problems << QString::fromStdString(map.mapping.file + ": reading was cancelled");
                         }

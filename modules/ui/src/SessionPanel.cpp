@@ -82,7 +82,7 @@ void SessionPanel::addAction(QAction* action)
 void SessionPanel::showTitle(const QString& title)
 {
     m_title->setText(title.isEmpty() ? tr("No recording yet. Record one with R, or open a .palpate file.") : title);
-    m_title->setToolTip(m_title->text()); // a narrow window has no room for all of it
+    m_title->setToolTip(m_title->text()); // a narrow window elides the text
     m_title->setForegroundRole(title.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
 }
 

@@ -8,7 +8,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Asks the widget anew each time: while it is being destroyed it is no Spoken any more.
+/// Looks up the widget at each call, because a widget under destruction is no longer a Spoken.
 class SpokenInterface final : public QAccessibleWidget, public QAccessibleValueInterface
 {
   public:
@@ -23,7 +23,7 @@ class SpokenInterface final : public QAccessibleWidget, public QAccessibleValueI
             return widget()->toolTip();
         }
         const Spoken* one = spoken();
-        // As the description too: on Linux a value's text is not passed on.
+        // Also as description: on Linux the text of a value is not passed on.
         return one != nullptr && (what == QAccessible::Value || what == QAccessible::Description)
                    ? one->spokenText()
                    : QAccessibleWidget::text(what);

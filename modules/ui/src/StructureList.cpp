@@ -27,7 +27,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Names of inner layers stand farther in.
+/// Indents the names of inner layers.
 class NameDelegate final : public QStyledItemDelegate
 {
   public:
@@ -37,7 +37,7 @@ class NameDelegate final : public QStyledItemDelegate
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         constexpr std::uint32_t kStep_px = 16, kMostSteps = haptics::kMaxLayers - 1;
-        QStyleOptionViewItem whole = option; // the ground, all across the column
+        QStyleOptionViewItem whole = option; // background over the full column width
         initStyleOption(&whole, index);
         const QStyle& style = whole.widget != nullptr ? *whole.widget->style() : *QApplication::style();
         style.drawPrimitive(QStyle::PE_PanelItemViewItem, &whole, painter, whole.widget);
@@ -48,7 +48,7 @@ class NameDelegate final : public QStyledItemDelegate
     }
 };
 
-/// Radio entries of a menu.
+/// Adds mutually exclusive entries to a menu.
 template<class Value>
 void addChoices(QMenu& menu, const QString& title, Value now, const std::vector<std::pair<QString, Value>>& choices,
                 std::function<void(Value)> choose)
@@ -64,7 +64,7 @@ void addChoices(QMenu& menu, const QString& title, Value now, const std::vector<
     }
 }
 
-/// A group's title without how many it holds.
+/// Title of a group without the member count.
 QString titleOf(const QModelIndex& group)
 {
     return group.siblingAtColumn(StructureModel::Name).data().toString().section(QLatin1Char(' '), 0, -2);
@@ -124,7 +124,7 @@ StructureList::StructureList(StructureModel& model, QWidget* parent)
 
 StructureList::~StructureList()
 {
-    delete m_view; // before the tree that it writes to
+    delete m_view; // before the tree model, to which an open editor commits
 }
 
 void StructureList::makeView()
@@ -155,13 +155,13 @@ void StructureList::makeView()
 
 void StructureList::takeLook()
 {
-    m_view->setMinimumHeight(9 * fontMetrics().height()); // six rows; what is below scrolls
+    m_view->setMinimumHeight(9 * fontMetrics().height()); // about six rows; the list scrolls
     const int symbol_px = withText_px(18);
     m_view->setIconSize(QSize(symbol_px, symbol_px));
     for (const int column : {StructureModel::Shown, StructureModel::Health, StructureModel::Felt}) {
         m_view->header()->resizeSection(column, symbol_px + 12);
     }
-    // A tint, so that swatches, symbols and badges read on the selected row as on the others.
+    // Selection as a tint, so that swatches, symbols and badges stay readable on the selected row.
     QPalette tint = palette();
     const QColor accent = tint.color(QPalette::Highlight);
     const QColor base = tint.color(QPalette::Base);
@@ -177,7 +177,7 @@ void StructureList::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         takeLook();
-    } else if (event->type() == QEvent::StyleChange) { // a style sheet set anew gives the view its old palette back
+    } else if (event->type() == QEvent::StyleChange) { // a new style sheet restores the view's old palette
         QMetaObject::invokeMethod(this, &StructureList::takeLook, Qt::QueuedConnection);
     }
     QWidget::changeEvent(event);
@@ -287,7 +287,7 @@ void StructureList::keepSelection()
 {
     m_isRearranging = true;
     const std::vector<int> rows = selectedRows();
-    if (!rows.empty()) { // what a filter hides is selected again when it is listed again
+    if (!rows.empty()) { // keeps the selection of filtered-out rows for their reappearance
         m_kept = rows;
         m_keptCurrent = currentRow();
     }
@@ -325,7 +325,7 @@ bool StructureList::eventFilter(QObject* watched, QEvent* event)
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Down) {
             if (event->type() == QEvent::ShortcutOverride) {
-                event->accept(); // or it would be a command of the window
+                event->accept(); // otherwise the key triggers a shortcut of the window
                 return true;
             }
             if (key == Qt::Key_Escape) {

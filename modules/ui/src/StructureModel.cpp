@@ -34,7 +34,7 @@ QIcon swatch(const QColor& colour)
     painter.setBrush(colour);
     painter.drawRoundedRect(QRectF(1.5, 1.5, side_px - 3.0, side_px - 3.0), 3, 3);
     QIcon made(pixmap);
-    made.addPixmap(pixmap, QIcon::Selected); // its true colour on the selected row too
+    made.addPixmap(pixmap, QIcon::Selected); // keeps the colour unchanged on a selected row
     return made;
 }
 
@@ -42,7 +42,7 @@ QIcon swatch(const QColor& colour)
 
 namespace {
 
-/// Drawn and felt with another surface, made of the same mesh.
+/// True when a different surface must be built from the same mesh.
 bool hasOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b)
 {
     return a.outwards != b.outwards || a.surface != b.surface ||
@@ -57,7 +57,7 @@ QColor colourOf(const meshio::SceneStructure& structure)
                             static_cast<float>(structure.colour[2]));
 }
 
-/// Structures described anew. Steps of one drag or one roll of the wheel, which come quickly, undo together.
+/// Undo step for changed descriptions. Steps in quick succession, as from a drag or the wheel, are merged.
 class StructureModel::Edit final : public QUndoCommand
 {
   public:
@@ -103,7 +103,7 @@ class StructureModel::Edit final : public QUndoCommand
     QElapsedTimer m_time;
 };
 
-/// Structures that come into the scene or go.
+/// Undo step for added or removed structures.
 class StructureModel::Presence final : public QUndoCommand
 {
   public:
@@ -126,7 +126,7 @@ class StructureModel::Presence final : public QUndoCommand
 QString readableName(const std::string& name)
 {
     QString text = QString::fromStdString(name).replace('_', ' ').simplified();
-    // Reference libraries prefix every organ with its body: "VH F liver".
+    // Reference libraries prefix every organ with the body: "VH F liver".
     for (const char* prefix : {"VH F ", "VH M "}) {
         if (text.startsWith(QLatin1String(prefix), Qt::CaseInsensitive)) {
             text.remove(0, 5);
@@ -223,7 +223,7 @@ std::optional<int> StructureModel::organAround(int row) const
             study::hasSureInside(around.loaded.surface->report)) {
             organ = in;
             if (isByShape && !study::mayBeLump(around.loaded.description)) {
-                break; // an organ, whatever lies around it
+                break; // an organ, regardless of further containers
             }
         }
     }
@@ -241,7 +241,7 @@ std::uint32_t StructureModel::layerWithin(int row) const
     return std::min<std::uint32_t>(around, haptics::kMaxLayers - 1);
 }
 
-/// Takes back what is no longer felt through organs. @return the rows that are touched otherwise now
+/// Clears the maps of lumps no longer in transmitted mode. Returns the rows with changed touch.
 std::vector<int> StructureModel::dropFeltThrough()
 {
     std::vector<int> others;
@@ -301,7 +301,7 @@ void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text
     beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(rows.size()) - 1);
     for (StructureRow& row : rows) {
         numbers.push_back(rowCount());
-        row.isRemoved = true; // until the step is done
+        row.isRemoved = true; // until the undo step runs
         row.loaded.isFeltThrough = false;
         row.loaded.feltBelow.clear();
         refreshFelt(row);
@@ -330,7 +330,8 @@ void StructureModel::setRemoved(const std::vector<int>& rows, bool isRemoved)
         m_rows[static_cast<std::size_t>(row)].isRemoved = isRemoved;
     }
     const std::vector<int> others = dropFeltThrough();
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1)); // what lies in them reads otherwise, too
+    // Affects the texts of contained structures.
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     for (const int row : rows) {
         Q_EMIT edited(row, Change::Look);
         Q_EMIT edited(row, Change::Touch);
@@ -359,7 +360,7 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
         return tr("outermost");
     }
     std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
-    std::uint32_t most = 1; // layers below it: those that the hand passes through count
+    std::uint32_t most = 1; // number of layers below the container; skips structures that are not palpable
     for (; in && (m_rows[static_cast<std::size_t>(*in)].isRemoved || !structure(*in).palpable); ++most) {
         in = m_rows[static_cast<std::size_t>(*in)].in;
     }
@@ -473,7 +474,7 @@ void StructureModel::setSurface(int row, const StructureRow& built)
         return;
     }
     const std::size_t vertices = built.loaded.surface->mesh.vertices.size();
-    if (vertices != one.loaded.surface->mesh.vertices.size()) { // of vertices that are no longer there
+    if (vertices != one.loaded.surface->mesh.vertices.size()) { // sized for the old vertices
         one.loaded.feltBelow.clear();
         one.recordedBelow.clear();
     }
@@ -542,7 +543,7 @@ void StructureModel::smooth(const std::vector<int>& rows)
                                                : tr("Smooth %1 surfaces").arg(rows.size()));
 }
 
-/// Lays the maps out for the tick. @par Cost O(triangles) for each map
+/// Prepares the maps for the servo tick. @par Cost O(triangles) per map
 void StructureModel::refreshFelt(StructureRow& row)
 {
     const bool varies = !row.loaded.maps.empty() || !row.loaded.feltBelow.empty();
@@ -577,7 +578,7 @@ QStringList StructureModel::findings(int row) const
     return lines;
 }
 
-/// Of the steps that voxels left, or of what smoothing did to them.
+/// Notes on voxel steps or the effect of smoothing.
 QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
 {
     const QLocale locale;
@@ -667,7 +668,7 @@ std::vector<haptics::HapticStructure> StructureModel::feltStructures(const hapti
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
             if (const int number = static_cast<int>(structures.size()) - 1; isToBeFeltThrough(number)) {
-                structures.back().layer = layerWithin(number); // its map is not there yet
+                structures.back().layer = layerWithin(number); // map not computed yet
             }
         }
     }
@@ -686,7 +687,7 @@ std::vector<session::StructureSource> StructureModel::sources() const
     std::vector<session::StructureSource> sources;
     for (const StructureRow& row : m_rows) {
         if (row.isRemoved) {
-            sources.emplace_back(); // its number alone
+            sources.emplace_back(); // placeholder that keeps the numbering
             continue;
         }
         sources.push_back(study::sourceOf(row.loaded.description, row.sha256));
@@ -720,7 +721,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return icon(one.visible ? Symbol::Eye : Symbol::EyeOff);
         }
         if (role == Qt::CheckStateRole) {
-            return {}; // the picture says it; a box beside it would say it twice
+            return {}; // the icon shows the state; no additional check box
         }
         if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
             return one.visible ? tr("%1 is shown. Click to hide it; what is hidden is not felt.").arg(name)

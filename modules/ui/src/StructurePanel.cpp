@@ -38,15 +38,15 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kNameLetters = 16; // of a field's name, before it goes on in a second line
+constexpr int kNameLetters = 16; // label width before wrapping to a second line
 
-/// Half of the last digit that a field shows: what is shown as a limit may be asked for.
+/// Half of the last displayed digit: a limit as displayed must be accepted as input.
 double halfDigit(const core::TissueTerm& term)
 {
     return 0.5 * std::pow(10.0, -term.decimals);
 }
 
-/// As high as what it holds, and scrolls where the window is too low for that.
+/// Scroll area with the height of its content that scrolls in low windows.
 class FittingScroll final : public QScrollArea
 {
   public:
@@ -55,13 +55,14 @@ class FittingScroll final : public QScrollArea
     {
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus); // what it holds takes the keys, and is scrolled to
+        setFocusPolicy(Qt::NoFocus); // the content takes the focus and is scrolled into view
         setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     }
     [[nodiscard]] QSize sizeHint() const override { return withBar(widget()->sizeHint()); }
     [[nodiscard]] QSize minimumSizeHint() const override
     {
-        constexpr int kMostWidth_px = 240; // with large texts it scrolls sideways, so that the list above need not
+        // With large texts the editor scrolls horizontally, so that the list above keeps its width.
+        constexpr int kMostWidth_px = 240;
         return {std::min(kMostWidth_px, withBar(widget()->minimumSizeHint()).width()), 160};
     }
 
@@ -75,21 +76,21 @@ class FittingScroll final : public QScrollArea
     }
 
   private:
-    /// What it holds keeps its width beside the scroll bar.
+    /// Adds the width of the scroll bar.
     [[nodiscard]] QSize withBar(const QSize& size) const
     {
         return {size.width() + verticalScrollBar()->sizeHint().width(), size.height()};
     }
 };
 
-/// @param what  it warns of; a screen reader hears the text first
+/// Hidden warning label. @param what  subject of the warning; screen readers read the text first
 QLabel* makeWarning(const QString& what, QWidget* box)
 {
     auto* label = new QLabel(box);
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setAccessibleDescription(what);
-    label->setForegroundRole(QPalette::BrightText); // of warnings: see Theme.h
+    label->setForegroundRole(QPalette::BrightText); // warning colour, see Theme.h
     label->hide();
     return label;
 }
@@ -180,11 +181,12 @@ void StructurePanel::addOpacity(QFormLayout& form, QWidget* box)
     connect(m_opacity, &QSlider::valueChanged, this, &StructurePanel::editOpacity);
 }
 
-/// The field of one number of a tissue.
+/// Input field of one tissue parameter.
 QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget* box)
 {
     auto* field = new QDoubleSpinBox(box);
-    // Beyond what any device holds, so that a value too large is refused in words, not cut off as it is typed.
+    // Allows values beyond any device, so that a too large value is rejected with a message instead of being cut off
+    // while typing.
     field->setRange(0.0, term.most);
     field->setKeyboardTracking(false);
     field->setDecimals(term.decimals);
@@ -193,7 +195,7 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     field->setSuffix(QLatin1Char(' ') + unit);
     field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, termText(term.meaning)));
     field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.spokenUnit)));
-    // A field shows fewer digits than a scene may have: only the one that was edited counts.
+    // Fields round to fewer digits than the scene stores: take over only the edited one.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
         changeTissue([&](haptics::Tissue& tissue) { tissue.*term.member = value; });
     });
@@ -223,7 +225,7 @@ void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
     });
 }
 
-/// After the preset.
+/// Inserts the law editor after the preset.
 void StructurePanel::addLaw(QFormLayout& form, QWidget* box)
 {
     int row = 0;
@@ -277,7 +279,7 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     });
 }
 
-/// The numbers of friction, shown when friction is chosen to be set by hand.
+/// Shows the friction coefficients for the manual setting.
 void StructurePanel::showFrictionTerms()
 {
     const bool isOwn = m_friction->currentIndex() == m_friction->count() - 1;
@@ -298,7 +300,7 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
         }
         m_terms[i] = makeField(core::kTissueTerms[i], box);
         auto* name = new QLabel(termText(core::kTissueTerms[i].name), box);
-        name->setWordWrap(true); // a long one must not widen the panel
+        name->setWordWrap(true); // a long label must not widen the panel
         name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
                                      kNameLetters * fontMetrics().averageCharWidth()));
         form.addRow(name, m_terms[i]);
@@ -319,7 +321,7 @@ void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
-/// Shown where the surface is a staircase of voxels, or smoothed.
+/// Row of the surface choice, visible for voxel staircases and smoothed surfaces.
 void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
 {
     m_surface = new ShownComboBox(box);
@@ -380,7 +382,7 @@ void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString&
 {
     m_greatest = greatest;
     m_why = why;
-    m_refusal->hide(); // it spoke of another limit
+    m_refusal->hide(); // the message refers to the previous limit
     showSelection();
 }
 
@@ -436,7 +438,7 @@ void StructurePanel::removeSelected()
     const int place = now.parent().isValid() ? -1 : now.row();
     m_model.removeRows(rows);
     const StructureTree& tree = m_list->tree();
-    if (place >= 0 && tree.rowCount() > 0) { // what moved up is at hand, to go on with
+    if (place >= 0 && tree.rowCount() > 0) { // select the row that moved up
         select(tree.rowOf(tree.index(std::min(place, tree.rowCount() - 1), StructureModel::Name)));
     }
 }
@@ -450,7 +452,7 @@ void StructurePanel::renameCurrent()
     }
 }
 
-/// Changes structures as one step to undo. @param text  what is undone; empty: a change
+/// Changes structures as one undo step. @param text  label of the undo step; empty: a generic label
 void StructurePanel::change(const std::vector<int>& rows, const Change& change, const QString& text)
 {
     std::vector<StructureModel::Edited> edits;
@@ -465,7 +467,8 @@ void StructurePanel::change(const std::vector<int>& rows, const Change& change, 
     }
 }
 
-/// Changes the tissue of all that is selected, or of none: where one would be refused, a line says why.
+/// Changes the tissue of all selected structures. If any change is rejected, none is applied and a line gives the
+/// reason.
 void StructurePanel::changeTissue(const std::function<void(haptics::Tissue&)>& how)
 {
     const std::vector<int> rows = selectedRows();
@@ -485,7 +488,7 @@ void StructurePanel::changeTissue(const std::function<void(haptics::Tissue&)>& h
     change(rows, [&](meshio::SceneStructure& structure) { how(structure.tissue); });
 }
 
-/// Shows or feels all of some structures, or none of them where the first is shown or felt.
+/// Toggles visibility or palpability: off for all when any of the structures is on, otherwise on for all.
 void StructurePanel::toggle(const std::vector<int>& rows, int column)
 {
     if (rows.empty() || (column != StructureModel::Shown && column != StructureModel::Felt)) {
@@ -504,7 +507,7 @@ void StructurePanel::click(const QModelIndex& index)
     toggle(isSelected ? all : here, index.column());
 }
 
-/// Deeper for steps > 0; each stays between the outermost and the innermost.
+/// Moves the selected structures by layers, inwards for steps > 0. A structure already at the limit stays.
 void StructurePanel::moveLayers(int steps)
 {
     std::vector<FeltWay> ways;
@@ -592,7 +595,7 @@ void StructurePanel::showSelection()
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         showTissue(one.tissue);
-        m_map->setEnabled(rows.size() == 1); // arrays are of one surface
+        m_map->setEnabled(rows.size() == 1); // arrays belong to a single surface
         m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
         showMapWarning();
         showLayer(row);
@@ -613,7 +616,8 @@ void StructurePanel::showTissue(const haptics::Tissue& tissue)
     for (std::size_t i = 0; i < m_terms.size(); ++i) {
         m_terms[i]->setValue(tissue.*core::kTissueTerms[i].member);
     }
-    m_form->setRowVisible(m_terms.front(), tissue.law.kind == core::LawKind::Linear); // the others have their own
+    // Other laws have parameters of their own.
+    m_form->setRowVisible(m_terms.front(), tissue.law.kind == core::LawKind::Linear);
     m_law->show(tissue, m_greatest.stiffness_N_per_mm);
     const int preset = presetOf(tissue), friction = frictionPresetOf(tissue);
     m_preset->setCurrentIndex(preset + 1);
@@ -667,7 +671,7 @@ void StructurePanel::showLayer(int row)
     m_layer->setCurrentIndex(isThrough ? m_layer->count() - 1 : static_cast<int>(layer));
 }
 
-/// @param chosen  a layer; none: through the organ around it
+/// Sets the layer. @param chosen  layer; invalid: transmitted through the surrounding organ
 void StructurePanel::setLayer(const QVariant& chosen)
 {
     if (m_isShowing) {
@@ -684,7 +688,7 @@ void StructurePanel::setLayer(const QVariant& chosen)
     changeWays(ways);
 }
 
-/// "liver takes 0.8" for each other layer; empty when there is none.
+/// Stiffness used by other layers: "liver takes 0.8" for each; empty without other layers.
 QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const
 {
     QStringList takers;
@@ -695,7 +699,7 @@ QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& fe
     return takers.join(QStringLiteral(", "));
 }
 
-/// Says what is felt of the stiffness where the device holds less.
+/// Shows the effective stiffness when the device limits it.
 void StructurePanel::showBound(int row)
 {
     const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
@@ -713,12 +717,13 @@ void StructurePanel::showBound(int row)
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
 
-/// @return why a tissue can't be had in place of the one that is there; empty: it can.
+/// Reason for rejecting a tissue; empty if acceptable.
 QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const
 {
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
         QString why = engineText(law);
-        for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) { // as the field is called, not the file's key
+        // Label of the field instead of the file's key.
+        for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) {
             why.replace(QLatin1String(term.key.data()), termText(term.name));
         }
         return tr("This law is refused: %1.").arg(why);

@@ -32,7 +32,7 @@ void StructureTree::setOrder(Order order)
 void StructureTree::setGrouping(Grouping grouping)
 {
     if (grouping != m_grouping) {
-        beginResetModel(); // the same structures may stand a level deeper
+        beginResetModel(); // grouping changes the tree depth of the same structures
         m_grouping = grouping;
         m_groups = arranged();
         endResetModel();
@@ -126,7 +126,7 @@ void StructureTree::rearrange()
     endResetModel();
 }
 
-/// What is listed where is the same after most changes: then the list keeps what is selected and open.
+/// Rebuilds the tree only if the arrangement changed, to preserve selection and expanded groups otherwise.
 void StructureTree::refresh()
 {
     if (arranged() != m_groups) {

@@ -72,7 +72,7 @@ QPalette paletteOf(const Shades& s)
     p.setColor(QPalette::ToolTipBase, s.base);
     p.setColor(QPalette::ToolTipText, s.text);
     p.setColor(QPalette::Mid, s.line);
-    p.setColor(QPalette::Midlight, s.grid); // of charts
+    p.setColor(QPalette::Midlight, s.grid); // grid lines of charts
     p.setColor(QPalette::Dark, s.line.darker(130));
     p.setColor(QPalette::Light, s.base);
     p.setColor(QPalette::Shadow, Qt::black);
@@ -82,14 +82,14 @@ QPalette paletteOf(const Shades& s)
     return p;
 }
 
-// What the system has, and what was set in its place.
+// State of the system palette and of the applied theme.
 struct State
 {
     std::optional<QPalette> applied;
     bool isSystemDark = false;
     bool isContrast = false;
     bool isApplying = false;
-    std::optional<QFont> font; ///< the system's, when the texts' size was first set
+    std::optional<QFont> font; ///< system font before the first change of the text size
     int textSize_percent = 100;
 };
 
@@ -134,7 +134,7 @@ void applyTheme(Theme theme)
     now.isApplying = true;
     now.applied = paletteOf(shadesOf(wantsDark, now.isContrast));
     QApplication::setPalette(*now.applied);
-    now.applied = QApplication::palette(); // as it is compared later
+    now.applied = QApplication::palette(); // as resolved by Qt, for later comparison
     QToolTip::setPalette(*now.applied);
     qApp->setStyleSheet(
         QStringLiteral("QToolBar { spacing: 4px; padding: 4px 8px; border: 0; }"
@@ -158,7 +158,7 @@ bool noteSystemPalette(bool mustAsk)
     }
     if (mustAsk) {
         now.isApplying = true;
-        QApplication::setPalette(QPalette()); // the system's
+        QApplication::setPalette(QPalette()); // fetches the system palette
         now.isApplying = false;
     } else if (QApplication::palette() == *now.applied) {
         return false;
@@ -174,7 +174,7 @@ void applyTextSize(int percent)
         now.font = QApplication::font();
     }
     if (percent == now.textSize_percent) {
-        return; // the system's own fonts for menus and the like stay
+        return; // keeps the system's separate fonts for menus and other widgets
     }
     now.textSize_percent = percent;
     QFont font = *now.font;
@@ -185,7 +185,8 @@ void applyTextSize(int percent)
         font.setPixelSize(qRound(share * font.pixelSize()));
     }
     QApplication::setFont(font);
-    // With a style sheet, only the windows take it, and a little later; the sheet set anew hands it down.
+    // With a style sheet only top-level windows receive the font, and only later. Setting the sheet again propagates
+    // it.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationFontChange);
     qApp->setStyleSheet(qApp->styleSheet());
 }

@@ -13,8 +13,8 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kAroundOthers = 0.4;             // opacity at which a lump shows through its organ
-constexpr double kBoneDamping_Ns_per_mm = 0.0005; // of the preset "Bone"
+constexpr double kAroundOthers = 0.4;             // opacity at which a lump is visible through its organ
+constexpr double kBoneDamping_Ns_per_mm = 0.0005; // as in the preset "Bone"
 
 bool isPassedThrough(meshio::AnatomyKind kind)
 {
@@ -22,7 +22,7 @@ bool isPassedThrough(meshio::AnatomyKind kind)
            kind == meshio::AnatomyKind::Duct;
 }
 
-/// Shown so that what lies in it is seen.
+/// True for structures that become translucent when they contain others.
 bool isAround(meshio::AnatomyKind kind)
 {
     return kind >= meshio::AnatomyKind::Kidney || kind == meshio::AnatomyKind::Fat ||

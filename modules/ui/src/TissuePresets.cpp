@@ -19,7 +19,7 @@ core::Tissue linear(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0)
     return tissue;
 }
 
-/// As names choose it: one number for both.
+/// Same value as for the selection by name, defined in one place.
 core::Tissue healthy(AnatomyKind kind)
 {
     return linear(study::tissueStiffness_N_per_mm(kind).value());
@@ -36,9 +36,10 @@ core::Tissue lawful(core::LawKind kind, const std::array<double, core::ForceLaw:
 
 const std::vector<TissuePreset>& tissuePresets()
 {
-    // A fingertip, as a flat punch of radius a = 5 mm on a half space of modulus E, feels k = 2 a E / (1 - nu^2): 5 kPa
-    // gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. Of a shear modulus, with nu = 1/2, it feels 8 a mu. Bone
-    // stands for "does not give" within what devices hold.
+    // A fingertip is modelled as a flat punch of radius a = 5 mm on a half space of Young's modulus E:
+    //     k = 2 a E / (1 - nu^2), with the shear modulus mu and nu = 1/2: k = 8 a mu
+    // 5 kPa gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. "Bone" is a stiffness that feels rigid within the
+    // range of common devices.
     static const char* const kChosen = QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "numbers chosen");
     static const char* const kElastography =
         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
@@ -118,7 +119,7 @@ int presetOf(const core::Tissue& tissue)
 
 const std::vector<FrictionPreset>& frictionPresets()
 {
-    // All chosen: of a gloved finger on an organ no measured coefficient was found.
+    // All values are assumptions: no measured coefficient was found for a gloved finger on an organ.
     static const std::vector<FrictionPreset> presets{
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "None"), 0.0},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Wet (0.05, chosen)"), 0.05},

@@ -14,10 +14,10 @@ namespace palpate::ui {
 
 namespace {
 
-/// Marks a button that shows its text where there is room.
+/// Property of buttons that show text when space permits.
 constexpr const char* kMayHaveText = "mayHaveText";
 
-/// What a text beside the icon adds to a button's width, as QToolButton::sizeHint has it. [px]
+/// Width added by a text beside the icon, as in QToolButton::sizeHint. [px]
 int textWidth_px(const QToolButton& button)
 {
     constexpr int kGap_px = 4;

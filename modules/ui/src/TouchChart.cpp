@@ -90,7 +90,7 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QPointF(lane.left(), lane.top() - metrics.descent() - 3.0),
                      isForce ? tr("Force [N]") : tr("Depth [mm]"));
-    // Not by colour alone: the title of each lane carries a piece of its line, force solid, depth dashed.
+    // Not by colour alone: the lane titles include a sample of the line style, solid for force, dashed for depth.
     QPen pen(colour, 2.0, isForce ? Qt::SolidLine : Qt::DashLine);
     const auto& samples = m_history.samples();
     painter.setPen(pen);
@@ -148,11 +148,11 @@ QPainterPath TouchChart::curve(const QRectF& lane, double top, double TouchSampl
     return line;
 }
 
-/// Stacks the layers' parts of the force, between each moment and the next.
+/// Fills the stacked layer components between successive samples.
 void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N) const
 {
     painter.save();
-    painter.setRenderHint(QPainter::Antialiasing, false); // no seams between moments
+    painter.setRenderHint(QPainter::Antialiasing, false); // avoids seams between samples
     const auto& samples = m_history.samples();
     const double now = samples.back().time_s;
     const auto x = [&](const TouchSample& sample) {
@@ -161,7 +161,7 @@ void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N
     const auto y = [&](double force_N) {
         return lane.bottom() - std::clamp(force_N / top_N, 0.0, 1.0) * lane.height();
     };
-    const QColor edge(24, 30, 36); // reads on the colours of structures, which are light
+    const QColor edge(24, 30, 36); // contrasts with the light colours of structures
     for (std::size_t i = 1; i < samples.size(); ++i) {
         const TouchSample& a = samples[i - 1];
         const TouchSample& b = samples[i];
@@ -175,7 +175,7 @@ void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N
             painter.setPen(Qt::NoPen);
             painter.setBrush(colour);
             painter.drawConvexPolygon(corners, 4);
-            if (k > 0) { // told by more than its colour
+            if (k > 0) { // hatching, to avoid distinction by colour alone
                 painter.setBrush(QBrush(edge, Qt::BDiagPattern));
                 painter.drawConvexPolygon(corners, 4);
                 painter.setPen(QPen(edge, 1.0));
@@ -193,7 +193,7 @@ ForceBar::ForceBar(QWidget* parent)
     , Spoken(this)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFocusPolicy(Qt::TabFocus); // a place for the keys in the panel, at which the force is heard
+    setFocusPolicy(Qt::TabFocus); // reachable by keyboard, so that a screen reader can read the force
     setAccessibleName(tr("Force in newton"));
 }
 

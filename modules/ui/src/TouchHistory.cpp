@@ -43,7 +43,7 @@ bool TouchHistory::hasLayers() const
 
 bool TouchHistory::hasFriction() const
 {
-    constexpr double kShown_N = 1e-3; // a spring's force is along the normal but for rounding
+    constexpr double kShown_N = 1e-3; // tolerance for rounding: without friction the force is along the normal
     return std::any_of(m_samples.begin(), m_samples.end(),
                        [](const TouchSample& sample) { return sample.along_N > kShown_N; });
 }

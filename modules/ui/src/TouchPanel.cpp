@@ -16,7 +16,7 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kRows = 1.1; // letters of the layers' rows, of the panel's
+constexpr double kRows = 1.1; // font size of the layer rows relative to the panel
 
 } // namespace
 
@@ -90,7 +90,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     keepFont(*m_layers, kRows, QFont::Normal);
     keepFont(*m_detail, 1.25, QFont::Normal);
-    m_detail->setWordWrap(true); // large texts in a narrow panel
+    m_detail->setWordWrap(true); // for large texts in a narrow panel
     m_detail->setAccessibleDescription(tr("Depth and stiffness"));
     m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
                             "that are touched [N/mm]"));
@@ -121,7 +121,7 @@ TouchPanel::TouchPanel(QWidget* parent)
 
 void TouchPanel::fitFont()
 {
-    // Room for two, so that nothing jumps when the hand comes upon the second.
+    // Reserves two rows, so that the layout does not jump when a second layer is reached.
     QFont rows = font();
     rows.setPointSizeF(kRows * font().pointSizeF());
     m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
@@ -138,7 +138,7 @@ void TouchPanel::changeEvent(QEvent* event)
 void TouchPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    setLine(m_structure->toolTip(), m_detail->text()); // as much of the name as there is room for now
+    setLine(m_structure->toolTip(), m_detail->text()); // elides the name for the new width
 }
 
 double TouchPanel::forceLimit_N() const
@@ -165,19 +165,19 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
 void TouchPanel::setLayers(std::vector<FeltLayer> layers)
 {
     const bool hasFriction = !layers.empty() && layers.front().friction != haptics::Friction::None;
-    if (layers.size() < 2 && !hasFriction) { // name and force stand above
+    if (layers.size() < 2 && !hasFriction) { // name and force are already shown above
         m_layers->clear();
         m_layers->setAccessibleName({});
         return;
     }
-    m_layers->setAccessibleName(layersText(layers)); // its own text is markup
+    m_layers->setAccessibleName(layersText(layers)); // the label's text is markup
     for (FeltLayer& layer : layers) {
         layer.name = m_layers->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() - 160));
     }
     m_layers->setText(layersMarkup(layers));
 }
 
-/// What is felt through the structure here, in the room of the layers.
+/// Shows the transmitted lump at the contact in place of the layers.
 void TouchPanel::showLump(const TouchReading& reading)
 {
     const QString change = feltChangeText(reading.lumpRatio);

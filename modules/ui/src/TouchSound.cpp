@@ -20,7 +20,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Without a sound server Qt writes so to stderr, where only what a person can act on belongs; `whyNot` says it.
+/// Suppresses Qt's message on stderr about a missing sound server; `whyNot` reports this case to the user.
 class Quiet
 {
   public:
@@ -51,7 +51,7 @@ QAudioFormat mono()
     return format;
 }
 
-/// A tone without an end, as what QAudioSink reads.
+/// Endless tone as input device of QAudioSink.
 class ToneStream : public QIODevice
 {
   public:
@@ -60,7 +60,7 @@ class ToneStream : public QIODevice
   protected:
     qint64 readData(char* data, qint64 bytes) override
     {
-        // The sink's buffer is one of floats: aligned.
+        // The sink passes an aligned float buffer.
         const auto count = static_cast<std::size_t>(bytes) / sizeof(float);
         tone.fill(std::span(reinterpret_cast<float*>(data), count));
         return static_cast<qint64>(count * sizeof(float));
@@ -71,10 +71,10 @@ class ToneStream : public QIODevice
 
 } // namespace
 
-/// The sink lives on a thread of its own, where it must be made: a frame that takes long to draw is not heard.
+/// The sink is created and lives on a separate thread, so that slow frames do not interrupt the sound.
 struct TouchSound::Output
 {
-    static constexpr int kBuffer_ms = 60; ///< heard so much after it is seen; shorter ones stutter with some servers
+    static constexpr int kBuffer_ms = 60; ///< latency of the sound; shorter buffers stutter with some sound servers
 
     QThread thread;
     ToneStream* stream = new ToneStream;

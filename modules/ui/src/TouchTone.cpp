@@ -10,11 +10,11 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kPlain_Hz = 220.0, kLowest_Hz = 55.0, kHighest_Hz = 3520.0;
-constexpr double kNoticed = 1.07; ///< k/k0 of a just noticeable difference, by which a trained hand begins to tell
+constexpr double kNoticed = 1.07; ///< k/k0 per semitone: half of the 14 % that a trained hand detects
 constexpr double kSemitones = 12.0;
 constexpr double kLoudest = 0.6;
-constexpr double kFollows_s = 0.015; ///< within which pitch and loudness come near: slower than a click, faster than
-                                     ///< what is felt as a lag
+constexpr double kFollows_s = 0.015; ///< time constant of pitch and loudness: slow enough to avoid clicks, fast enough
+                                     ///< not to be perceived as a lag
 
 } // namespace
 

@@ -18,9 +18,9 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr int kGap_px = 8; // between callout, part and the window's edges
+constexpr int kGap_px = 8; // between callout, part and window edges
 
-/// A frame through which the pointer goes.
+/// Frame that ignores the pointer.
 class PartFrame final : public QWidget
 {
   public:
@@ -40,7 +40,7 @@ class PartFrame final : public QWidget
     }
 };
 
-/// A rectangle's middle, `share` as wide and high.
+/// Central part of a rectangle, scaled by `share`.
 QRect middleOf(const QRect& all, double share)
 {
     QRect middle(QPoint(), all.size() * share);
@@ -72,7 +72,7 @@ Tour::Tour(QWidget* window)
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(6);
     for (QPushButton* one : {close, m_back, m_next}) {
-        one->setAutoDefault(true); // Enter presses it
+        one->setAutoDefault(true); // enter presses the focused button
         buttons->addWidget(one);
     }
     auto* layout = new QVBoxLayout(this);
@@ -95,7 +95,7 @@ void Tour::start(std::vector<Stop> stops)
         m_before = window()->focusWidget();
     }
     m_stops = std::move(stops);
-    for (const Stop& stop : m_stops) { // its size changes with panels, too
+    for (const Stop& stop : m_stops) { // parts are also resized when panels change
         if (stop.part != nullptr) {
             stop.part->installEventFilter(this);
         }
@@ -146,7 +146,8 @@ void Tour::go(int stop)
     QAccessible::updateAccessibility(&alert);
 }
 
-/// Puts the callout beside the part, and the frame round it. Where a part fills the window, its middle is what counts.
+/// Places the callout beside the part and the frame around it. For a part that fills the window, only its centre is
+/// highlighted.
 void Tour::place()
 {
     const QWidget& all = *parentWidget();
@@ -166,14 +167,14 @@ void Tour::place()
             break;
         }
     }
-    constexpr int kAround_px = 4; // the frame's own width: it hides nothing of the part
+    constexpr int kAround_px = 4; // width of the frame, drawn outside the part
     m_frame->setGeometry(m_target.adjusted(-kAround_px, -kAround_px, kAround_px, kAround_px) & all.rect());
     m_frame->show();
     m_frame->raise();
     raise();
 }
 
-/// @return false when no side of the target has room
+/// Places the callout next to the target. Returns false when no side has enough space.
 bool Tour::isPlacedBeside(const QRect& target)
 {
     const QRect all = parentWidget()->rect().adjusted(kGap_px, kGap_px, -kGap_px, -kGap_px);
@@ -215,7 +216,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
     const bool isMoved = event->type() == QEvent::Resize || event->type() == QEvent::Move ||
                          event->type() == QEvent::Show || event->type() == QEvent::Hide;
     if (isMoved && isVisible()) {
-        // Once the window has laid out its parts.
+        // After the window has laid out its parts.
         QTimer::singleShot(0, this, [this] {
             if (isVisible()) {
                 place();

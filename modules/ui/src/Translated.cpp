@@ -10,9 +10,9 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr const char* kMessageContext = "palpate::Message"; // as resources/translations/update.sh writes it
+constexpr const char* kMessageContext = "palpate::Message"; // set by resources/translations/update.sh
 
-/// A number of an English message with the separators of the window's language.
+/// Reformats a number of an English message for the window's locale.
 std::string localized(const std::string& english)
 {
     std::string out;
@@ -50,7 +50,7 @@ QString translated(const core::Message& message)
     const char* const marked = QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 (in English)");
     const QString mark = QCoreApplication::translate("palpate::ui::Engine", marked);
     if (message.isEmpty() || mark == QLatin1String(marked)) {
-        return QString::fromStdString(message.english()); // the window is in English
+        return QString::fromStdString(message.english()); // English window
     }
     const QString text = QString::fromStdString(translatedBytes(message));
     return message.isTranslatable() ? text : QString(mark).replace(QStringLiteral("%1"), text);

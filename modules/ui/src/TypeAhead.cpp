@@ -28,13 +28,13 @@ bool TypeAhead::eventFilter(QObject* watched, QEvent* event)
     const bool isList =
         qobject_cast<const QAbstractItemView*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr;
     const bool hasEnds = isList || qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
-                         qobject_cast<const QLabel*>(widget) != nullptr; // whose text can be selected
+                         qobject_cast<const QLabel*>(widget) != nullptr; // labels with selectable text
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool isPlain = (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
     const bool isTyped = !key->text().isEmpty() && key->text().front().isPrint();
     const bool isEnd = key->key() == Qt::Key_Home || key->key() == Qt::Key_End;
     if (isPlain && ((isList && isTyped) || (hasEnds && isEnd))) {
-        event->accept(); // it comes as a key, not as a command
+        event->accept(); // delivered as a key press instead of a shortcut
         return true;
     }
     return false;

@@ -31,7 +31,7 @@ void ViewKeys::describe(ActionList& actions)
 
 bool ViewKeys::eventFilter(QObject* /*watched*/, QEvent* event)
 {
-    // An override keeps a window's command with the same key from taking it while the view has the focus.
+    // Accepting the override prevents window shortcuts with the same key while the view has the focus.
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) {
         return false;
     }
@@ -43,7 +43,7 @@ bool ViewKeys::eventFilter(QObject* /*watched*/, QEvent* event)
     return true;
 }
 
-/// @param isDone  false: only says whether it is one of these keys
+/// Handles a key of the view. @param isDone  false: only checks whether the key belongs to the view
 bool ViewKeys::handle(const QKeyEvent& key, bool isDone)
 {
     const Qt::KeyboardModifiers modifiers = key.modifiers() & ~Qt::KeypadModifier;
@@ -64,7 +64,7 @@ bool ViewKeys::handle(const QKeyEvent& key, bool isDone)
     case Qt::Key_Down:
         return handleArrow(0, -1, modifiers, isDone);
     case Qt::Key_Plus:
-    case Qt::Key_Equal: // the same key without Shift
+    case Qt::Key_Equal: // same key without Shift
         return !modifiers.testFlag(Qt::ControlModifier) && zoom(kZoom);
     case Qt::Key_Minus:
         return !modifiers.testFlag(Qt::ControlModifier) && zoom(1.0 / kZoom);

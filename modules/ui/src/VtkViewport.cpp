@@ -28,12 +28,12 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kStill_px = 3.0; // a click may tremble so far
-constexpr int kStill_ms = 350;    // after this long without a frame the picture stands still
-constexpr int kWarmUp = 2;        // first frames upload meshes and compile shaders: they say nothing of the speed
-constexpr double kSlow_ms = 40.0; // slower than this, a moving picture drops what costs most
-constexpr int kJudged = 20;       // frames after which the speed is judged
-constexpr double kQuick_ms = 5.0; // a frame this quick leaves time for ambient occlusion
+constexpr double kStill_px = 3.0; // tolerated pointer motion within a click
+constexpr int kStill_ms = 350;    // time without a frame after which the picture counts as still
+constexpr int kWarmUp = 2;        // the first frames upload meshes and compile shaders and do not represent the speed
+constexpr double kSlow_ms = 40.0; // slower moving pictures omit the most expensive effects
+constexpr int kJudged = 20;       // number of frames before the speed is evaluated
+constexpr double kQuick_ms = 5.0; // frame time that leaves enough time for ambient occlusion
 
 } // namespace
 
@@ -66,7 +66,7 @@ VtkViewport::VtkViewport(QWidget* parent)
     m_window->SetFrameBlitModeToNoBlit();
     m_view.attach(*m_window);
     m_interactor->SetRenderWindow(m_window);
-    m_interactor->EnableRenderOff(); // Qt decides when to draw
+    m_interactor->EnableRenderOff(); // Qt schedules the drawing
     vtkNew<vtkInteractorStyleTrackballCamera> style;
     style->AutoAdjustCameraClippingRangeOff();
     style->SetDefaultRenderer(&m_view.renderer());
@@ -122,7 +122,7 @@ void VtkViewport::initializeGL()
     m_window->SetIsCurrent(true);
     m_window->InitializeFromCurrentContext();
     m_isReady = true;
-    // A move to another screen may replace the context: give back what belongs to it while it is still there.
+    // Moving to another screen may replace the context: release its resources while it still exists.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkViewport::letGoOfContext, Qt::UniqueConnection);
 }
 
@@ -159,11 +159,11 @@ void VtkViewport::paintGL()
     timer.start();
     fitSize();
     vtkOpenGLState* state = m_window->GetState();
-    // Qt has changed the context's state behind VTK's back since the last frame.
+    // Qt has modified the OpenGL state since the last frame, unknown to VTK.
     state->Reset();
     state->Push();
-    // Qt leaves OpenGL's own "nearer only" in the context, VTK counts on "as near" too: of flat pictures that lie on
-    // each other, as the colour legend's words on their ground, only the lowest would be seen.
+    // Qt leaves the default depth function GL_LESS, while VTK relies on GL_LEQUAL. With GL_LESS only the lowest of
+    // coplanar layers would be visible, e.g. the background of the colour legend without its text.
     state->vtkglDepthFunc(GL_LEQUAL);
     m_window->SetReadyForRendering(true);
     m_window->SetIsCurrent(true);
@@ -193,7 +193,7 @@ void VtkViewport::judgeSpeed()
         return;
     }
     if (m_isStill) {
-        m_isStill = false; // the next frame is one of a moving picture again
+        m_isStill = false; // the next frame belongs to a moving picture again
         m_isSlow = m_frame_ms > kSlow_ms;
     } else if (m_isSlow || m_frame_ms > kSlow_ms) {
         m_isSlow = true;
@@ -212,7 +212,7 @@ void VtkViewport::blitToWidget()
     gl->glDisable(GL_SCISSOR_TEST);
     gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    // Qt blends the widget into the window by its alpha: make it opaque.
+    // Qt blends the widget into the window by alpha: make it opaque.
     gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
     gl->glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
     gl->glClear(GL_COLOR_BUFFER_BIT);
@@ -312,7 +312,7 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
     if (event->button() == Qt::LeftButton && m_mode == Mode::Camera && !m_hasMoved) {
         Q_EMIT clicked(m_pointer, event->modifiers());
     }
-    // Whichever of the three it was: the style ends what it began and ignores the others.
+    // The button is not known here: the style ends the active interaction and ignores the other events.
     for (const auto release : {vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
                                vtkCommand::RightButtonReleaseEvent}) {
         moveCamera(m_pointer, release, event->modifiers());
@@ -354,7 +354,7 @@ void VtkViewport::tabletEvent(QTabletEvent* event)
             Q_EMIT penPressed(event->pressure());
         }
     }
-    event->ignore(); // for the rest a pen is a mouse, as Qt makes it when this is ignored
+    event->ignore(); // ignored tablet events are delivered as mouse events
 }
 
 void VtkViewport::wheelEvent(QWheelEvent* event)

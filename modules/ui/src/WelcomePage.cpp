@@ -83,7 +83,7 @@ WelcomePage::WelcomePage(QWidget* parent)
 
 void WelcomePage::resizeEvent(QResizeEvent*)
 {
-    constexpr int kMost = 100; // letters of a line
+    constexpr int kMost = 100; // maximum line length in characters
     m_card->setMaximumWidth(kMost * fontMetrics().averageCharWidth());
 }
 

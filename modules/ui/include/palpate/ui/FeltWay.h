@@ -13,8 +13,8 @@ namespace palpate::ui {
 struct FeltWay
 {
     int row = 0;
-    std::optional<std::uint32_t>
-        layer; ///< layer of the structure's own surface; empty: transmitted through the surrounding organ
+    /// Layer of the structure's own surface; empty: transmitted through the surrounding organ.
+    std::optional<std::uint32_t> layer;
 };
 
 /// Applies touch modes as one undo step, or does nothing when they already apply. Other transmitted lumps keep their

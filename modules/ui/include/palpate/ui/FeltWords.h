@@ -14,7 +14,7 @@ namespace palpate::ui {
 [[nodiscard]] QString feltChangeText(double ratio);
 /// Translated verdict as printed by `palpate felt`: "not by hand".
 [[nodiscard]] QString verdictText(buried::Verdict verdict);
-/// Translated verdict with its basis, as in buried::verdictText.
+/// Translated verdict with the underlying ratios, as in buried::verdictText.
 [[nodiscard]] QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
                                        const std::optional<buried::RatioRange>& ratio);
 /// Translated verdict for the user's hand: "plainly felt", "a trained hand tells it".

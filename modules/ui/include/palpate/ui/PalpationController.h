@@ -35,7 +35,8 @@ class PalpationController : public QObject
     void setPress(const HandSettings& settings);
     [[nodiscard]] bool isByEffort() const noexcept { return m_isByEffort; }
     [[nodiscard]] double depth_mm() const noexcept { return m_hand.settings().depth_mm; }
-    /// Short status of the hand: "camera", "presses 4.0 mm", "pressing 12 of 27 mm", "pressing 2.3 of 5.0 N".
+    /// Short status of the hand: "camera", "presses 4.0 mm", "pressing 12 of 27 mm", "aims at
+    /// 2.3 of 5.0 N, reaches 2.1 N, 3.4 mm".
     [[nodiscard]] QString text() const;
     /// True while pressing when the surface has slid aside, so that the penetration depth is less than the commanded
     /// depth.

@@ -18,13 +18,14 @@ enum class Theme
     ContrastOnWhite
 };
 
-/// Applies the Fusion style with a theme's palette to the application. The first call saves the system palette.
+/// Applies the Fusion style with a theme's palette to the application. The first call records whether the
+/// system palette is dark.
 ///
 /// @par Thread GUI thread only.
 void applyTheme(Theme theme);
 
-/// Checks whether the application palette was changed externally after `applyTheme`. An external palette is saved as
-/// the system palette.
+/// Checks whether the application palette was changed externally after `applyTheme`. An external palette is taken as
+/// the system palette, and its brightness is recorded.
 /// @param mustAsk  fetches the system palette after a system change; the theme is lost until the next `applyTheme`
 /// @return true when `applyTheme` must be called again
 [[nodiscard]] bool noteSystemPalette(bool mustAsk);
