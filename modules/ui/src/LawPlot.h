@@ -58,7 +58,7 @@ class LawPlot : public QWidget
     void movePoint(double depth_mm, double force_N);
 
     core::Tissue m_tissue;
-    std::shared_ptr<const haptics::ForceTable> m_table; ///< Null: linear
+    std::shared_ptr<const haptics::ForceTable> m_table; ///< null: linear
     std::shared_ptr<const haptics::ForceTable> m_felt;  ///< limited by the device
     double m_greatest = std::numeric_limits<double>::infinity();
     double m_depth_mm = 0.0;

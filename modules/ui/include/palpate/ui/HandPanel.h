@@ -26,7 +26,7 @@ struct HandStatus
         AtEdge ///< automatic, at the edge of the workspace
     };
     double held_N_per_mm = 0.0; ///< largest stable stiffness, in scene units; infinite: unlimited
-    bool isMapped = false;      ///< False: device coordinates equal scene coordinates
+    bool isMapped = false;      ///< false: device coordinates equal scene coordinates
     double scale = 1.0;         ///< scene millimetres per device millimetre
     QString filled;             ///< region that fills the workspace
     double force_N = 0.0;       ///< force on the hand

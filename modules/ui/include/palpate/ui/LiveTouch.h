@@ -107,7 +107,7 @@ class LiveTouch : public QObject
 
     StructureModel& m_model;
     device::PointerDevice m_pointer;
-    std::unique_ptr<device::HapticDevice> m_device; ///< Null: the pointer
+    std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
     study::LiveSession m_session;
     std::shared_ptr<const haptics::HapticScene> m_scene;

@@ -99,13 +99,13 @@ class LumpMaps : public QObject
     QThreadPool m_thread;
     QTimer m_wait; ///< coalesces changes
     QElapsedTimer m_since;
-    std::shared_ptr<Job> m_job; ///< Null: idle
+    std::shared_ptr<Job> m_job; ///< null: idle
     std::vector<Cause> m_causes;
     std::vector<bool> m_forHand; ///< rows in transmitted mode
     FeltOrgans m_organs;
     QStringList m_notes;
     bool m_isWanted = false, m_isUpToDate = false, m_isHandUpToDate = false;
-    bool m_isGivenUp = false; ///< Cancelled: the maps for the haptic scene are not retried until the next change
+    bool m_isGivenUp = false; ///< cancelled: the maps for the haptic scene are not retried until the next change
 };
 
 } // namespace palpate::ui

@@ -21,7 +21,7 @@ class Messages : public QAbstractListModel
     {
         Told,    ///< status or hint
         Warning, ///< the open data deviates from the expected state
-        Error,   ///< A requested operation failed
+        Error,   ///< a requested operation failed
         Offer    ///< available action that waits for an answer
     };
     static constexpr int kMost = 5000;

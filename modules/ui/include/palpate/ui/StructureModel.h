@@ -100,7 +100,8 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] bool isToBeFeltThrough(int row) const;
     /// Organ through which a lump is or would be felt: the organ named by the lump, else the smallest surrounding
     /// structure that is palpable and closed. In transmitted mode without any named organ, the search continues
-    /// outwards to the first structure that cannot be a lump. Empty if there is no such structure.
+    /// outwards to the first structure that cannot be a lump, else to the outermost. Empty without a palpable and
+    /// closed structure around the lump.
     [[nodiscard]] std::optional<int> organAround(int row) const;
     /// Number of palpable structures around a structure, limited to the innermost layer: the layer used until the map
     /// is computed.

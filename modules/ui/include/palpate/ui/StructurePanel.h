@@ -125,7 +125,7 @@ class StructurePanel : public QWidget
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
-    QComboBox* m_surface = nullptr; ///< Items: as in the file, smoothed
+    QComboBox* m_surface = nullptr; ///< items: as in the file, smoothed
     QWidget* m_surfaceRow = nullptr;
     QComboBox* m_layer = nullptr; ///< item data: layer; invalid: transmitted through the surrounding organ
     QLabel* m_bound = nullptr;    ///< effective values when limited by the device

@@ -77,7 +77,7 @@ class StructureTree : public QAbstractItemModel
     Order m_order = Order::Scene;
     Grouping m_grouping = Grouping::None;
     QStringList m_words;         ///< words of the filter
-    std::vector<Group> m_groups; ///< A single untitled group without grouping
+    std::vector<Group> m_groups; ///< a single untitled group without grouping
 };
 
 } // namespace palpate::ui

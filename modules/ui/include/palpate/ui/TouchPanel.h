@@ -24,7 +24,7 @@ struct TouchReading
     double force_N = 0.0; ///< force on the hand; model force for devices without motors
     double depth_mm = 0.0;
     QString structure;               ///< structure of the outermost layer; empty in free space
-    double stiffness_N_per_mm = 0.0; ///< all layers in contact together
+    double stiffness_N_per_mm = 0.0; ///< all layers in contact together; a healthy liver: about 0.1
     double stiffnessRatio = 1.0;     ///< relative to the tissue of the outermost layer alone [1]
     int constraints = 0;             ///< active constraints of the outermost layer, for the engineering panel
     bool isSlidOff = false;          ///< pressing, but the surface has slid aside

@@ -34,7 +34,7 @@ class TouchSound : public QObject
 
   private:
     struct Output;
-    std::unique_ptr<Output> m_output; ///< Null: off
+    std::unique_ptr<Output> m_output; ///< null: off
 };
 
 } // namespace palpate::ui
