@@ -42,6 +42,7 @@ core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to,
     const auto part = partOfTurn(back[0] / length[0], back[1] / length[1], from.up_W, share);
     core::ViewPose pose;
     pose.focus_W = from.focus_W + share * (to.focus_W - from.focus_W);
+    // Geometric interpolation of the distance: a constant zoom factor per step.
     pose.position_W =
         pose.focus_W + part * (back[0] / length[0]) * (length[0] * std::pow(length[1] / length[0], share));
     const Vec3 up = (1.0 - share) * (part * from.up_W) + share * to.up_W;

@@ -70,6 +70,7 @@ void ChipRow::shrink()
         entry->isShort = true;
     }
     std::stable_partition(order.begin(), order.end(), [](const Entry* entry) { return !entry->warns(); });
+    // Chips with a warning fold last.
     for (Entry* entry : order) {
         if (needed() <= width()) {
             return;

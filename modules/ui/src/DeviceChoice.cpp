@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kPuckPlugin = "spacemouse";
 
-/// Endless palpation pattern at a place of the surface: press, slide, lift.
+/// Palpation pattern at a place of the surface: press, slide, lift, repeated every 4 s for 400 s.
 std::vector<device::HandTarget> palpationAt(const core::Vec3& p_W, const core::Vec3& inwards_W)
 {
     constexpr double kAbove_mm = 15.0;
@@ -143,7 +143,7 @@ void DeviceChoice::usePuck(PuckUse use)
         status = made.isOk() ? m_puck.use(std::move(made).value()) : made.status();
     }
     if (m_puckUse == PuckUse::Presses) {
-        Q_EMIT pushed(0.0);
+        Q_EMIT pushed(0.0); // releases a running press before the role changes
     }
     m_puckUse = m_puck.isOn() ? use : PuckUse::Nothing;
     m_puckActions[0]->setChecked(m_puckUse == PuckUse::MovesView);

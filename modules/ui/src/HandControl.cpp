@@ -148,6 +148,7 @@ void HandControl::fit(MapFill fill)
     m_panel.setSettings(settings);
     const bool isStaying = isTouching();
     keep();
+    // Recentring would tear a hand in contact off the tissue.
     if (!isStaying) {
         centre();
     }
@@ -195,7 +196,7 @@ std::optional<HandControl::Filled> HandControl::lump()
     }
     if (const auto ray = m_viewport.pointerRay()) {
         if (const auto pick = m_viewport.view().pick(*ray)) {
-            constexpr double kNear_mm = 10.0;
+            constexpr double kNear_mm = 10.0; // snaps to a finding near the pointer
             core::Vec3 place = pick->hit.p_W;
             for (const core::Vec3& finding : m_findings) {
                 place = (finding - pick->hit.p_W).norm() < kNear_mm ? finding : place;
@@ -212,7 +213,7 @@ std::optional<HandControl::Filled> HandControl::lump()
 void HandControl::keep()
 {
     if (m_cpu && *m_cpu != m_panel.settings().cpu) {
-        m_cpu.reset();
+        m_cpu.reset(); // the user chose another CPU
     }
     takeLoop();
     QSettings store;

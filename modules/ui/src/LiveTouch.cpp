@@ -280,6 +280,7 @@ void LiveTouch::setDelay(int ticks)
 core::Status LiveTouch::startRecording(const std::filesystem::path& path, const std::filesystem::path& scene,
                                        bool embeds)
 {
+    // Apply pending changes, so that the recording starts with the current scene.
     if (m_handOver.isActive()) {
         m_handOver.stop();
         handOverScene();

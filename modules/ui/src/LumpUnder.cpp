@@ -25,7 +25,7 @@ double ratioAt(const std::vector<std::vector<float>>& below, std::size_t vertex,
 }
 
 /// Far-field share of a lump up to a common factor: volume divided by the fourth power of the distance
-/// (resources/docs/felt.md).
+/// (resources/docs/felt.md). The offset of 1 µm avoids a division by zero.
 double shareOf(const meshio::LoadedStructure& lump, const core::Vec3& p_W)
 {
     const geometry::MeshReport& report = lump.surface->report;

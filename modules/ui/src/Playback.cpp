@@ -47,6 +47,7 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
     m_panel.timeline().setMarks(m_recording->marks());
     connect(m_recording.get(), &RecordedTouch::overviewReady, this, [this](const std::vector<float>& peaks_N) {
         const auto peak = std::max_element(peaks_N.begin(), peaks_N.end());
+        // Centre of the bin with the greatest force.
         m_peak_s = (static_cast<double>(peak - peaks_N.begin()) + 0.5) / static_cast<double>(peaks_N.size()) *
                    m_recording->duration_s();
         m_panel.timeline().setPeaks(peaks_N, m_recording->duration_s());

@@ -71,6 +71,7 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
                       pick->hit.p_W};
         nearest_mm = pick->hit.distance_mm;
     }
+    // The pick above covers palpable structures only: intersect the other visible meshes directly.
     for (std::size_t i = 0; i < view.structureCount(); ++i) {
         const view::Appearance& look = view.structure(i).picture.appearance();
         if (view.structure(i).touchable != nullptr || !look.isVisible || !(look.opacity > 0.0)) {

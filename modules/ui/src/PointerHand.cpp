@@ -15,6 +15,7 @@ PointerHandSettings settingsForSize(double diagonal_mm)
     if (!(diagonal_mm > 0.0) || !std::isfinite(diagonal_mm)) {
         return settings;
     }
+    // Lengths and speed scale with the scene up to 200 mm; the durations stay the same.
     const double share = std::min(1.0, diagonal_mm / 200.0);
     settings.hover_mm *= share;
     settings.depth_mm *= share;

@@ -435,7 +435,7 @@ void StructureModel::resolveMaps(int row)
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     const auto& mappings = one.loaded.description.maps;
     if (mappings && std::any_of(mappings->begin(), mappings->end(), [](const auto& m) { return m.array.empty(); })) {
-        Q_EMIT mapsWanted(row);
+        Q_EMIT mapsWanted(row); // volumes are read on a worker thread
         return;
     }
     std::vector<std::string> warnings, losses;
@@ -452,7 +452,7 @@ void StructureModel::setMaps(int row, const std::optional<std::vector<core::Tiss
 {
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     if (one.loaded.description.maps != of) {
-        return;
+        return; // outdated result: the mappings have changed since the request
     }
     one.loaded.maps = std::move(maps);
     one.mapProblems = problems;
@@ -471,7 +471,7 @@ void StructureModel::setSurface(int row, const StructureRow& built)
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     const meshio::SceneStructure &now = one.loaded.description, &of = built.loaded.description;
     if (hasOtherSurface(now, of)) {
-        return;
+        return; // outdated result: the description has changed since the request
     }
     const std::size_t vertices = built.loaded.surface->mesh.vertices.size();
     if (vertices != one.loaded.surface->mesh.vertices.size()) { // sized for the old vertices

@@ -736,7 +736,7 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         const double before = isStiffness ? haptics::greatestStiffness(now) : now.*term.member;
         const double most = std::max(0.0, m_greatest.*term.member - taken.*term.member);
         if (!(value > most + halfDigit(term)) || !(value > before)) {
-            continue;
+            continue; // within the limit, or a reduction of a value that already exceeds the limit
         }
         const QLocale locale;
         if (!isStiffness) {

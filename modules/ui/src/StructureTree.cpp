@@ -178,6 +178,7 @@ QModelIndex StructureTree::index(int row, int column, const QModelIndex& parent)
     if (row < 0 || row >= rowCount(parent) || column < 0 || column >= columnCount()) {
         return {};
     }
+    // Internal id: 0 at the top level, group + 1 for the members of a group.
     return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);
 }
 

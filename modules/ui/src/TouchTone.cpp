@@ -43,6 +43,7 @@ void TouchTone::fill(std::span<float> samples) noexcept
     const double wantedPitch_Hz = m_wantedPitch_Hz.load(std::memory_order_relaxed);
     const double wantedLoudness = m_wantedLoudness.load(std::memory_order_relaxed);
     const double step = 1.0 - std::exp(-1.0 / (kFollows_s * kRate_Hz));
+    // First-order low pass per sample; the phase is continuous, so that changes cause no clicks.
     for (float& sample : samples) {
         m_pitch_Hz += step * (wantedPitch_Hz - m_pitch_Hz);
         m_loudness += step * (wantedLoudness - m_loudness);

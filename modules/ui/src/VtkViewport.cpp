@@ -62,8 +62,8 @@ VtkViewport::VtkViewport(QWidget* parent)
     setMinimumSize(240, 180);
     takeLook();
 
-    m_window->SetOwnContext(0);
-    m_window->SetFrameBlitModeToNoBlit();
+    m_window->SetOwnContext(0);           // the context belongs to Qt
+    m_window->SetFrameBlitModeToNoBlit(); // blitToWidget copies the frame
     m_view.attach(*m_window);
     m_interactor->SetRenderWindow(m_window);
     m_interactor->EnableRenderOff(); // Qt schedules the drawing
@@ -192,6 +192,8 @@ void VtkViewport::judgeSpeed()
     if (m_frames <= kWarmUp) {
         return;
     }
+    // Frames without sorting do not show whether sorting would be fast enough: slow mode ends only with a fast still
+    // frame, which is sorted.
     if (m_isStill) {
         m_isStill = false; // the next frame belongs to a moving picture again
         m_isSlow = m_frame_ms > kSlow_ms;
@@ -241,6 +243,7 @@ QPointF VtkViewport::placeOf(const core::Vec3& p_W)
 
 std::optional<QPointF> VtkViewport::palpablePlace()
 {
+    // Rings around the centre, 2 % of the height apart, from the inside out.
     constexpr int kRings = 24, kSpokes = 12;
     const QPointF centre(0.5 * width(), 0.5 * height());
     for (int ring = 0; ring < kRings; ++ring) {
@@ -285,7 +288,7 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
         return;
     }
     if (m_cameraButton != Qt::NoButton) {
-        return;
+        return; // one camera motion at a time
     }
     m_cameraButton = event->button();
     const bool turns =
@@ -389,7 +392,7 @@ bool VtkViewport::event(QEvent* event)
 
 void VtkViewport::leaveEvent(QEvent* event)
 {
-    m_isPointerInside = m_isPressed;
+    m_isPointerInside = m_isPressed; // a press grabs the mouse: motion events continue outside
     Q_EMIT hoverEnded();
     if (m_mode == Mode::Palpate && !m_isPressed) {
         Q_EMIT pointerLeft();

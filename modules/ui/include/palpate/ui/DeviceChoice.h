@@ -37,12 +37,14 @@ class DeviceChoice : public QObject
     void setPlugins(std::unique_ptr<device::PluginHost> plugins);
     /// Fills a menu with the devices, calibration and the other devices on the bus.
     void fill(QMenu& menu);
-    /// Switches to another device and falls back to the mouse on failure.
+    /// Switches to another device. Falls back to the mouse when the device does not start; keeps the current device
+    /// when the new one cannot be created.
     /// @param id  "mouse", "simulated", "playback" or a plugin's id
     core::Status choose(const std::string& id);
     [[nodiscard]] const std::string& chosen() const noexcept { return m_chosen; }
 
-    /// Device and latency in short form: "woodenhaptics 1.5 ms".
+    /// Device name, with the condition of a device that does not work: "woodenhaptics lost", "woodenhaptics:
+    /// calibrate".
     [[nodiscard]] QString summary() const;
     /// Full device report, one fact per line.
     [[nodiscard]] QString details() const;

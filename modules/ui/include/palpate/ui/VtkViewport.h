@@ -105,7 +105,7 @@ class VtkViewport : public QOpenGLWidget
     bool m_isPressed = false;
     bool m_isReady = false;
     double m_frame_ms = 0.0;
-    double m_slowest_ms = 0.0; ///< slowest frame since the scene changed, except the first
+    double m_slowest_ms = 0.0; ///< slowest of the first frames, without the warm-up
     int m_frames = 0;
     QTimer m_still;
     bool m_isSlow = false;
