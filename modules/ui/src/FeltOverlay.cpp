@@ -175,8 +175,8 @@ QString FeltOverlay::textAt(int row, const Vec3& p_W) const
 
 bool FeltOverlay::showBestPlace(std::size_t organ, std::size_t lump)
 {
-    constexpr double kFarthest_mm = 250.0,
-                     kOff_mm = 0.3; // maximum camera distance, offset of the ring from the surface
+    // Maximum camera distance, and offset of the ring from the surface.
+    constexpr double kFarthest_mm = 250.0, kOff_mm = 0.3;
     if (organ >= organs().size() || lump >= organs()[organ]->organ.felt.lumps.size()) {
         return false;
     }
