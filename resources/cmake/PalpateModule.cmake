@@ -30,8 +30,10 @@ if(PALPATE_BUILD_FUZZERS)
   target_compile_options(palpate_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-get_target_property(palpate_qt_moc Qt6::moc LOCATION)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.sh.in ${CMAKE_BINARY_DIR}/moc.sh @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+if(TARGET Qt6::moc)
+  get_target_property(palpate_qt_moc Qt6::moc LOCATION)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.sh.in ${CMAKE_BINARY_DIR}/moc.sh @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+endif()
 
 # palpate_moc(TARGET) lets moc run over the target's sources.
 function(palpate_moc target)
