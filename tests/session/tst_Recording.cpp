@@ -15,6 +15,8 @@
 #include <cstring>
 #include <limits>
 
+#include <sys/resource.h>
+
 using namespace palpate;
 using session::RecordingReader;
 
@@ -309,6 +311,21 @@ class Recording : public QObject
               flipped, inTicks, elsewhere, atOpening, flipped - inTicks - elsewhere - atOpening);
         QVERIFY(inTicks > flipped / 3);
         QVERIFY(atOpening < 20);
+    }
+
+    /// As with a file of another user. The superuser may read those, so here the process may open no further file.
+    void aFileThatCannotBeOpenedSaysWhy()
+    {
+        QVERIFY(test::writeRecording(path("closed.palpate"), test::palpationTicks(10)));
+        rlimit before{};
+        QCOMPARE(::getrlimit(RLIMIT_NOFILE, &before), 0);
+        const rlimit none{0, before.rlim_max};
+        QCOMPARE(::setrlimit(RLIMIT_NOFILE, &none), 0);
+        const auto reader = RecordingReader::open(path("closed.palpate"));
+        QCOMPARE(::setrlimit(RLIMIT_NOFILE, &before), 0);
+        QCOMPARE(reader.status().code(), core::StatusCode::Unreadable);
+        QVERIFY2(reader.status().message().ends_with("closed.palpate: cannot be opened: Too many open files"),
+                 reader.status().message().c_str());
     }
 
     void refusesWhatIsNotItsOwn_data()

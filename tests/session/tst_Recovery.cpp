@@ -205,6 +205,18 @@ class Recovery : public QObject
         }
     }
 
+    /// The reason that the file was refused for is part of the report, and the ticks are gathered nevertheless.
+    void anotherProgramsHeaderIsNamed()
+    {
+        QVERIFY(test::writeRecording(path("foreign.palpate"), test::palpationTicks(2000)));
+        QVERIFY(test::runSql(path("foreign.palpate"), "PRAGMA application_id = 7"));
+        const auto result = session::recoverRecording(path("foreign.palpate"), path("foreign-copy.palpate"));
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QCOMPARE(result.value().ticks, std::int64_t{2000});
+        QVERIFY2(result.value().losses.front().starts_with("found another program's SQLite database"),
+                 result.value().losses.front().c_str());
+    }
+
     void aFileThatIsNoRecordingIsLeftAlone()
     {
         for (const QByteArray& content : {QByteArray(), QByteArray("no database"), QByteArray(40960, 0),

@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -200,6 +202,9 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
     const auto kind = std::filesystem::status(path, error);
     if (!std::filesystem::exists(kind)) {
         return Status(StatusCode::NotFound, path.string() + ": no such file, expected a recording");
+    }
+    if (std::filesystem::is_regular_file(kind) && !std::ifstream(path)) {
+        return Status(StatusCode::Unreadable, path.string() + ": cannot be opened: " + std::strerror(errno));
     }
     if (!isRecordingFile(path)) {
         return Status(StatusCode::BadFormat, path.string() + ": found no SQLite database, expected a recording");

@@ -161,9 +161,10 @@ class Rescue
             std::unique_ptr<Source> found;
             if (salvage.isOk() && salvage.value().ticks > 0 && open(pages(), found).isOk() &&
                 (!direct.isOk() || found->worth() > m_chosen->worth())) {
+                const std::string why = direct.isOk() ? m_chosen->faults.front() : direct.message();
                 m_chosen = std::move(found);
-                lose("its structure is damaged: " + std::to_string(salvage.value().rows) +
-                     " rows were gathered from its " + std::to_string(salvage.value().pages) + " pages one by one");
+                lose(why + ": " + std::to_string(salvage.value().rows) + " rows were gathered from the file's " +
+                     std::to_string(salvage.value().pages) + " pages one by one");
                 direct = {};
             }
         }
