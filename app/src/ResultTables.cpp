@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultTables.h"
 
+#include <palpate/ui/ClipboardCell.h>
 #include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SessionPanel.h>
 #include <palpate/ui/StructureModel.h>
@@ -213,7 +214,7 @@ QString toTsv(const std::vector<ResultTable>& tables)
         text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + table.title + QLatin1Char('\n');
         for (QStringList row : table.rows) {
             for (QString& cell : row) {
-                cell.replace(QLatin1Char('\t'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' '));
+                cell = ui::clipboardCell(cell);
             }
             text += row.join(QLatin1Char('\t')) + QLatin1Char('\n');
         }

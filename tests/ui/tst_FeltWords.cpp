@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
 
+#include <palpate/ui/ClipboardCell.h>
 #include <palpate/ui/FeltPanel.h>
 #include <palpate/ui/FeltWords.h>
 
@@ -37,6 +38,16 @@ class FeltWords : public QObject
     }
 
   private Q_SLOTS:
+    /// A name that a spreadsheet would take for a formula arrives there as text, a number as a number.
+    void clipboardHoldsNoFormula()
+    {
+        QCOMPARE(ui::clipboardCell(QStringLiteral("=1+1")), QStringLiteral("'=1+1"));
+        QCOMPARE(ui::clipboardCell(QStringLiteral("\t@sum(a\n)")), QStringLiteral("'@sum(a )"));
+        QCOMPARE(ui::clipboardCell(QStringLiteral("+8 %")), QStringLiteral("'+8 %"));
+        QCOMPARE(ui::clipboardCell(QStringLiteral("-0.25")), QStringLiteral("-0.25"));
+        QCOMPARE(ui::clipboardCell(QStringLiteral("liver\tleft")), QStringLiteral("liver left"));
+    }
+
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void changesHaveTheirSign()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FindingsPanel.h"
 
+#include "palpate/ui/ClipboardCell.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -182,7 +184,7 @@ QString FindingsPanel::copiedText() const
     for (const int row : chosenRows()) {
         QStringList cells;
         for (int column = 0; column < FindingsModel::ColumnCount; ++column) {
-            cells << m_model.index(row, column).data().toString().simplified();
+            cells << clipboardCell(m_model.index(row, column).data().toString());
         }
         lines << cells.join(QLatin1Char('\t'));
     }
