@@ -12,35 +12,35 @@
 
 namespace palpate::haptics::internal {
 
-/// A facet that the ball touches, as seen from its centre.
+/// A facet in contact with the ball, as seen from the ball's centre.
 struct BallContact
 {
     Facet facet;
     int side = 1;
-    Vec3 n = Vec3::Zero();    ///< unit, from the contact point to the centre
-    double distance_mm = 0.0; ///< of the centre from the facet
-    Nearest nearest;          ///< the contact point: on an edge or a corner the ball rolls around it
+    Vec3 n = Vec3::Zero();    ///< unit contact normal, from the contact point to the centre
+    double distance_mm = 0.0; ///< distance of the centre from the facet
+    Nearest nearest;          ///< contact point: on an edge or a corner the ball rolls around it
 
     [[nodiscard]] const Vec3& normal() const noexcept { return n; }
     void lookFrom(const Vec3& g) noexcept;
 };
 
-/// One tick of a ball-shaped god-object: its centre comes as near to the HIP as the ball can, by straight moves that no
+/// One tick of a ball-shaped god-object: moves the centre as near to the HIP as possible by straight moves that no
 /// facet blocks. See resources/docs/fingertip.md.
 ///
-/// At each place the contacts give half-spaces through the contact points, and Zilles & Salisbury's constrained point
-/// the next target, as for a point. Round edges and corners those planes turn with the ball, and the steps along them
-/// creep. Their direction is that of the projected gradient; a secant through the last two tells how long the next must
-/// be to end it. Such a step leads on over any number of facets, so it is judged by where the ball is some moves later,
-/// and taken back when that is no nearer to the HIP.
+/// At each position the contacts define half-spaces through the contact points, and Zilles & Salisbury's constrained
+/// point is the next target, as for a point. Around edges and corners these planes turn with the ball, so that plain
+/// steps converge slowly (creep). Step directions are those of the projected gradient; a secant through the last two
+/// steps estimates the step length that ends the creeping. A long step may cross any number of facets, so the result is
+/// judged a few moves later, and the step is taken back if the ball is no nearer to the HIP.
 /// @par Source Birgin, Martínez & Raydan, SIAM J. Optim. 10 (2000) 1196, doi:10.1137/S1052623497330963: projected
-/// gradient with spectral (secant) step lengths and a non-monotone test. Here along the surface, by moves that are each
-/// legal.
+/// gradient with spectral (secant) step lengths and a non-monotone test. Applied here along the surface, with each move
+/// legal by itself.
 /// @par Real-time Wait-free; bounded by `limit` and `work`.
 class BallTick
 {
   public:
-    /// @param friction  of the layer in this tick; null: none
+    /// @param friction  friction of the layer in this tick; null: frictionless
     BallTick(const Vec3& hip, const HapticLayer& layer, NearBall& near, CoulombFriction* friction, TickWork& work,
              const Vec3& god) noexcept
         : m_hip(hip)
@@ -53,7 +53,8 @@ class BallTick
     }
 
     void touch(const Facet& facet, int side) noexcept;
-    /// @return how many moves were tried; more are needed when that is `limit` or the work is spent.
+    /// Moves the ball until rest, `limit` or the end of the work budget.
+    /// @return the number of moves tried; if equal to `limit`, or if the budget is spent, the tick is incomplete
     std::uint32_t converge(std::uint32_t limit) noexcept;
 
     [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
@@ -89,14 +90,14 @@ class BallTick
     TickWork& m_work;
     Vec3 m_god;
     ActiveSet<BallContact> m_active;
-    double m_skin_mm = 0.0;                                       ///< the thinnest of those touched; 0: none was
-    BallContact m_known;                                          ///< the contact met last, or held from before
-    bool m_isHeld = false;                                        ///< by friction, where it is
-    bool m_isKnown = false;                                       ///< there is one
-    double m_spring_mm = std::numeric_limits<double>::infinity(); ///< when the last progress was made
-    std::uint32_t m_since = 0;                                    ///< moves made since then
+    double m_skin_mm = 0.0; ///< smallest skin of the facets touched in this tick; 0: none touched yet
+    BallContact m_known;    ///< last contact met, or contact carried over from the previous tick
+    bool m_isHeld = false;  ///< held in place by friction
+    bool m_isKnown = false; ///< m_known is valid
+    double m_spring_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP at the last progress
+    std::uint32_t m_since = 0;                                    ///< moves made since the last progress
 
-    /// Where the ball stood, to be taken back to.
+    /// Snapshot of a position that the ball may be returned to.
     struct Before
     {
         Vec3 god;
@@ -106,24 +107,24 @@ class BallTick
     void standAgain(const Before& stood) noexcept;
 
     Before m_before;
-    Before m_stood;   ///< where it came to rest before it was moved aside
-    int m_nudges = 0; ///< how many sides have been tried from there
-    int m_slight = 0; ///< moves aside that led nearer, but not by more than counts
+    Before m_stood;   ///< rest position before the sideways moves
+    int m_nudges = 0; ///< number of sides tried from the rest position
+    int m_slight = 0; ///< sideways moves that gained less than the significant distance
     Vec3 m_aside = Vec3::Zero();
-    /// A step as the planes give it.
+    /// A step as given by the constrained point.
     struct Step
     {
-        Vec3 god = Vec3::Zero(); ///< where from [mm]
-        Vec3 u = Vec3::Zero();   ///< [mm]
-        std::size_t count = 0;   ///< contacts
-        int alike = 0;           ///< how many before it led the same way
+        Vec3 god = Vec3::Zero(); ///< start position [mm]
+        Vec3 u = Vec3::Zero();   ///< displacement [mm]
+        std::size_t count = 0;   ///< number of contacts
+        int alike = 0;           ///< number of preceding steps in the same direction
     };
-    Step m_step;                                                   ///< the present one
-    Step m_last;                                                   ///< the last one that nothing blocked
-    int m_trialMoves = 0;                                          ///< left to the long step that is being judged
-    double m_tried_mm = 0.0;                                       ///< its length
-    double m_kept_mm = 0.0;                                        ///< length of the last that led nearer
-    double m_longest_mm = std::numeric_limits<double>::infinity(); ///< that is still tried
+    Step m_step;             ///< current step
+    Step m_last;             ///< last step that was not blocked
+    int m_trialMoves = 0;    ///< remaining moves before the current long step is judged
+    double m_tried_mm = 0.0; ///< length of the long step under trial
+    double m_kept_mm = 0.0;  ///< length of the last accepted long step
+    double m_longest_mm = std::numeric_limits<double>::infinity(); ///< upper limit of trial step lengths
 };
 
 } // namespace palpate::haptics::internal

@@ -9,27 +9,28 @@ namespace palpate::haptics {
 
 using core::Vec3;
 
-/// What friction does to a god-object.
+/// Friction state of a god-object.
 enum class Friction : std::uint8_t
 {
-    None,   ///< what is touched has none
-    Holds,  ///< it sticks where it is
-    Slides, ///< the hand drags it along
+    None,   ///< the touched structure has no friction
+    Holds,  ///< static friction: the god-object sticks
+    Slides, ///< kinetic friction: the god-object is dragged along by the hand
 };
 
-/// A structure that pushes on the god-object of its layer, and what is felt of it.
+/// A structure in contact with the god-object of its layer, and its share of the force.
 struct Contact
 {
-    Vec3 p_WG; ///< god-object [mm]
-    /// Unit normal of the contact, from surface to free space: the direction in which the structure's planes push
-    /// together. Where the structure is alone and has no friction, that of the spring.
+    Vec3 p_WG; ///< god-object position [mm], world frame
+    /// Unit contact normal, from the surface to free space: the direction of the combined push of the structure's
+    /// planes. For a single frictionless structure, the direction of the spring from HIP to god-object.
     Vec3 n_W;
-    Vec3 f_W;                ///< the structure's share of the force on the hand [N]
-    double depth_mm;         ///< of the HIP below the god-object; where structures share it, along `n_W`, at least 0
-    double stiffnessScale;   ///< factor of the law's force here, of maps and buried lumps [1]; not recorded
-    std::uint32_t structure; ///< its number in the scene
-    std::uint32_t triangle;  ///< touched, as its index in the structure's mesh as given to `repair`
-    std::uint32_t layer;     ///< position in the scene's layers, 0 the outermost
+    Vec3 f_W;              ///< force of this structure on the hand [N], world frame
+    double depth_mm;       ///< penetration depth [mm]: distance of the HIP from the god-object; if structures share the
+                           ///< god-object, the distance along `n_W`, at least 0
+    double stiffnessScale; ///< factor on the law's force from stiffness maps and buried lumps [1]; not recorded
+    std::uint32_t structure; ///< index of the structure in the scene
+    std::uint32_t triangle;  ///< touched triangle, as an index into the structure's mesh as passed to `repair`
+    std::uint32_t layer;     ///< index into the scene's layers, 0 is the outermost
     Friction friction;
 };
 

@@ -10,9 +10,10 @@
 
 namespace palpate::haptics {
 
-/// How much each of a structure's felt maps counts in a press: with s_j what they say at a place, the force there is
-/// `F(d) sum_j s_j B_j(d)` and what is stored `sum_j s_j W_j(d)`, `W_j = integral of B_j F` and B_j the piecewise
-/// linear functions that are 1 at kFeltPress_mm[j] and 0 at the others.
+/// Weights of a structure's transmission maps ("felt" maps of buried lumps) at a given penetration depth.
+/// With s_j the value of map j at the contact point, the force is `F(d) sum_j s_j B_j(d)` and the stored energy is
+/// `sum_j s_j W_j(d)`, where `W_j = integral of B_j F` and B_j is the piecewise linear function of depth that is 1 at
+/// kFeltPress_mm[j] and 0 at the other knots.
 /// @par Source resources/docs/felt.md
 struct FeltPress
 {
@@ -23,13 +24,15 @@ struct FeltPress
             inverse[j] = 1.0 / (kFeltPress_mm[j + 1] - kFeltPress_mm[j]);
         }
         return inverse;
-    }(); ///< [1/mm]
+    }(); ///< reciprocal widths of the depth intervals [1/mm]
 
     std::array<double, kCount> weights{};  ///< B_j(d) [1]
     std::array<double, kCount> energies{}; ///< W_j(d) [mJ]
 
-    /// The weights alone, where what is stored is not asked for: `sum_j s_j B_j(d)` has two terms at most.
-    /// @param at  gives s_j; @param depth_mm  d > 0
+    /// Interpolates the scale factor only, for callers that do not need the energy: `sum_j s_j B_j(d)` has at most two
+    /// nonzero terms.
+    /// @param at  returns s_j for index j
+    /// @param depth_mm  penetration depth d > 0
     /// @par Real-time Wait-free.
     template<class At>
     [[nodiscard]] PALPATE_ALWAYS_INLINE static double scaleAt(double depth_mm, const At& at) noexcept
@@ -44,19 +47,23 @@ struct FeltPress
         const double second = (depth_mm - kFeltPress_mm[j]) * kPerWidth[j];
         return (1.0 - second) * at(j) + second * at(j + 1);
     }
-    /// @param depth_mm  d > 0; @param law  the structure's there
+    /// Computes weights and energies.
+    /// @param on  structure in contact
+    /// @param depth_mm  penetration depth d > 0
+    /// @param law  value of the structure's force law at `depth_mm`
     /// @par Real-time Wait-free.
     [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltPress at(const HapticStructure& on, double depth_mm,
                                                             const ForceTable::Value& law) noexcept
     {
         FeltPress press;
-        double energy = 0.0, moment = 0.0; // of the law at `from`
+        double energy = 0.0, moment = 0.0; // of the force law at depth `from`
         for (std::size_t j = 0; j + 1 < kCount && depth_mm > kFeltPress_mm[j]; ++j) {
             const double from = kFeltPress_mm[j], perWidth = kPerWidth[j];
             const bool endsHere = depth_mm <= kFeltPress_mm[j + 1];
             const double to = endsHere ? depth_mm : kFeltPress_mm[j + 1];
             const double energyTo = endsHere ? law.energy_mJ : on.lawAt(to).energy_mJ, momentTo = on.momentAt(to);
-            // The integral of F times what rises from 0 to 1 between the two.
+            // Integral over [from, to] of F times the ramp that rises from 0 at kFeltPress_mm[j] to 1 at
+            // kFeltPress_mm[j + 1].
             const double rising = (momentTo - moment - from * (energyTo - energy)) * perWidth;
             press.energies[j] += energyTo - energy - rising;
             press.energies[j + 1] += rising;

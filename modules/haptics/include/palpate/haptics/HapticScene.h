@@ -16,31 +16,31 @@
 
 namespace palpate::haptics {
 
-/// One palpable structure. Its surface is shared, so that a change of tissue needs no new index.
+/// One palpable structure. The surface is shared, so that changing the tissue does not rebuild the index.
 struct HapticStructure
 {
     std::string name;
-    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< world frame [mm]; never null in a scene
+    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< in the world frame [mm]; never null in a scene
     Tissue tissue;
-    std::uint32_t layer = 0; ///< 0 is the outermost; structures of one layer share one god-object
+    std::uint32_t layer = 0; ///< 0 is the outermost; structures of the same layer share one god-object
     TissueMaps maps{};
-    /// The law by which the force rises; null: linear. A scene makes it of the tissue's law where that is another one
-    /// and no table is given, as from a recording.
+    /// Tabulated force law; null: linear. If null and the tissue's law is not linear, the scene builds the table. A
+    /// recording supplies its own table.
     std::shared_ptr<const ForceTable> law{};
 
-    /// True without friction, a law of its own or a map.
+    /// Returns true if the structure has no friction, no nonlinear law and no maps.
     [[nodiscard]] bool isPlain() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
     [[nodiscard]] bool isDamped() const noexcept { return tissue.damping_Ns_per_mm != 0.0 || !maps.damping.isEmpty(); }
-    /// Force and energy by depth, without the maps.
+    /// Returns force [N] and energy [mJ] at a depth [mm], without the maps.
     /// @par Real-time Wait-free.
     [[nodiscard]] ForceTable::Value lawAt(double depth_mm) const noexcept
     {
         const double force_N = tissue.stiffness_N_per_mm * depth_mm;
         return law == nullptr ? ForceTable::Value{force_N, 0.5 * force_N * depth_mm} : law->at(depth_mm);
     }
-    /// True when the force by depth falls nowhere.
+    /// Returns true if the force never decreases with depth.
     [[nodiscard]] bool neverFalls() const noexcept { return law == nullptr || law->neverFalls(); }
-    /// The integral of depth times the law's force [N·mm^2], without the maps.
+    /// Returns the integral of depth times the law's force from the surface to `depth_mm` [N·mm^2], without the maps.
     [[nodiscard]] double momentAt(double depth_mm) const noexcept
     {
         return law == nullptr ? tissue.stiffness_N_per_mm * depth_mm * depth_mm * depth_mm / 3.0
@@ -48,22 +48,24 @@ struct HapticStructure
     }
 };
 
-/// The structures that share one god-object: all that a god-object knows of a scene.
+/// The structures that share one god-object. A god-object accesses the scene only through its layer.
 struct HapticLayer
 {
-    std::uint32_t number = 0;              ///< that its structures give; the lowest of those that are merged into it
-    std::uint32_t lastNumber = 0;          ///< the highest
-    std::vector<std::uint32_t> structures; ///< numbers in the scene, in the order of the hierarchy's leaves
-    std::vector<const geometry::SurfaceIndex*> surfaces; ///< by number in the scene; null where it has none
-    geometry::BoxHierarchy hierarchy; ///< over the structures' boxes: a tick pays only for those near
-    double facetSize_mm = 0.0;        ///< of the finest structure
-    double skin_mm = 0.0;             ///< the largest of the structures'
-    double fingertip_mm = 0.0;        ///< radius of the ball that touches; 0 = a point
-    bool isPlain = true;              ///< all of its structures are
-    bool isLarge = false;             ///< more nodes than a core's own caches hold: a visit waits for memory
-    /// The scene's structures; null where none of the layer has friction.
+    std::uint32_t number = 0;     ///< layer number as given by the structures; if layers were merged, the lowest
+    std::uint32_t lastNumber = 0; ///< if layers were merged, the highest number
+    std::vector<std::uint32_t> structures; ///< indices in the scene, in the order of the hierarchy's leaves
+    std::vector<const geometry::SurfaceIndex*>
+        surfaces; ///< indexed by structure; null for structures of other layers or without a surface
+    geometry::BoxHierarchy
+        hierarchy;             ///< over the bounding boxes of the structures: a tick only visits structures nearby
+    double facetSize_mm = 0.0; ///< of the structure with the smallest facets
+    double skin_mm = 0.0;      ///< maximum over the structures
+    double fingertip_mm = 0.0; ///< radius of the ball-shaped probe; 0 = a point
+    bool isPlain = true;       ///< all structures of the layer are plain (HapticStructure::isPlain)
+    bool isLarge = false; ///< the hierarchy exceeds the private caches of a core: traversal is bound by memory latency
+    /// The scene's array of structures, indexed by structure; null if no structure of the layer has friction.
     const HapticStructure* frictional = nullptr;
-    bool drags = false; ///< some of its structures' friction does
+    bool drags = false; ///< friction of at least one structure drags the god-object
 
     [[nodiscard]] const geometry::SurfaceIndex& surface(std::uint32_t structure) const noexcept
     {
@@ -71,19 +73,20 @@ struct HapticLayer
     }
 };
 
-/// What the servo thread can touch: an immutable list of structures sorted into layers, outermost first. Built and
-/// destroyed outside the servo thread, which only ever holds a pointer to it.
+/// All structures that the servo thread can touch: an immutable list sorted into layers, outermost first. Built and
+/// destroyed outside the servo thread, which only holds a pointer.
 class HapticScene
 {
   public:
     static constexpr std::size_t kMaxLayers = haptics::kMaxLayers;
 
-    /// @param structures  those without a surface or without triangles are left out of every layer but keep their
-    ///                    number. Layer numbers need not be contiguous: only their order counts.
-    /// @param fingertip_mm  radius of the ball that touches, its centre being the god-object; 0 = a point
+    /// Builds the layers.
+    /// @param structures  Structures without a surface or without triangles are left out of every layer but keep their
+    /// index. Layer numbers need not be contiguous: only their order matters.
+    /// @param fingertip_mm  radius of the ball-shaped probe, whose centre is the god-object; 0 = a point
     /// @pre 0 <= fingertip_mm <= kMostFingertip_mm
     explicit HapticScene(std::vector<HapticStructure> structures, double fingertip_mm = 0.0);
-    HapticScene(HapticScene&&) noexcept = default; // its layers point to its structures
+    HapticScene(HapticScene&&) noexcept = default; // not copyable: the layers point into m_structures
     HapticScene& operator=(HapticScene&&) noexcept = default;
     ~HapticScene() = default;
 
@@ -93,18 +96,18 @@ class HapticScene
     [[nodiscard]] const std::vector<HapticStructure>& structures() const noexcept { return m_structures; }
     [[nodiscard]] std::size_t layerCount() const noexcept { return m_layers.size(); }
     [[nodiscard]] const HapticLayer& layer(std::size_t layer) const noexcept { return m_layers[layer]; }
-    /// @return true when the scene's numbers can hold what a HIP at `p_W` needs: it is finite and at most kFarthest
-    /// times the scene's extent away from its middle. Beyond, a HIP's own last digit is larger than the skin: one
-    /// in front of a surface can't be told from one behind it.
+    /// Returns true if a HIP at `p_W` can be simulated: finite and at most kFarthest times the scene's extent away from
+    /// the centre. Beyond that distance the last bit of a coordinate exceeds the skin, and positions in front of and
+    /// behind a surface become indistinguishable.
     [[nodiscard]] bool reaches(const Vec3& p_W) const noexcept PALPATE_NONBLOCKING
     {
-        return ((p_W - m_middle).array().abs() <= m_farthest_mm).all(); // not for NaN either
+        return ((p_W - m_middle).array().abs() <= m_farthest_mm).all(); // also false for NaN
     }
-    /// The skin is at least 2^-40 of the extent, and a double has 53 bits: 2^13.
+    /// The skin is at least 2^-40 of the extent and a double has a 53-bit significand: 2^(53 - 40) = 2^13.
     static constexpr double kFarthest = 8192.0;
-    /// True when a structure that can be touched has a damper, and ticks need the hand's velocity.
+    /// Returns true if a palpable structure has a damper, so that ticks need the velocity of the hand.
     [[nodiscard]] bool isDamped() const noexcept { return m_isDamped; }
-    /// Bytes of all surfaces, counting a shared one once.
+    /// Memory of all surfaces in bytes; shared surfaces are counted once.
     [[nodiscard]] std::size_t byteSize() const;
 
   private:

@@ -8,33 +8,34 @@
 
 namespace palpate::haptics {
 
-/// A god-object between ticks: its position and what it touches.
+/// Persistent state of a god-object between ticks: position and active contacts.
 struct GodObjectState
 {
-    Vec3 p_WG = Vec3::Zero(); ///< [mm]
+    Vec3 p_WG = Vec3::Zero(); ///< position [mm], world frame
     std::array<std::uint32_t, 3> structure{};
     std::array<std::uint32_t, 3> triangle{};
-    std::array<std::int8_t, 3> side{}; ///< +1: on the front of the triangle, -1: behind it
-    std::uint8_t constraints = 0;      ///< how many of the three are valid
-    std::uint8_t placed = 0;           ///< 0: the next step starts at its HIP
-    std::uint8_t slides = 0;           ///< 1: friction let go of it, and has not caught it again
+    std::array<std::int8_t, 3> side{}; ///< +1: on the front of the triangle, -1: on the back
+    std::uint8_t constraints = 0;      ///< number of valid entries in the three arrays
+    std::uint8_t placed = 0;           ///< 0: not yet placed, the next tick starts at the HIP
+    std::uint8_t slides = 0;           ///< 1: sliding; friction released the god-object and has not caught it since
     std::uint8_t pad[2]{};
 };
 
-/// A contact with a structure that was taken out of the scene, so that the hand that stays finds it again.
+/// A contact with a structure that was removed from the scene. Allows a hand that stays in place to resume the contact
+/// when the structure returns.
 struct LeftContact
 {
-    Vec3 p_WG = Vec3::Zero();    ///< god-object then [mm]
-    Vec3 p_WH = Vec3::Zero();    ///< HIP then [mm]
-    double age_s = 0.0;          ///< in ticks since then [s]
-    std::uint64_t structure = 0; ///< a hash of its number and name
-    std::uint8_t isKept = 0;     ///< 0: there is none, and the rest is without meaning
-    std::uint8_t isOnSheet = 0;  ///< 1: with a surface without an inside
+    Vec3 p_WG = Vec3::Zero();    ///< god-object position at removal [mm]
+    Vec3 p_WH = Vec3::Zero();    ///< HIP at removal [mm]
+    double age_s = 0.0;          ///< time since removal, counted in ticks [s]
+    std::uint64_t structure = 0; ///< hash of the structure's index and name
+    std::uint8_t isKept = 0;     ///< 0: empty, all other members are meaningless
+    std::uint8_t isOnSheet = 0;  ///< 1: the contact was on an open surface, touched from both sides
     std::uint8_t pad[6]{};
 };
 
-/// Everything that decides the coming ticks besides the scene and the HIP. Trivially copyable, so that a recording can
-/// carry it and a replay can start from it bit for bit.
+/// Complete state of a Palpator between ticks: together with the scene and the HIP, this determines all following
+/// ticks. Trivially copyable, so that a recording can store the state and a replay can start from it bit for bit.
 struct PalpatorState
 {
     std::array<GodObjectState, HapticScene::kMaxLayers> layers{};

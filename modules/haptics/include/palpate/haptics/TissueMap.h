@@ -11,48 +11,56 @@
 
 namespace palpate::haptics {
 
-/// A number that varies over a surface: given at each corner of each triangle, linear between the corners but for
-/// `bends`.
+/// A scalar that varies over a surface, given at each corner of each triangle. Linear on each triangle, or cubic where
+/// `bends` is set.
 struct TissueMap
 {
-    /// By the triangle's position in the SurfaceIndex; finite; null: no map.
+    /// Values by triangle index in the SurfaceIndex; finite; null: no map.
     std::shared_ptr<const std::vector<std::array<float, 3>>> corners;
-    double factor = 1.0; ///< that each number is multiplied by
-    /// What makes the gradient continuous over the edges, see `withBends`; null: not computed, empty: none, and the map
-    /// is linear on each triangle. By triangle, for edge e from corner e to the next: [2 e] how far the cubic's control
-    /// value next to the edge's start lies above the straight line, [2 e + 1] the same next to its end.
+    double factor = 1.0; ///< multiplier of all values
+    /// Bezier coefficients that make the gradient continuous across edges, see `withBends`; null: not computed; empty:
+    /// no bends, the map is linear on each triangle. Stored by triangle, for edge e from corner e to the next: [2 e] is
+    /// the offset of the cubic's control value next to the start of the edge from the straight line, [2 e + 1] the
+    /// offset of the control value next to the end.
     std::shared_ptr<const std::vector<std::array<float, 6>>> bends{};
 
     [[nodiscard]] bool isEmpty() const noexcept { return corners == nullptr; }
-    /// The map with `bends`: over edges that turn by less than 40 degrees, between triangles with the same numbers at
-    /// their common corners, value and gradient are continuous. Numbers given for each triangle are left as they are.
+    /// Returns the map with computed `bends`. Value and gradient are continuous across edges whose dihedral turn is
+    /// less than 40 degrees and whose two triangles have equal values at the shared corners. Values given per triangle
+    /// are left unchanged.
     ///
-    /// At each vertex the gradient is the mean over the triangles around it, by area, shortened where the cubic's
-    /// control values would lie beyond the numbers around. Between, the map is a cubic whose slope across each edge is
-    /// linear along it. A HapticScene makes the bends of its maps of stiffness and of felt maps that have none.
+    /// The gradient at each vertex is the area-weighted mean over the adjacent triangles, shortened where the cubic's
+    /// control values would exceed the range of the surrounding values. Between vertices the map is a cubic whose
+    /// cross-edge slope is linear along each edge. HapticScene computes missing bends for stiffness maps and for
+    /// transmission maps (`felt`).
     /// @par Source Farin, Curves and Surfaces for CAGD, Bezier triangles; Foley & Opitz 1992 for the middle control
     /// value, blended so that each edge has its own.
     [[nodiscard]] TissueMap withBends(const geometry::SurfaceIndex& surface) const;
-    /// True where it is not linear on a triangle.
+    /// Returns true if the map is not linear on the triangle.
     [[nodiscard]] bool bendsOn(std::uint32_t triangle) const noexcept
     {
         return bends != nullptr && !bends->empty() && (*bends)[triangle] != std::array<float, 6>{};
     }
-    /// The largest number, with the factor; 0 without a map.
+    /// Returns the maximum value including the factor; 0 without a map.
     [[nodiscard]] double greatest() const noexcept;
 
-    /// A copy with no number above `most`; unchanged where none is.
+    /// Returns a copy with all values limited to `most`; an identical copy if no value exceeds the limit.
     [[nodiscard]] TissueMap atMost(double most) const;
 
-    /// The same with each number above 1 brought nearer to it: 1 + share (number - 1). @pre 0 <= share <= 1; factor 1
+    /// Returns a copy in which each value above 1 is reduced to 1 + share (value - 1).
+    /// @pre 0 <= share <= 1; factor is 1
     [[nodiscard]] TissueMap towardsOne(double share) const;
 
-    /// @param repaired  the mesh that `surface` was built from
-    /// @param values  one for each of its vertices
+    /// Builds a map from one value per vertex.
+    /// @param surface  index built from `repaired`
+    /// @param repaired  repaired mesh
+    /// @param values  one value per vertex of `repaired`
     [[nodiscard]] static TissueMap atVertices(const geometry::SurfaceIndex& surface,
                                               const geometry::RepairedMesh& repaired, std::span<const float> values);
-    /// The same value all over each triangle: at the edges it steps, and no gradient tells of it.
-    /// @param values  one for each triangle of the repaired mesh
+    /// Builds a map that is constant on each triangle. Such a map has steps at the edges that the gradient does not
+    /// contain.
+    /// @param surface  index of the repaired mesh
+    /// @param values  one value per triangle of the repaired mesh
     [[nodiscard]] static TissueMap atTriangles(const geometry::SurfaceIndex& surface, std::span<const float> values);
 
   private:
@@ -60,24 +68,25 @@ struct TissueMap
     [[nodiscard]] TissueMap mapped(const Value& value, const Bend& bend) const;
 };
 
-/// Press depths at which a felt map gives how much stiffer lumps below make the surface [mm]; linear between them,
-/// constant beyond the last.
+/// Penetration depths [mm] at which the transmission maps give the stiffness ratio caused by buried lumps; interpolated
+/// linearly, constant beyond the last.
 inline constexpr std::array<double, 4> kFeltPress_mm{0.0, 2.0, 4.0, 8.0};
 
-/// What varies over a structure.
+/// All maps of one structure.
 struct TissueMaps
 {
-    TissueMap stiffness; ///< s [1]: scales the law's force and energy; > 0
-    TissueMap damping;   ///< b [N·s/mm]: stands for the tissue's own; >= 0
-    TissueMap friction;  ///< scales both coefficients [1]; >= 0
-    /// What lumps below make of the law's force, k/k0 at each of kFeltPress_mm [1]; > 0. All four or none.
+    TissueMap stiffness; ///< factor s of the law's force and energy [1]; > 0
+    TissueMap damping;   ///< damping b [N·s/mm], replaces the tissue's value; >= 0
+    TissueMap friction;  ///< factor of both friction coefficients [1]; >= 0
+    /// Stiffness ratio k/k0 caused by buried lumps, at each depth of kFeltPress_mm [1]; > 0. Either all four are set or
+    /// none is.
     std::array<TissueMap, kFeltPress_mm.size()> felt{};
 
     [[nodiscard]] bool hasFelt() const noexcept { return !felt[0].isEmpty(); }
-    /// True when a term of the force asks for one: all but friction's.
+    /// Returns true if a map other than friction is set.
     [[nodiscard]] bool hasOfForce() const noexcept { return !stiffness.isEmpty() || !damping.isEmpty() || hasFelt(); }
     [[nodiscard]] bool isEmpty() const noexcept { return friction.isEmpty() && !hasOfForce(); }
-    /// All of them, in the order in which they are declared.
+    /// Returns all maps in declaration order.
     [[nodiscard]] std::array<TissueMap*, 7> all() noexcept
     {
         return {&stiffness, &damping, &friction, &felt[0], &felt[1], &felt[2], &felt[3]};
