@@ -9,11 +9,13 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// Square of 16 ulp: bounds the rounding of a volume relative to the lengths of its three vectors.
+// Square of 16 ulp: bounds the rounding error of a triple product relative to the lengths of its three vectors.
 constexpr double kVolumeRounding2 = (16 * 2.220446049250313e-16) * (16 * 2.220446049250313e-16);
 
-/// @param d  the move, against the normal; p, q corners seen from its start, in the triangle's order
-/// @param around_mm  how far beside the edge it may still pass
+/// @param d  the move, against the normal
+/// @param d2  squared length of `d`
+/// @param p,q  corners relative to the start of the move, in the triangle's order
+/// @param around_mm  distance outside the edge at which the move still counts as inside
 bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q, double around_mm) noexcept
 {
     const double volume = d.dot(p.cross(q));
@@ -21,7 +23,7 @@ bool isInsideEdge(const Vec3& d, double d2, const Vec3& p, const Vec3& q, double
            (around_mm > 0.0 && volume * volume <= around_mm * around_mm * d2 * (q - p).squaredNorm());
 }
 
-/// 16 ulp of the largest coordinate: as far as rounding may put a point beside an edge that it was meant to be on. [mm]
+/// 16 ulp of the largest coordinate [mm]: how far rounding may displace a point from an edge on which it was placed.
 double roundingOf(const Facet& facet, const Vec3& x) noexcept
 {
     const Vec3 most =
@@ -29,22 +31,24 @@ double roundingOf(const Facet& facet, const Vec3& x) noexcept
     return 16 * 2.220446049250313e-16 * most.maxCoeff();
 }
 
+/// Tests whether a facet is touched at the start of the move.
 /// @param start  distance in front of the facet at the move's start [mm]
-/// @param along  share of the move at which it is met
-/// @param d2     the move's length squared [mm²]
+/// @param along  fraction of the move at which the facet is met
+/// @param d2     squared length of the move [mm²]
 bool touches(const Facet& facet, double start, double along, double d2) noexcept
 {
     const double beside = kTouched * facet.skin_mm;
     return start <= kTouching * facet.skin_mm && along * along * d2 <= beside * beside;
 }
 
-/// The part of a move, as shares of it, that some half-spaces have in common.
+/// Interval of a move, in fractions of its length, inside several half-spaces.
 struct Part
 {
     double begin = 0.0;
     double end = 1.0;
 
-    /// Keeps what is at most `most`, of a value that goes from `from` at the move's start to `to` at its end.
+    /// Clips to values of at most `most`, for a quantity that varies linearly from `from` at the start of the move to
+    /// `to` at the end.
     void clip(double from, double to, double most) noexcept
     {
         if (from > most && to > most) {
@@ -58,7 +62,7 @@ struct Part
     [[nodiscard]] bool isEmpty() const noexcept { return begin > end; }
 };
 
-/// @return the part of the move x → y that is in the facet's box, or at most `around_mm` beside it along any axis.
+/// Returns the interval of the move x → y inside the facet's bounding box, enlarged by `around_mm` along each axis.
 Part partInBox(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm) noexcept
 {
     Part part;
@@ -70,8 +74,8 @@ Part partInBox(const Facet& facet, const Vec3& x, const Vec3& y, double around_m
     return part;
 }
 
-/// Keeps the part of the move x → y that is at most `around_mm` outside each of the facet's edges, seen along its
-/// normal.
+/// Clips to the interval of the move x → y that is at most `around_mm` outside each of the facet's edges, as projected
+/// along the normal.
 void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around_mm, Part& part) noexcept
 {
     const std::array<const Vec3*, 4> corner{&facet.a, &facet.b, &facet.c, &facet.a};
@@ -82,7 +86,8 @@ void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around
     }
 }
 
-/// @return true when all of the move, seen along the normal, is beside the facet by more than counts as at its edge.
+/// Returns true if the whole move, projected along the normal, is farther outside the facet than the tolerance for
+/// being at the edge.
 bool staysBeside(const Facet& facet, const Vec3& x, const Vec3& y) noexcept
 {
     Part part;
@@ -90,8 +95,8 @@ bool staysBeside(const Facet& facet, const Vec3& x, const Vec3& y) noexcept
     return part.isEmpty();
 }
 
-/// @return the share of a move in a facet's plane that leads up to the facet: before it is at its edge, and before it
-/// is behind the plane by more than counts as on it.
+/// Returns the fraction of a move within a facet's plane that may be made: up to the edge of the facet, and until the
+/// depth behind the plane exceeds the tolerance for being on the plane.
 double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double start, double end) noexcept
 {
     const double around = kBesideEdge * facet.skin_mm;
@@ -100,7 +105,7 @@ double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double star
     return std::max(0.0, std::min(part.begin, (start + kOnPlane * facet.skin_mm) / (start - end)));
 }
 
-/// A move seen from the side of a facet that it starts on.
+/// A move as seen from the side of a facet where it starts.
 struct Approach
 {
     double side;  ///< +1: front, -1: back
@@ -108,9 +113,9 @@ struct Approach
     double end;
 };
 
-/// A plate around a facet is `half_mm` thick on both sides and as much wider than the triangle. A god-object that is
-/// never in a plate never forgets on which side of the facet it is, and neighbours' plates overlap: rounding, far below
-/// a plate, opens no gap between them.
+/// Tests whether a move enters the plate around a facet. The plate extends `half_mm` from the facet on both sides and
+/// beyond its edges. A god-object that never enters a plate cannot lose track of its side of the facet. Plates of
+/// neighbours overlap, and rounding is far smaller than a plate, so that there are no gaps between them.
 bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approach& approach, double half_mm,
                  double limit, Crossing& crossing) noexcept
 {
@@ -119,18 +124,18 @@ bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approac
     if (end > half) {
         return false;
     }
-    Part inside = partInBox(facet, x, y, half); // there a sharp corner's plate ends
+    Part inside = partInBox(facet, x, y, half); // the bounding box truncates the plate at a sharp corner
     const double beside = inside.begin;
     inside.clip(start, end, half);
     inside.clip(-start, -end, half);
     const double level = inside.begin;
     clipToEdges(facet, x, y, half, inside);
-    // A god-object that was put down in a plate may leave it.
+    // A god-object that was placed inside a plate may leave.
     if (inside.isEmpty() || (inside.begin <= 0.0 && (!facet.isTwoSided || end >= start))) {
         return false;
     }
-    // A plate that is entered over its rim is entered from beside, where the facet's neighbour is or none: facets that
-    // are touched come first.
+    // A plate entered through its rim is entered from the side, where the adjacent facet is, or no facet. Touched
+    // facets take precedence.
     const bool isOverRim = inside.begin > level || (inside.begin > 0.0 && inside.begin == beside);
     const bool isTouched = !isOverRim && touches(facet, start, inside.begin, d2);
     const double key = isTouched ? 0.0 : inside.begin;
@@ -146,15 +151,16 @@ bool entersPlate(const Facet& facet, const Vec3& x, const Vec3& y, const Approac
     return true;
 }
 
-/// How a move that ends behind a facet's plane goes past the facet.
+/// How a move that ends behind a facet's plane passes the facet.
 enum class Passing : std::uint8_t
 {
     Beside,
     Through,
-    Later, ///< through it or beside it, but beyond the crossings that are of interest
+    Later, ///< through or beside, but after the crossings of interest
 };
 
-/// Tests a move from a facet's front or plane to behind it. @param crossing  filled where it passes through
+/// Tests a move that starts on the front or on the plane of a facet and ends behind the plane.
+/// @param crossing  set if the move passes through the facet
 Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach& approach, double limit,
                Crossing& crossing) noexcept
 {
@@ -163,13 +169,13 @@ Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach&
     const Vec3 d = y - x;
     const double d2 = d.squaredNorm();
     const double along = start > 0.0 ? start / (start - end) : 0.0;
-    const double slack = onPlane / (start - end); // rounding of that share
+    const double slack = onPlane / (start - end); // rounding error of `along`
     if (along - 2.0 * slack > limit && start > kTouching * facet.skin_mm) {
-        return Passing::Later; // its plate, too
+        return Passing::Later; // applies to the plate as well
     }
     const Vec3 xa = facet.a - x, xb = facet.b - x, xc = facet.c - x;
-    // Where the facets of a hollow edge meet, a point that was put on it is behind both by rounding, and would pass
-    // each beside the other.
+    // A point placed on a concave edge is, by rounding, behind both facets, and would pass each of them beside the
+    // other without this tolerance.
     const double around = start <= onPlane ? std::min(onPlane, roundingOf(facet, x)) : 0.0;
     if (!isInsideEdge(d, d2, xa, xb, around) || !isInsideEdge(d, d2, xb, xc, around) ||
         !isInsideEdge(d, d2, xc, xa, around)) {
@@ -177,16 +183,18 @@ Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach&
     }
     const Part part = partInBox(facet, x, y, facet.skin_mm);
     if (part.isEmpty() || along + slack < part.begin || along - slack > part.end) {
-        return Passing::Beside; // it is met beside the facet
+        return Passing::Beside; // the plane is crossed beside the facet
     }
     if (start < onPlane && staysBeside(facet, x, y)) {
-        return Passing::Beside; // nor does it come to the facet in its plane, where rounding tells where it is met
+        return Passing::Beside; // The crossing of the plane is determined by rounding, and the move never comes to the
+                                // facet within the plane.
     }
     const double place = std::clamp(along, part.begin, part.end);
     const bool isTouched = touches(facet, start, place, d2);
-    // In the facet's plane, rounding tells where it is met: that is where the move comes to its edge.
+    // For a move within the facet's plane, the crossing is determined by rounding. Use the point at which the move
+    // reaches the facet's edge.
     const bool isBeside = !isTouched && start < onPlane;
-    const double entered = std::clamp(along - slack, part.begin, part.end); // where it comes into the facet's plate
+    const double entered = std::clamp(along - slack, part.begin, part.end); // where the move enters the facet's plate
     crossing.key = isTouched ? 0.0 : isBeside ? std::min(place, shareBeside(facet, x, y, start, end)) : entered;
     if (crossing.key > limit) {
         return Passing::Later;
@@ -199,7 +207,7 @@ Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach&
     return Passing::Through;
 }
 
-/// Around a facet without an inside there is a plate on both sides.
+/// A two-sided facet has a plate on both sides.
 bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Crossing& crossing) noexcept
 {
     const double half = kPlate * facet.skin_mm;
@@ -241,8 +249,8 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
             return passing == Passing::Through;
         }
     }
-    // To its plane, along it or past its edge: where another facet ends the move in the plate, rounding alone would
-    // tell whether the next move passes at an edge.
+    // The move ends at the plane, runs along the plane or passes the facet's edge. If another facet ended the move
+    // inside the plate, rounding would decide whether the next move passes at the edge.
     return approach.end < onPlane && entersPlate(facet, x, y, approach, onPlane, limit, crossing);
 }
 
@@ -256,7 +264,7 @@ Footing footingOn(const Facet& facet, int side, const Vec3& g, const Standing& s
     const Vec3 d = -side * facet.n;
     Footing footing = Footing::Inside;
     for (const auto& [p, q] : {std::pair(&ga, &gb), std::pair(&gb, &gc), std::pair(&gc, &ga)}) {
-        const double volume = side * d.dot(p->cross(*q)); // distance outside the edge, times the edge's length
+        const double volume = side * d.dot(p->cross(*q)); // distance outside the edge, times the length of the edge
         const double volume2 = volume * volume, edge2 = (*q - *p).squaredNorm();
         if (volume > 0.0 && volume2 > slack_mm * slack_mm * edge2 &&
             volume2 > kVolumeRounding2 * p->squaredNorm() * q->squaredNorm()) {

@@ -10,48 +10,55 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// A ball has arrived when, in kPatience moves, it comes nearer to the HIP by less than kArrived skins or kSlight of the
-// distance.
+// Convergence test: the ball has arrived when kPatience moves reduce the distance to the HIP by less than kArrived
+// skins or the fraction kSlight of the distance. Without this test, a ball pressed in by its own radius could roll
+// around a vertex forever. kSlight bounds the error of the depth to 1e-8; the lateral error is the square root of twice
+// that, 1.4e-4 of the distance.
 constexpr std::uint32_t kPatience = 16;
 constexpr double kArrived = 4.0;
 constexpr double kSlight = 1e-8;
-// Steps no longer than so many skins come nearer by less than kArrived skins in kPatience moves: they are not made. Far
-// from the origin they are rounding, and each may ask for all facets around.
+// Minimum step in skins. kPatience steps of this length cannot gain kArrived skins in total, so shorter steps are not
+// made. Far from the origin such steps are rounding noise, and each could require all facets nearby to be tested.
 constexpr double kShortest = kArrived / kPatience;
-constexpr int kMostSlight = 4; // moves aside in a tick that gain no more than that and are followed up
+constexpr int kMostSlight =
+    4; // maximum number of sideways moves per tick that gain less than kSlight and are still followed up
 
-// Steps creep when kCreeping in a row lead the same way, to the cosine kAlike. Then one is made as long as they all
-// would be together, but at most kLongest radii and kGrowth times the step before or the last long one that was kept,
-// and only if that makes it kLonger times as long.
+// Steps are considered creeping when kCreeping consecutive steps point in the direction of the previous one (cosine
+// above kAlike). The next step is then as long as all remaining ones together (secant estimate), but at most kLongest
+// radii and kGrowth times the previous step or the last accepted long step, and is only used if that lengthens the step
+// by the factor kLonger.
 constexpr int kCreeping = 2;
 constexpr double kAlike = 0.9;
 constexpr double kLongest = 0.5;
 constexpr double kGrowth = 16.0;
 constexpr double kLonger = 1.01;
 
-// A long step has kTrial moves to show that it leads nearer to the HIP. Else it is taken back, and the next is at most
-// kShorter times as long.
+// A long step must lead nearer to the HIP within kTrial moves. Otherwise the step is taken back and the next is limited
+// to kShorter times its length.
 constexpr int kTrial = 6;
 constexpr double kShorter = 0.25;
 
-constexpr double kParted = 3.0;      // skins of gap, beyond the first, from which on a contact is none
-constexpr int kMostRolled = 8;       // facets in one move
-constexpr double kFall = 1.0 / 16.0; // radii, at most, down to the facet that the ball has rolled on to
-constexpr double kAside = 1e-4;      // radii that a ball is moved to see whether it rolls
-constexpr double kBrink = 1e-7;      // radii from an edge, at most, where it may roll over that
+constexpr double kParted = 3.0;      // skins; a larger gap, including the regular one, ends a contact
+constexpr int kMostRolled = 8;       // maximum number of facets rolled over per move
+constexpr double kFall = 1.0 / 16.0; // radii; maximum gap to a facet that the ball has rolled onto
+constexpr double kAside = 1e-4;      // radii; length of the sideways move that tests whether a ball at rest would roll
+constexpr double kBrink =
+    1e-7; // radii; maximum distance from an edge at which rounding decides on which side the ball stands
 
-constexpr double kNowhere = 1e-3; // radii: a tick that led farther than this for less than a skin is taken back
+constexpr double kNowhere = 1e-3; // radii; a tick that moved farther than this but gained less than a skin is undone
 
-constexpr double kThere = 0.01; // radii before the next facet that count as being at it, where the work is spent
+constexpr double kThere =
+    0.01; // radii; maximum distance to the next facet that counts as contact when the work budget is spent
 
-// A ball deeper than this many skins was put there, not pressed, and is let out rather than pushed.
+// Skins. A ball that penetrates deeper was placed inside the tissue rather than pressed in; the ball may leave, but is
+// not pushed out.
 constexpr double kPressed = 4.0;
 
-/// The line along which two contacts let the ball go.
+/// The line along which two contacts leave the ball free to move.
 struct Trough
 {
-    Vec3 t = Vec3::Zero();  ///< unit; zero where the contacts are nearly one
-    double curvature = 0.0; ///< of 0.5 |HIP - centre|^2 along it, with the contacts kept
+    Vec3 t = Vec3::Zero();  ///< unit direction; zero where the two contacts are nearly parallel
+    double curvature = 0.0; ///< second derivative of 0.5 |HIP - centre|^2 along the line while both contacts are kept
 
     /// @param push  sum of the multipliers times the normals [mm]
     Trough(const BallContact& p, const BallContact& q, const Vec3& push) noexcept
@@ -59,9 +66,9 @@ struct Trough
         const Vec3 across = p.n.cross(q.n);
         const double sine2 = across.squaredNorm();
         if (sine2 < 1e-12) {
-            return; // within 1e-6 rad: rounding would tell where their line leads
+            return; // normals within 1e-6 rad: the direction of their line would be determined by rounding
         }
-        // The Lagrangian's second derivative is 1 less the bends.
+        // Second derivative of the Lagrangian: 1 minus the curvature terms of the two contacts.
         t = across / std::sqrt(sine2);
         const double cosine = p.n.dot(q.n), onP = p.n.dot(push), onQ = q.n.dot(push);
         const auto bend = [this](const BallContact& c, double multiplier) {
@@ -79,12 +86,13 @@ void BallContact::lookFrom(const Vec3& g) noexcept
     nearest = nearestOn(facet, g);
     if (nearest.isCurved) {
         distance_mm = nearest.away.norm();
-        // On the facet itself, to rounding, up is where the facet leads, as when it is met.
+        // With the centre on the facet itself, to rounding, the direction is undefined. Use the facet's normal, as in
+        // the first contact.
         n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(nearest.away / distance_mm) : Vec3(side * facet.n);
     } else {
         n = side * facet.n;
         distance_mm = n.dot(g - facet.a);
-        if (facet.isTwoSided && distance_mm < -kOnPlane * facet.skin_mm) { // it has come around the rim
+        if (facet.isTwoSided && distance_mm < -kOnPlane * facet.skin_mm) { // the ball has come around the rim
             side = -side;
             n = -n;
             distance_mm = -distance_mm;
@@ -101,14 +109,15 @@ void BallTick::touch(const Facet& facet, int side) noexcept
     keepThinnest(facet.skin_mm);
 }
 
-/// Of structures of different size: what is rounding to a large one may be far from a small one.
+/// Uses the smallest skin of all touched structures: a distance within rounding of a large structure can be significant
+/// for a small one.
 void BallTick::keepThinnest(double skin_mm) noexcept
 {
     m_skin_mm = m_skin_mm > 0.0 ? std::min(m_skin_mm, skin_mm) : skin_mm;
 }
 
-/// Looks at the contacts from where the ball is now, and drops those that it has parted from.
-/// @return true when they are the same as before
+/// Updates the contacts to the current position of the ball and drops those that the ball has left.
+/// @return true if the contacts are unchanged
 bool BallTick::lookAgain() noexcept
 {
     bool isSame = true;
@@ -123,15 +132,15 @@ bool BallTick::lookAgain() noexcept
     return isSame;
 }
 
-/// Where the ball has left a facet over an edge or a corner, the facet, edge or corner below it becomes the contact:
-/// the next move leads down to it.
-/// @return false when none is near
+/// After the ball has rolled over an edge or a corner, replaces the contact by the facet, edge or corner that is now
+/// below the ball, so that the next move leads down to this feature.
+/// @return false if there is none nearby
 bool BallTick::rollOn(BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
     const Index& surface = m_layer.surface(contact.facet.structure);
     for (int i = 0; i < kMostRolled && contact.nearest.isCurved; ++i) {
-        // Around a corner always the same way.
+        // Around a corner, always traverse the facets in the same direction.
         const int edge = contact.nearest.corner >= 0 ? contact.nearest.corner : contact.nearest.edge;
         const Index::Neighbour next = surface.neighbour(contact.facet.triangle, static_cast<std::uint32_t>(edge));
         if (next.triangle == Index::kNoNeighbour) {
@@ -164,7 +173,8 @@ Vec3 BallTick::nextMove() noexcept
     return lengthened(m_friction == nullptr ? u : slowed(u));
 }
 
-/// What friction leaves of a step. Round edges and corners the step vanishes where the pull is at the rim of the cone.
+/// Shortens a step by friction. Around edges and corners the step vanishes where the pull is on the boundary of the
+/// friction cone.
 Vec3 BallTick::slowed(const Vec3& u) noexcept
 {
     m_friction->lift();
@@ -175,16 +185,17 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
     const double left = m_friction->remainingShare(slide.norm(), kRoundingOfMoves * m_skin_mm);
     const Vec3 down = u - slide;
     if (isDeep()) {
-        return u; // it was put there, and nothing holds it
+        return u; // the ball was placed inside the tissue, where friction does not hold
     }
-    // A facet that it has rolled on to, but not reached, holds nothing yet: straight down to it.
+    // A facet that the ball has rolled onto but not reached yet does not hold by friction: move straight down to the
+    // facet.
     m_isHeld = left == 1.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
                std::all_of(m_active.begin(), m_active.end(), [this](const BallContact& c) { return isTouched(c); });
     return m_isHeld ? Vec3::Zero() : Vec3(down + (1.0 - left) * slide);
 }
 
-/// Lengthens a step where steps creep, because the planes they follow turn with the ball as it rolls: to the secant's
-/// root, where a step that goes on shrinking with the way made, as the last one did, would be zero.
+/// Lengthens a creeping step. Steps creep because the contact planes turn with the rolling ball. The new length is the
+/// root of the secant: the distance at which the step would become zero if it kept shrinking as the last one did.
 Vec3 BallTick::lengthened(const Vec3& u) noexcept
 {
     m_step = {m_god, u, m_active.count(), 0};
@@ -210,9 +221,9 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
     return whole / step * u;
 }
 
-/// Judges a long step by where it has led.
+/// Accepts or rejects a long step by the position reached since.
 /// @param isOver  the tick has come to its end
-/// @return false when it was taken back
+/// @return false if the step was taken back
 bool BallTick::judgeLongStep(bool isOver) noexcept
 {
     if (m_trialMoves == 0) {
@@ -234,8 +245,8 @@ bool BallTick::judgeLongStep(bool isOver) noexcept
     return false;
 }
 
-/// Direction from the contact point, on a face, to an edge within kBrink of it beyond which the surface falls away;
-/// zero where there is none. By rounding the ball may stand on either side of that edge.
+/// Returns the direction from a contact point on a face to a convex edge within kBrink, zero if there is none. Rounding
+/// decides on which side of such an edge the ball stands.
 Vec3 BallTick::brink(const BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
@@ -262,8 +273,8 @@ Vec3 BallTick::brink(const BallContact& contact) const noexcept
     return Vec3::Zero();
 }
 
-/// Direction in which the ball would roll off its contacts, where the pull goes straight through an edge or a corner
-/// and out beyond it; zero where it can't.
+/// Returns the direction in which the ball would roll off its contacts if the pull passes straight through an edge or a
+/// corner and out beyond, zero if the ball cannot roll.
 Vec3 BallTick::slope() const noexcept
 {
     const BallContact &p = m_active[0], &q = m_active[1];
@@ -275,25 +286,25 @@ Vec3 BallTick::slope() const noexcept
     }
     if (m_active.count() == 2 && (p.nearest.isCurved || q.nearest.isCurved)) {
         const Trough trough(p, q, m_god - m_hip);
-        return trough.curvature > 0.0 ? Vec3::Zero() : trough.t; // a valley holds it
+        return trough.curvature > 0.0 ? Vec3::Zero() : trough.t; // held by a valley
     }
     return Vec3::Zero();
 }
 
-/// Goes back to where the ball stood: the moves since then have led nowhere.
+/// Restores a snapshot: the moves since then gained nothing.
 void BallTick::standAgain(const Before& stood) noexcept
 {
     m_god = stood.god;
     m_active = stood.active;
 }
 
-/// Moves a ball at rest aside, to one side and then to the others, by so little that it only tells whether it would
-/// roll.
-/// @return true when there is a side to try; where none led closer it stands where it stood
+/// Moves a ball at rest sideways, first to one side and then to the others, by a distance that only serves to detect
+/// whether the ball would roll.
+/// @return true if there is another side to try; otherwise the ball is back at its rest position
 bool BallTick::tryAside() noexcept
 {
     if (m_friction != nullptr && m_friction->holdsAgainst(kRoundingOfMoves * m_skin_mm)) {
-        return false; // what friction holds does not roll
+        return false; // a ball held by friction does not roll
     }
     const double spring = (m_hip - m_god).norm();
     if (m_nudges == 0 && isNearest(spring)) {
@@ -309,8 +320,9 @@ bool BallTick::tryAside() noexcept
     } else {
         standAgain(m_stood);
     }
-    const int sides =
-        m_active[0].nearest.along.isZero(0.0) && m_active.count() == 1 ? 4 : 2; // off a corner also across
+    const int sides = m_active[0].nearest.along.isZero(0.0) && m_active.count() == 1
+                          ? 4
+                          : 2; // at a corner, also the two perpendicular directions
     while (m_nudges < sides && !m_aside.isZero(0.0)) {
         if (m_nudges == 2) {
             m_aside = m_active[0].n.cross(m_aside);
@@ -350,23 +362,24 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
     const double end = (m_hip - m_god).norm();
     if (!began.active.isEmpty() && end > began.spring_mm - m_skin_mm &&
         (m_god - began.god).norm() > kNowhere * m_layer.fingertip_mm) {
-        standAgain(began); // all that way gained nothing: where the HIP rests, so does the ball
+        standAgain(began); // The moves gained nothing: when the HIP rests, the ball rests.
     }
     dropUntouched();
     if (m_active.isEmpty() && m_isKnown && m_god != m_hip) {
-        // Away from the HIP something holds it: the facet known last.
+        // Away from the HIP the ball must have a contact: use the last facet known.
         touch(m_known.facet, m_known.side);
     }
     return moves;
 }
 
-/// Drops the contacts that the ball has rolled towards but not reached, unless nothing else holds it.
+/// Drops the contacts that the ball has rolled towards but not reached, unless no other contact remains.
 void BallTick::dropUntouched() noexcept
 {
     for (BallContact& contact : m_active) {
         contact.lookFrom(m_god);
     }
-    // What keeps the ball from its last slight gain is reached as nearly as it will be, and friction asks what holds.
+    // A contact that prevents a last insignificant gain is as near as it will get. Friction needs this contact, so it
+    // is kept.
     const double near_mm = m_friction != nullptr ? m_layer.fingertip_mm + slight((m_hip - m_god).norm()) : 0.0;
     const auto isParted = [&](const BallContact& c) { return !isTouched(c) && !(c.distance_mm <= near_mm); };
     if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
@@ -374,8 +387,8 @@ void BallTick::dropUntouched() noexcept
     }
 }
 
-/// True when the HIP is a contact point, which is as near as the ball can come. On an edge or a corner it could roll
-/// around the HIP for ever, and gain nothing.
+/// Returns true if the HIP is a contact point, which is the smallest possible distance. On an edge or a corner the ball
+/// could otherwise roll around the HIP forever without gain.
 bool BallTick::touchesHip(double spring_mm) const noexcept
 {
     const double enough = 0.5 * slight(spring_mm);
@@ -384,8 +397,8 @@ bool BallTick::touchesHip(double spring_mm) const noexcept
                        [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
 }
 
-/// True when no legal place is nearer to the HIP by enough to count: the ball keeps its radius from every point of the
-/// facets it touches, also from the one next to the HIP.
+/// Returns true if no legal position is significantly nearer to the HIP: the ball keeps its radius from every point of
+/// the touched facets, including the point nearest to the HIP.
 bool BallTick::isNearest(double spring_mm) const noexcept
 {
     const double most = m_layer.fingertip_mm + slight(spring_mm) - spring_mm;
@@ -393,13 +406,14 @@ bool BallTick::isNearest(double spring_mm) const noexcept
                        [&](const BallContact& c) { return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most; });
 }
 
-/// @return how much nearer to a HIP so far away counts as nothing [mm]
+/// Returns the smallest significant gain at this distance from the HIP [mm].
 double BallTick::slight(double spring_mm) const noexcept
 {
     return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
 }
 
-/// Makes one move of the tick. @return false when there is none left to make, or no work to make it with
+/// Makes one move of the tick.
+/// @return false if there is no move left to make, or no work budget to make it with
 bool BallTick::makeMove() noexcept
 {
     if (m_work.isSpent()) {
@@ -435,8 +449,9 @@ bool BallTick::makeMove() noexcept
     case Sweep::Unknown:
         break;
     }
-    // The move is free as far as it was asked. The facet known to come next holds the ball if it gets no farther, or if
-    // it is at that facet already but for the gap that the bounds of boxes leave.
+    // The move is free up to crossing.stop, as far as it was tested. The next known facet becomes the contact if the
+    // ball cannot get any farther, or if only the gap left by the bounds of the boxes separates the ball from that
+    // facet.
     const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_layer.fingertip_mm;
     if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= kRoundingOfMoves * m_skin_mm)) {
         (void)stopAt(u, step, crossing, isLong);
@@ -447,7 +462,8 @@ bool BallTick::makeMove() noexcept
     return false;
 }
 
-/// Makes a move that nothing blocks. @return false when it has led home
+/// Makes a move that nothing blocks.
+/// @return false if the ball is at its target and the tick is complete
 bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
 {
     const bool wasFlat = isFlat();
@@ -458,8 +474,9 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
     return !(lookAgain() && wasFlat && isFlat() && !isLong && judgeLongStep(true) && !tryAside());
 }
 
-/// Moves up to the facet in the way, and takes it as a contact. @return false when no further move gains anything
-/// @param step  largest part of u by axis [mm]
+/// Moves up to the blocking facet and makes that facet a contact.
+/// @return false if further moves gain nothing
+/// @param step  largest component of u by magnitude [mm]
 bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
 {
     keepThinnest(crossing.facet.skin_mm);
@@ -481,7 +498,7 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
     m_known = m_active[m_active.count() - 1];
     m_isKnown = true;
     if (m_friction != nullptr && !hasMoved) {
-        // A facet rolled on to can't be reached from here, and holds nothing. What is in the way does.
+        // A facet that the ball rolled onto but cannot reach from here holds nothing; the blocking facet does.
         m_active.release([this](const BallContact& c) { return !isTouched(c); });
         if (m_active.isEmpty()) {
             m_active.add() = m_known;
@@ -493,11 +510,12 @@ bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, 
 bool BallTick::isTouched(const BallContact& contact) const noexcept
 {
     const double skin = contact.facet.skin_mm;
-    // A facet with an inside holds nothing that is behind it.
+    // A one-sided facet does not hold a ball behind its plane.
     return contact.distance_mm >= -kOnPlane * skin && contact.distance_mm <= m_layer.fingertip_mm + kParted * skin;
 }
 
-/// True when the ball is nearer to a contact than its radius: it was put there, and each move lets it out farther.
+/// Returns true if the ball is nearer to a contact than its radius: the ball was placed there, and each move must
+/// increase the distance.
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
@@ -510,7 +528,8 @@ bool BallTick::isFlat() const noexcept
     return std::none_of(m_active.begin(), m_active.end(), [](const BallContact& c) { return c.nearest.isCurved; });
 }
 
-/// True when the ball touches faces alone, here and at the end of the step: their planes are the surface.
+/// Returns true if the ball touches only faces, both here and at the end of the step. Their planes then represent the
+/// surface exactly.
 bool BallTick::staysFlat(const Vec3& u) const noexcept
 {
     return isFlat() && std::none_of(m_active.begin(), m_active.end(),

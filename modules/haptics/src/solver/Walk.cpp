@@ -10,12 +10,13 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kMostFacets = 64;
-constexpr std::uint32_t kMovePrice = 64; // as of a sweep, in units of TickWork
+constexpr std::uint32_t kMovePrice = 64; // price of a sweep, in units of TickWork
 constexpr double kFarTarget = 16.0;      // facet sizes
-constexpr double kSharpest = 0.5;        // cosine of the angle between two facets' normals
+constexpr double kSharpest = 0.5;        // cosine of the largest angle between the normals of two facets
 static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses every edge of a clear facet");
 
-/// @return where a god-object stands on a facet, if it does so as one that has walked there.
+/// Classifies the god-object's position on a facet; Away if the position is lower than a previous walk would have left
+/// it.
 /// @param edge  width of the band along the edges that counts as AtEdge, in skins
 Footing standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexcept
 {
@@ -26,7 +27,7 @@ Footing standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexc
     return footingOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * skin, skin, edge * skin});
 }
 
-/// @return true when `p` is at least `least_mm` away from each corner.
+/// Returns true if `p` is at least `least_mm` away from each corner.
 bool isOffCorners(const Facet& facet, const Vec3& p, double least_mm) noexcept
 {
     const double least2 = least_mm * least_mm;
@@ -36,28 +37,29 @@ bool isOffCorners(const Facet& facet, const Vec3& p, double least_mm) noexcept
 
 } // namespace
 
-/// Where the way to a place in a facet's plane leaves the facet.
+/// Where the straight path to a target in a facet's plane leaves the facet.
 struct Walk::Exit
 {
-    int edge = -1;            ///< 0 … 2: from corner a, b, c to the next; -1: it does not leave
-    double share = 1.0;       ///< of the way
-    bool isWellInside = true; ///< the place itself, by at least the margin
+    int edge = -1;            ///< 0 to 2: from corner a, b, c to the next; -1: the path stays inside
+    double share = 1.0;       ///< fraction of the path
+    bool isWellInside = true; ///< the target is inside by at least the margin
 };
 
-/// Where two facets with a common edge hold a god-object.
+/// Constrained point of two facets with a common edge.
 struct Walk::Crease
 {
-    Vec3 target;          ///< constrained point of the planes that hold [mm]
-    int held = 0;         ///< how many of the two hold
-    int first = 0;        ///< number of the first that does
-    bool isWithin = true; ///< the target is at the edge, between its ends by at least the margin
+    Vec3 target;          ///< constrained point of the active planes [mm]
+    int held = 0;         ///< number of active planes
+    int first = 0;        ///< index of the first active plane
+    bool isWithin = true; ///< the target is at the edge, between the ends by at least the margin
 };
 
 Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
 {
     begin(start);
     Next next = start == Start::InCrease ? leaveCrease() : Next::Step;
-    // Charged below, by the moves made: how far the walk looks ahead before it asks for them depends on what is held.
+    // The budget is charged at the end, by moves made: how far the walk looks ahead before testing depends on the
+    // facets held, which must not influence the price.
     const std::uint32_t affordable = m_near.work().left() / kMovePrice + 1;
     for (std::uint32_t i = 0; i < std::min({most, kMostFacets, affordable}) && next == Next::Step; ++i) {
         next = step();
@@ -77,7 +79,7 @@ PALPATE_ALWAYS_INLINE void Walk::begin(Start start) noexcept
 {
     m_path[0] = m_god;
     m_over[0] = m_over[1] = {m_facet.structure, m_facet.triangle};
-    // At an edge, where a walk may have ended early, the facet that it left may be in the way back.
+    // Where a walk ended early at an edge, the facet that it left may block the path back.
     const bool isInside = start == Start::WellInside ||
                           (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouched) == Footing::Inside);
     const bool isInCrease = start == Start::InCrease && standsOn(m_facet, m_side, m_god, 0.0) != Footing::Away &&
@@ -92,7 +94,7 @@ PALPATE_ALWAYS_INLINE bool Walk::isClearAt(const Facet& facet, const Vec3& p) no
            m_near.isAlone(m_layer, facet.structure, p);
 }
 
-/// From the crease where the walk begins: along it, or off one of its two facets.
+/// Starts from a crease: along the crease, or off onto one of its two facets.
 Walk::Next Walk::leaveCrease() noexcept
 {
     m_ended = Ended::AtCreaseEnd;
@@ -121,29 +123,30 @@ Walk::Next Walk::leaveCrease() noexcept
     return Next::Step;
 }
 
-/// Over the facet here: to the foot of the HIP on it, or to the edge on the way there.
+/// Moves over the current facet: to the foot of the HIP on its plane, or to the edge on the way there.
 PALPATE_ALWAYS_INLINE Walk::Next Walk::step() noexcept
 {
     const Vec3 outwards = m_side * m_here->n;
     const double rise = m_here->skin_mm - outwards.dot(m_hip - m_here->a);
     if (rise <= 0.0) {
-        return Next::Stop; // the facet lets go
+        return Next::Stop; // the HIP is no longer behind the facet
     }
     Vec3 target = m_hip + rise * outwards;
     if (m_friction != nullptr) {
         target = slowed(target, rise);
     }
     if (isFar(target)) {
-        return Next::Stop; // straight through the air is shorter
+        return Next::Stop; // the straight path through free space is shorter
     }
     const Exit exit = exitFrom(last(), target);
     if (exit.edge < 0) {
-        return exit.isWellInside ? arrive(target) : Next::Stop; // too near an edge to tell
+        return exit.isWellInside ? arrive(target) : Next::Stop; // too near an edge to decide
     }
     return exit.edge == m_entered ? enterCrease(last()) : cross(exit, target);
 }
 
-/// Where friction lets the god-object go on the way to `target` on the facet here: the same place where it holds.
+/// Returns the position that friction allows on the way to `target` on the current facet; the current position if
+/// static friction holds.
 PALPATE_ALWAYS_INLINE Vec3 Walk::slowed(const Vec3& target, double rise) noexcept
 {
     const Vec3 back = last() - m_hip;
@@ -161,7 +164,7 @@ PALPATE_ALWAYS_INLINE bool Walk::isFar(const Vec3& target) const noexcept
 
 PALPATE_ALWAYS_INLINE Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to) const noexcept
 {
-    // Seen along the axis that shows most of the facet; the margin shrinks there with it.
+    // Project along the axis in which the facet appears largest; the margin shrinks accordingly.
     const Facet& facet = *m_here;
     int axis = 0;
     double shown = std::abs(facet.n[0]);
@@ -178,7 +181,8 @@ PALPATE_ALWAYS_INLINE Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to
     for (std::size_t e = 0; e < 3; ++e) {
         const Vec3 &p = *corner[e], &q = *corner[e + 1];
         const double u = turned * (q[j] - p[j]), v = turned * (q[k] - p[k]);
-        const double end = u * (to[k] - p[k]) - v * (to[j] - p[j]); // to the left of the edge, times its length
+        const double end =
+            u * (to[k] - p[k]) - v * (to[j] - p[j]); // distance to the left of the edge, times the edge length
         if (end > m_margin_mm * (std::abs(u) + std::abs(v))) {
             continue;
         }
@@ -199,14 +203,15 @@ PALPATE_ALWAYS_INLINE Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to
 PALPATE_ALWAYS_INLINE Walk::Next Walk::arrive(const Vec3& target) noexcept
 {
     m_isClear = m_isClear && isClearAt(*m_here, target);
-    // The facets gathered next need not be those around the path so far: it is asked for first.
+    // The next gathering may not cover the path so far, so the path is tested first.
     if ((m_isClear || m_near.holds(target) || makePathMoves()) && makeLastMove(target)) {
         m_ended = Ended::OnFacet;
     }
     return Next::Over;
 }
 
-/// Neither of two facets lets the god-object go over to the other. @param from  where it came back to their edge
+/// Ends the walk in the crease of two facets neither of which lets the god-object pass to the other.
+/// @param from  position at which the walk returned to their edge
 Walk::Next Walk::enterCrease(const Vec3& from) noexcept
 {
     const auto edge = static_cast<std::uint32_t>(m_entered);
@@ -229,7 +234,8 @@ Walk::Next Walk::enterCrease(const Vec3& from) noexcept
     return Next::Over;
 }
 
-/// @param facet  one of the two, the other being that beyond; @param edge  the common one's number in it
+/// @param facet  one of the two facets; the other is m_beyond
+/// @param edge  index of the common edge in `facet`
 Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcept
 {
     const Vec3 n = m_side * facet.n, m = m_side * m_beyond.n;
@@ -242,7 +248,7 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
     const Vec3 &begin = *corner[e], &end = *corner[e + 1], &opposite = *corner[e + 2];
     Crease crease;
     crease.target = g + point.u;
-    crease.held = m.dot(opposite - m_beyond.a) > 0.0 ? point.count : 0; // only where they rise towards each other
+    crease.held = m.dot(opposite - m_beyond.a) > 0.0 ? point.count : 0; // only if the facets form a concave edge
     crease.first = point.active[0];
     const Vec3 along = (end - begin).normalized();
     if (m_friction != nullptr && crease.held == 2) {
@@ -253,14 +259,15 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
         const double left = m_friction->remainingShare(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
         crease.target = left < 1.0 ? Vec3(crease.target - left * ahead * along) : g;
     }
-    // Where two planes are one to rounding, so is where they cross: that may lie anywhere beside the edge.
+    // The intersection line of two nearly parallel planes is determined by rounding and may lie anywhere beside the
+    // edge.
     const Vec3 from = crease.target - begin;
     const bool isAtEdge = from.cross(along).norm() <= kBesideEdge * facet.skin_mm;
     crease.isWithin = isAtEdge && along.dot(from) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
     return crease;
 }
 
-/// Over an edge to the facet beyond it.
+/// Crosses an edge to the adjacent facet.
 Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
 {
     Vec3 to = last() + exit.share * (target - last());
@@ -282,7 +289,7 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
     if (m_here->n.dot(next.n) < kSharpest) {
         return Next::Stop;
     }
-    // Where the surface rises, the next facet is met before the edge.
+    // At a concave edge the next facet is met before the edge.
     const double end = m_side * next.n.dot(target - next.a) - next.skin_mm;
     if (end < 0.0) {
         const double begin = m_side * next.n.dot(last() - next.a) - next.skin_mm;
@@ -308,12 +315,15 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
     return m_points < m_path.size() || makePathMoves() ? Next::Step : Next::Over;
 }
 
-/// Where the surface falls away beyond an edge, the foot on the facet before it can leave that facet too early by its
-/// height above it: goes on until the god-object is half a skin above the next facet's plane. From there the way along
-/// that one passes the plane of the one before half a skin or more beyond their edge, as far as they turn by 60
-/// degrees.
-/// @param share  of the way to the target at which it leaves the facet before
-/// @return false when that place is not at the edge
+/// Extends a move over a convex edge. The foot on the facet before the edge may leave that facet too early by its
+/// height above the facet, so the move continues until the god-object is half a skin above the next facet's plane. The
+/// path along the next facet then passes the plane of the previous one half a skin or more beyond their edge, for turns
+/// of up to 60 degrees.
+/// @param next  facet beyond the edge
+/// @param target  end of the straight path on the previous facet [mm]
+/// @param share  fraction of the path at which it leaves the previous facet
+/// @param to  end of the move; updated [mm]
+/// @return false if that position is not at the edge
 bool Walk::liftOver(const Facet& next, const Vec3& target, double share, Vec3& to) const noexcept
 {
     const double least = kLifted * next.skin_mm;
@@ -345,12 +355,12 @@ void Walk::addToPath(const Vec3& p) noexcept
     m_path[m_points++] = p;
 }
 
-/// Makes the moves of the path up to the first that is blocked, and begins a new one there.
+/// Makes the moves of the path up to the first blocked one, and begins a new path there.
 ///
-/// On one facet and over the edge to the next, neither can be in the way: a move begins and ends a skin above the one
-/// it follows, and where their angle is at most 60 degrees it passes the other's plane half a skin or more beyond their
-/// edge.
-/// @return true when none is blocked
+/// The facet of a move and the facet across the edge cannot block the move: a move begins and ends a skin above the
+/// facet that it follows, and where the two facets turn by at most 60 degrees it passes the plane of the other half a
+/// skin or more beyond their edge.
+/// @return true if no move is blocked
 bool Walk::makePathMoves() noexcept
 {
     const std::size_t moves = m_near.freeMoves(m_layer, std::span<const Vec3>(m_path).first(m_points),
@@ -361,7 +371,8 @@ bool Walk::makePathMoves() noexcept
     if (!isFree) {
         m_facet = Facet::of(m_surface, m_facet.structure, m_over[moves + 1].triangle);
         if (m_friction != nullptr) {
-            m_friction->restore(m_frictionAt[moves + 1]); // how far was looked ahead depends on what is held
+            m_friction->restore(
+                m_frictionAt[moves + 1]); // undo the look-ahead, whose length depends on the facets held
         }
     } else {
         stand();
@@ -375,7 +386,8 @@ bool Walk::makePathMoves() noexcept
     return isFree;
 }
 
-/// Makes the last move. @return false when it is blocked
+/// Makes the last move.
+/// @return false if the move is blocked
 PALPATE_ALWAYS_INLINE bool Walk::makeLastMove(const Vec3& target) noexcept
 {
     if (m_isClear) {

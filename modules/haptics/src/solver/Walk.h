@@ -10,42 +10,42 @@
 
 namespace palpate::haptics::internal {
 
-/// A god-object's way over a surface towards the HIP: along one facet, or two at their common edge, and on over edges,
-/// as long as each next facet is pressed too and the surface turns by at most 60 degrees there. It ends well inside a
-/// facet or in a crease, between the ends of the edge. At anything else (a corner, a rim, another surface in the way)
-/// the general method goes on from where the walk came to. Why a walk over clear facets asks for nothing:
-/// resources/docs/clear-facets.md.
+/// Moves a god-object over the surface towards the HIP, from facet to facet: along one facet, or along the common edge
+/// of two (a crease), and across edges as long as the HIP is behind the next facet, too, and the surface turns by at
+/// most 60 degrees there. A walk ends well inside a facet, or in a crease between the ends of the edge. At anything
+/// else (a corner, a rim, another surface in the way) the general method continues from the position reached.
+/// resources/docs/clear-facets.md proves why a walk over clear facets needs no collision tests.
 /// @par Real-time Wait-free; bounded by the work of the tick that `near` has begun.
 class Walk
 {
   public:
-    /// Where the god-object is, and how the walk moves it.
+    /// References to the god-object's position and contacts, which the walk updates.
     struct Place
     {
-        Vec3& god;     ///< [mm]
-        Facet& facet;  ///< that it touches
-        Facet& beyond; ///< the other, where it touches two: beyond an edge of the first
-        int side;      ///< of the facets that it is on: +1 front, -1 behind
+        Vec3& god;     ///< god-object position [mm]
+        Facet& facet;  ///< touched facet
+        Facet& beyond; ///< second touched facet, adjacent to the first; only valid in a crease
+        int side;      ///< side of the facets that the god-object is on: +1 front, -1 back
     };
 
     enum class Start : std::uint8_t
     {
         OnFacet,
-        WellInside, ///< a facet, where the last walk has ended: a skin above it
+        WellInside, ///< where the last walk ended, one skin above the facet
         InCrease,   ///< of two facets
     };
 
     enum class Ended : std::uint8_t
     {
-        OnFacet,     ///< nearest to the HIP, or as near as friction lets it, well inside the facet
+        OnFacet,     ///< nearest to the HIP (or as near as friction permits), well inside the facet
         InCrease,    ///< the same, held by two facets between the ends of their edge
-        AtCreaseEnd, ///< held by two facets: more is to be done
-        Unfinished,  ///< on the facet: more is to be done
+        AtCreaseEnd, ///< held by two facets; not finished
+        Unfinished,  ///< on the facet; not finished
     };
     [[nodiscard]] static bool hasArrived(Ended e) noexcept { return e == Ended::OnFacet || e == Ended::InCrease; }
     [[nodiscard]] static bool isHeldByTwo(Ended e) noexcept { return e == Ended::InCrease || e == Ended::AtCreaseEnd; }
 
-    /// @param friction  of the layer in this tick; null: none
+    /// @param friction  friction of the layer in this tick; null: frictionless
     Walk(const Vec3& hip, const HapticLayer& layer, NearPoint& near, CoulombFriction* friction,
          const Place& place) noexcept
         : m_hip(hip)
@@ -62,20 +62,22 @@ class Walk
     {
     }
 
-    /// Walks, by moves that nothing blocks. @param most  moves, at most
+    /// Walks by moves that no facet blocks.
+    /// @param start  current contact
+    /// @param most  maximum number of moves
     Ended run(Start start, std::uint32_t most) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] std::uint32_t moves() const noexcept { return m_moves; }
-    /// @return true when all of it led over clear facets: nothing was asked.
+    /// Returns true if the whole walk led over clear facets, so that no collision test was needed.
     [[nodiscard]] bool isClear() const noexcept { return m_isClear; }
 
   private:
-    /// What follows a step.
+    /// What to do after a step.
     enum class Next : std::uint8_t
     {
         Step,
-        Stop, ///< the general method goes on from here
-        Over, ///< the walk has ended
+        Stop, ///< the general method continues from here
+        Over, ///< the walk is complete
     };
     struct Exit;
     struct Crease;
@@ -107,22 +109,23 @@ class Walk
     Facet& m_facet;
     Facet& m_beyond;
     int m_side;
-    double m_margin_mm; ///< from a facet's edges that is well inside
+    double m_margin_mm; ///< minimum distance from the facet's edges of a position well inside
 
-    Facet* m_here;               ///< the facet that the path has come to
-    int m_entered = -1;          ///< its edge that it was entered over
-    std::array<Facet, 2> m_met;  ///< facets on the way, by turns
-    std::size_t m_crossings = 0; ///< edges gone over
+    Facet* m_here;               ///< facet at the end of the path
+    int m_entered = -1;          ///< edge of m_here over which the path entered; -1: none
+    std::array<Facet, 2> m_met;  ///< facets on the path, used alternately
+    std::size_t m_crossings = 0; ///< number of edges crossed
     std::uint32_t m_moves = 0;
     bool m_isClear = false;
     Ended m_ended = Ended::Unfinished;
 
-    std::array<Vec3, NearPoint::kMostPoints> m_path; ///< moves that are still to be asked for
-    /// Of each point and, first, of that before them.
+    std::array<Vec3, NearPoint::kMostPoints> m_path; ///< moves not yet tested
+    /// Facet below each point of the path; entry 0 is the facet before the first point.
     std::array<FacetNumber, NearPoint::kMostPoints + 1> m_over;
-    std::array<CoulombFriction::State, NearPoint::kMostPoints> m_frictionAt; ///< of each point but the first
+    std::array<CoulombFriction::State, NearPoint::kMostPoints>
+        m_frictionAt; ///< friction state at each point but the first
     std::size_t m_points = 1;
-    std::size_t m_crossed = 0; ///< edges that the path goes over
+    std::size_t m_crossed = 0; ///< number of edges that the path crosses
 };
 
 } // namespace palpate::haptics::internal
