@@ -13,25 +13,26 @@
 
 namespace palpate::haptics::internal {
 
-/// Which facet: a structure's number and a position in its SurfaceIndex.
+/// Identifies a facet: index of the structure and index in its SurfaceIndex.
 struct FacetNumber
 {
     std::uint32_t structure;
     std::uint32_t triangle;
 };
 
-/// Tells which facets a point's moves meet: asks those gathered around it, and beyond them the whole hierarchy.
+/// Finds the facets that block moves of a point: tests the facets cached around the point, and beyond these traverses
+/// the whole hierarchy.
 class NearPoint
 {
   public:
     static constexpr std::size_t kMostPoints = 9; ///< of a path
 
-    /// What a sweep costs, as a rule, when the facets held answer it: to gather up to 64 facets, rule them out and test
-    /// those that stay. A traversal that asks no more than twice as many is charged the same, so that the price does
-    /// not tell whether it was needed. In units of TickWork.
+    /// Fixed price of a sweep answered from the cache, in units of TickWork: gathering up to 64 facets, ruling them out
+    /// and testing the remaining ones. A traversal that visits at most twice as many facets has the same price, so that
+    /// the price does not depend on whether a traversal was needed.
     static constexpr std::uint32_t kSweepPrice = 64;
 
-    /// Forgets everything: the scene changed.
+    /// Clears the cache; called when the scene has changed.
     void clear() noexcept PALPATE_NONBLOCKING
     {
         m_cache.clear();
@@ -39,44 +40,45 @@ class NearPoint
         m_empty.setEmpty();
     }
 
-    /// Begins a tick, or a part of one, that may do so much work.
+    /// Begins a tick, or a part of a tick, with this work budget.
     void beginTick(const TickWork& work) noexcept PALPATE_NONBLOCKING { m_work = work; }
     [[nodiscard]] const TickWork& work() const noexcept { return m_work; }
     void spend(std::uint32_t units) noexcept { m_work.spend(units); }
 
-    /// Tells where the god-object stands after a tick.
+    /// Updates the cache with the god-object's position after a tick.
     /// @par Real-time Wait-free.
     void endTick(const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
 
-    /// The same after a tick that tested no facets.
-    /// @param isClearAround  the neighbours of the facet that it ended on are clear, too
+    /// Same as `endTick`, after a tick that tested no facets.
+    /// @param isClearAround  the neighbours of the final facet are clear, too
     void endClearTick(const HapticLayer& layer, const Vec3& g, bool isClearAround) noexcept PALPATE_NONBLOCKING;
 
-    /// The same after a tick in free space.
+    /// Same as `endTick`, after a tick in free space.
     void endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept PALPATE_NONBLOCKING;
 
-    /// @return true when it is known that nothing is anywhere near the move x → y.
+    /// Returns true if no facet is known to be near the move x → y.
     [[nodiscard]] bool isFree(const Vec3& x, const Vec3& y) const noexcept
     {
         return m_empty.contains(x) && m_empty.contains(y);
     }
 
     /// Finds the first facet of the layer that blocks the move x → y.
-    /// @param first   filled when it is blocked; when that is unknown, with a facet that was being asked
-    /// @param walked  facets that are known not to block it
+    /// @param first   set if the move is blocked; if the result is Unknown, contains one of the facets tested
+    /// @param walked  facets known not to block the move
     /// @par Real-time Wait-free; bounded by the tick's work.
     [[nodiscard]] Sweep sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Crossing& first,
                               std::span<const FacetNumber> walked = {}) noexcept PALPATE_NONBLOCKING;
 
-    /// @return true when the facets around `g` are held: what is asked there costs no gathering.
+    /// Returns true if the facets around `g` are cached, so that queries there require no gathering.
     [[nodiscard]] bool holds(const Vec3& g) const noexcept { return m_cache.holds(g); }
 
-    /// Gathers along the way from `from` over `place` on to `ahead`, unless the facets around `place` are held. [mm]
+    /// Gathers the facets along the path from `from` through `place` to `ahead` [mm], unless the facets around `place`
+    /// are cached.
     /// @par Real-time Wait-free.
     void reach(const HapticLayer& layer, const Vec3& from, const Vec3& place,
                const Vec3& ahead) noexcept PALPATE_NONBLOCKING;
 
-    /// @return true when no other structure of the layer comes near `p`; false when one may.
+    /// Returns true if no other structure of the layer is near `p`; conservative.
     /// @par Real-time Wait-free.
     [[nodiscard]] bool isAlone(const HapticLayer& layer, std::uint32_t structure,
                                const Vec3& p) noexcept PALPATE_NONBLOCKING
@@ -90,19 +92,18 @@ class NearPoint
         return m_around.isAlone;
     }
 
-    /// Follows a chain of straight moves up to the first that is blocked.
+    /// Tests a chain of straight moves up to the first blocked one.
     /// @param path    at most kMostPoints points [mm]
-    /// @param walked  facets that the path goes over: that before the first move's, then that of each move, and maybe
-    ///                that of the path's end. A move is known not to be blocked by its own, nor by those before and
-    ///                after
-    /// @return how many of the moves are free.
+    /// @param walked  facets below the path: first the facet before the first move, then one per move, and optionally
+    /// the facet at the end. A move is known not to be blocked by its own facet nor by the previous and the next one
+    /// @return the number of free moves at the start of the path
     /// @par Real-time Wait-free.
     [[nodiscard]] std::size_t freeMoves(const HapticLayer& layer, std::span<const Vec3> path,
                                         std::span<const FacetNumber> walked) noexcept PALPATE_NONBLOCKING;
 
-    /// Calls `f(facet)` for every facet that comes within `reach_mm`, at most kNearby skins, of `g`, and maybe for some
-    /// that nearly do, in an order that does not depend on what is held.
-    /// @return false, without a call, where more lie there than can be held, or the tick's work is spent.
+    /// Calls `f(facet)` for each facet within `reach_mm` of `g` (at most kNearby skins), and possibly for facets
+    /// slightly farther away. The order does not depend on the cache.
+    /// @return false, without calling `f`, if there are more facets than can be cached or the tick's work is spent
     template<class F>
     bool forEachNear(const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept
     {
@@ -118,10 +119,10 @@ class NearPoint
     static constexpr int kHeld = GatheredFacets::kMost;
 
     struct First;
-    /// What `sweep` does, charged for no more than what a traversal costs beyond a sweep.
+    /// Implements `sweep`. Charges only for the work of a traversal beyond the fixed price.
     [[nodiscard]] Sweep ask(const HapticLayer& layer, const Vec3& x, const Vec3& y, Crossing& first,
                             std::span<const FacetNumber> walked) noexcept;
-    /// The same by a traversal of all hierarchies.
+    /// Implements `sweep` by a traversal of all hierarchies.
     [[nodiscard]] Sweep sweepAll(const HapticLayer& layer, First nearest) noexcept;
     [[nodiscard]] int near(const HapticLayer& layer, const Vec3& g, double reach_mm,
                            std::array<int, kHeld>& found) noexcept;
@@ -132,10 +133,10 @@ class NearPoint
         return Facet::of(layer.surface(structure), structure, m_cache.held().triangle(i));
     }
 
-    /// A box in which it is known whether other structures of the layer are near.
+    /// A box in which the proximity of other structures of the layer is known.
     struct Around
     {
-        core::Box box; ///< [mm]
+        core::Box box; ///< world frame [mm]
         double half_mm = 0.0;
         std::uint32_t structure = 0;
         bool isAlone = false;
@@ -144,8 +145,8 @@ class NearPoint
 
     FacetCache m_cache;
     Around m_around;
-    core::Box m_empty;                                          ///< no facet of the layer reaches into it [mm]
-    TickWork m_work{std::numeric_limits<std::uint32_t>::max()}; ///< of the tick
+    core::Box m_empty;                                          ///< no facet of the layer reaches into this box [mm]
+    TickWork m_work{std::numeric_limits<std::uint32_t>::max()}; ///< remaining work of the tick
 };
 
 } // namespace palpate::haptics::internal

@@ -9,38 +9,39 @@
 
 namespace palpate::haptics::internal {
 
-// The ladder of distances around a facet, in skins: a skin is the gap that a god-object keeps to it
-// (SurfaceIndex::skin_mm), eight times the worst rounding of a plane's distance. From the lowest rung to the highest.
+// Tolerances of the solver in skins, in ascending order. A skin (SurfaceIndex::skin_mm) is the gap that a god-object
+// keeps to a facet, eight times the worst rounding error of a distance to a plane.
 
-inline constexpr double kRoundingOfMoves = 1e-3; ///< a shorter move is rounding, and is not made
+inline constexpr double kRoundingOfMoves = 1e-3; ///< a shorter move is rounding and is not made
 
-/// How far behind a plane a move may start and still count as starting on it: it covers the rounding of positions that
-/// were computed to lie in front. Half the thickness of the plate around a facet with a front only.
+/// Maximum depth behind a plane at which a move still counts as starting on the plane. Covers the rounding of positions
+/// that were computed to be in front. Half the thickness of the plate around a one-sided facet.
 inline constexpr double kOnPlane = 1.0 / 16.0;
 
-/// Half the thickness of the plate around a facet without an inside, and how much wider than the facet it is.
+/// Half the thickness of the plate around a two-sided facet, and the distance by which the plate extends beyond the
+/// facet's edges.
 inline constexpr double kPlate = 0.5;
 
-inline constexpr double kLifted = 0.5; ///< height above the next facet from which on it is walked on
+inline constexpr double kLifted = 0.5; ///< minimum height above the next facet at which a walk continues on that facet
 
-inline constexpr double kStanding = 0.6; ///< height from which on a god-object stands as one that has walked there
+inline constexpr double kStanding = 0.6; ///< minimum height of a god-object that counts as having walked to its facet
 
-/// A move that starts as near to a facet's plane touches the facet, if it would meet it within kTouched.
+/// A move that starts at this height or lower touches the facet, provided that it would meet the facet within kTouched.
 inline constexpr double kTouching = 1.5;
 
-inline constexpr double kSupporting = 2.0; ///< height up to which a facet supports a god-object
+inline constexpr double kSupporting = 2.0; ///< maximum height at which a facet supports a god-object
 
-inline constexpr double kBesideEdge = 8.0; ///< beyond an edge that still is at it
+inline constexpr double kBesideEdge = 8.0; ///< maximum distance outside an edge that still counts as at the edge
 
-inline constexpr double kLeastGain = 16.0; ///< a way out of a corner must lead so much nearer to the HIP
+inline constexpr double kLeastGain = 16.0; ///< minimum gain towards the HIP of an escape from a corner
 
-/// How near to a facet's edge a god-object touches more than that facet: with a skin's gap to each of two walls that
-/// meet at a sharp angle it stands so far from a third at their edge.
+/// Distance from a facet's edge within which a god-object may touch further facets: with a gap of one skin to each of
+/// two walls that meet at a sharp angle, the god-object is this far from a third facet at their edge.
 inline constexpr double kTouched = 64.0;
 
-inline constexpr double kNearby = 2.0 * kTouched; ///< as far as facets around a place can be asked for
+inline constexpr double kNearby = 2.0 * kTouched; ///< maximum radius of a query for nearby facets
 
-// What SurfaceIndex::isClear shows must cover what a walk does (resources/docs/clear-facets.md, "What a walk rests
+// SurfaceIndex::isClear must cover everything that a walk does (resources/docs/clear-facets.md, "What a walk rests
 // on").
 static_assert(geometry::SurfaceIndex::kClearHeight >= kTouching && geometry::SurfaceIndex::kClearHeight >= kSupporting,
               "what touches or supports a walking god-object is within the height that was cleared");
@@ -51,7 +52,8 @@ static_assert(kLifted / 2.0 <= geometry::SurfaceIndex::kClearApart - 3.0 * geome
 static_assert(kNearby * 512.0 <= geometry::SurfaceIndex::kClearOfCorners,
               "far beyond all that a corner's facets can touch");
 
-/// Violation of a plane that is rounding: a thousandth of the skin, or what a spring of this length leaves. [mm]
+/// Returns the violation of a plane that counts as rounding [mm]: a thousandth of the skin, or the rounding of a spring
+/// of this length.
 [[nodiscard]] inline double allowance(double skin_mm, const core::Vec3& wanted) noexcept
 {
     return std::max(kRoundingOfMoves * skin_mm, 8.0 * std::numeric_limits<double>::epsilon() * wanted.norm());

@@ -463,7 +463,7 @@ bool BallTick::makeMove() noexcept
 }
 
 /// Makes a move that nothing blocks.
-/// @return false if the ball is at its target and the tick is complete
+/// @return false if the ball is at rest
 bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
 {
     const bool wasFlat = isFlat();

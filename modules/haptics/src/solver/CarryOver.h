@@ -9,35 +9,41 @@
 
 namespace palpate::haptics::internal {
 
-/// Which structure, in any scene that has it: its number and its name together.
+/// Returns a key that identifies a structure across scenes, a hash of its index and name.
 [[nodiscard]] std::uint64_t keyOf(const HapticScene& scene, std::uint32_t structure) noexcept PALPATE_NONBLOCKING;
-/// @return its layer's position in the scene; nothing where it cannot be felt
+/// Returns the index of the structure's layer; empty if the structure cannot be touched.
 [[nodiscard]] std::optional<std::size_t> layerOf(const HapticScene& scene,
                                                  std::uint64_t key) noexcept PALPATE_NONBLOCKING;
 
-/// @return true when the god-object touches a surface without an inside. @pre its contacts are of this scene
+/// Returns true if the god-object touches an open (two-sided) surface.
+/// @pre the contacts of `god` belong to `scene`
 [[nodiscard]] bool touchesSheet(const HapticScene& scene, const GodObjectState& god) noexcept PALPATE_NONBLOCKING;
 
-/// The contact that a god-object loses because a structure that it touches cannot be felt any more; not valid where it
-/// loses none.
-/// @param before  scene of the contacts; @param after  that comes, may be null
+/// Returns the contact that a god-object loses because a touched structure can no longer be touched; an invalid contact
+/// if there is none.
+/// @param before  scene of the contacts
+/// @param after  new scene, may be null
+/// @param god  state of the god-object
 /// @param p_WH  last HIP [mm]
 [[nodiscard]] LeftContact contactLeft(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
                                       const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
 
-/// Where a god-object goes on when surfaces of its layer are replaced.
+/// Moves a god-object to its new position when surfaces of its layer are replaced.
 ///
-/// It rides on the touched triangle, which is found by its number in the mesh: a rigid motion, a scale or a shear takes
-/// it along to rounding. That is done while the hand is within Palpator::kNear_mm of where it was as the triangle sees
-/// it, and the triangle turned by less than 60 degrees. Then, and where the triangle is not found: a place that the
-/// replaced surface would have put behind itself, or a ball into, is moved to the nearest one in front, by at most 1
-/// mm. In front is the side that the god-object had of the surface before; a god-object behind it stays and is let out
-/// freely, and so is one that a structure without a predecessor appears around.
-/// @param before,after  the scenes; a structure's predecessor has its number and name
-/// @param layer  of `after`
+/// The god-object follows the touched triangle, which is identified by its index in the mesh: rigid motion, scaling and
+/// shear are followed exactly up to rounding. This requires that, relative to the triangle, the hand is within
+/// Palpator::kNear_mm of its previous position, and that the triangle turned by less than 60 degrees. After that, or if
+/// the triangle is not found, a position that would now be behind the replaced surface, or inside for a ball, is moved
+/// to the nearest position in front, by at most 1 mm. The front is the side of the previous surface that the god-object
+/// was on. A god-object behind the surface stays there and may leave freely; so does a god-object inside a structure
+/// that has no predecessor.
+/// @param before,after  the scenes; the predecessor of a structure has the same index and name
+/// @param layer  layer of `after`
+/// @param god  state of the god-object
 /// @param p_WH  last HIP [mm]
-/// @return the god-object's new place [mm]
-/// @par Real-time Wait-free; at most kMostAsked triangles of each surface are asked, beyond that it stays.
+/// @return the new position [mm]
+/// @par Real-time Wait-free; tests at most kMostAsked triangles of each surface, and beyond this limit leaves the
+/// god-object in place.
 [[nodiscard]] Vec3 carriedOver(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
                                const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
 
