@@ -16,20 +16,20 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr double kNever = 2.0;
-constexpr double kLessThan = 1.0 - 1e-6; // so much of a cosine, in floats, is surely less
-constexpr double kShort = 0.5;           // radii: a move that is ruled out as a whole, from its middle
+constexpr double kLessThan = 1.0 - 1e-6; // safety factor for cosines in single precision
+constexpr double kShort = 0.5; // radii; maximum length of a move that is filtered as a whole, from its midpoint
 constexpr int kMostPieces = 8;
-constexpr double kCellsOnWay = 3.0; // with more than so many cells still to go, a move is asked of the whole hierarchy
+constexpr double kCellsOnWay = 3.0; // moves with more cells than this ahead are tested by a traversal of the hierarchy
 
-// In units of TickWork.
-constexpr std::uint32_t kSweep = 24; // the move's own arithmetic
-constexpr std::uint32_t kGroup = 2;  // eight facets' distances, or which of them stand against the move
-constexpr std::uint32_t kExact = 4;  // the exact test of one
-constexpr std::uint32_t kTimed = 9;  // and more where it asks for the share
-constexpr std::uint32_t kMeets = 12; // and more where it blocks
+// Prices in units of TickWork.
+constexpr std::uint32_t kSweep = 24; // arithmetic per move
+constexpr std::uint32_t kGroup = 2;  // distances of eight facets, or the test whether they oppose the move
+constexpr std::uint32_t kExact = 4;  // exact test of one facet
+constexpr std::uint32_t kTimed = 9;  // surcharge if the fraction is computed
+constexpr std::uint32_t kMeets = 12; // surcharge if the facet blocks
 constexpr std::uint32_t kNode = 10;
-constexpr std::uint32_t kFarNode = 26; // where the layer is large: it has to be waited for
-constexpr std::uint32_t kBatch = 18;   // of eight facets of the hierarchy
+constexpr std::uint32_t kFarNode = 26; // in a large layer: includes memory latency
+constexpr std::uint32_t kBatch = 18;   // eight facets of the hierarchy
 
 bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 {
@@ -40,7 +40,7 @@ bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
         return a.stop < b.stop;
     }
     if (a.closing_mm != b.closing_mm) {
-        return a.closing_mm > b.closing_mm; // of many that touch, the one that stands most against the move
+        return a.closing_mm > b.closing_mm; // of several touching facets, the one that opposes the move most
     }
     return a.facet.structure != b.facet.structure ? a.facet.structure < b.facet.structure
                                                   : a.facet.triangle < b.facet.triangle;
@@ -48,7 +48,7 @@ bool isBefore(const BallCrossing& a, const BallCrossing& b) noexcept
 
 } // namespace
 
-/// Keeps the first crossing of those offered. The order of the offers does not matter.
+/// Keeps the first of the crossings offered. The result does not depend on the order of the offers.
 struct NearBall::First
 {
     const Vec3& x;
@@ -58,9 +58,9 @@ struct NearBall::First
     double limit;
     bool found = false;
 
-    std::uint32_t price = 0; ///< of all that was offered, in units of TickWork
+    std::uint32_t price = 0; ///< price of all offers, in units of TickWork
 
-    /// @param origin,reach_mm  of the groups, and their largest coordinate
+    /// @param origin,reach_mm  origin of the groups, and their largest coordinate
     [[nodiscard]] Heading seenFrom(const Vec3& origin, float reach_mm) const noexcept
     {
         Heading heading{};
@@ -71,7 +71,7 @@ struct NearBall::First
         return heading;
     }
 
-    /// @return how much a facet must at least stand against the move to be of interest
+    /// Returns the minimum opposition of a facet of interest.
     [[nodiscard]] float cosine() const noexcept
     {
         return found && best.key == 0.0 ? static_cast<float>(kLessThan * best.closing_mm / (y - x).norm()) : 0.0f;
@@ -98,9 +98,9 @@ struct NearBall::First
     }
 };
 
-/// Offers what the ball may touch on the part `begin` … `end` of the move, which leads through the cell. Facets are
-/// ruled out by their distance from the middle of a short part, from the beginning of a long one, which is expected to
-/// end early.
+/// Offers the facets that the ball may touch on the part `begin` to `end` of the move, which leads through the cell.
+/// Facets are filtered by their distance from the midpoint of a short part, or from the start of a long one, which is
+/// expected to end early.
 void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begin, double end, TickWork& work,
                      First& first) noexcept
 {
@@ -126,7 +126,7 @@ void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begi
     if (isShort) {
         offer(kAnyDistance, touching);
     } else {
-        // The nearer facets first: an early crossing spares the rest.
+        // Nearer facets first: an early crossing makes the rest unnecessary.
         double done = kAnyDistance;
         for (const double share : {0.01, 0.05, 0.25, 1.0}) {
             const double limit = end > begin ? (first.limit - begin) / (end - begin) : 1.0;
@@ -142,11 +142,11 @@ void NearBall::offer(const HapticLayer& layer, const BallCell& cell, double begi
                std::exchange(first.price, 0u));
 }
 
-/// Asks the whole hierarchy for the rest of a move.
+/// Tests the rest of a move by a traversal of the whole hierarchy.
 class NearBall::Traversal
 {
   public:
-    /// @param begin  share of the move that is known to be free
+    /// @param begin  fraction of the move known to be free
     Traversal(const HapticLayer& layer, double begin, TickWork& work, First& first) noexcept
         : m_layer(layer)
         , m_begin(begin)
@@ -160,7 +160,7 @@ class NearBall::Traversal
         (void)asFloats(m_u, Vec3::Zero(), m_u3);
     }
 
-    /// @return the share of the move up to which all was asked: 1, or less where the work was spent
+    /// Returns the fraction of the move that was tested: 1, or less if the work was spent.
     double run() noexcept
     {
         const double reach = m_first.radius_mm + m_layer.skin_mm;
@@ -176,7 +176,7 @@ class NearBall::Traversal
   private:
     [[nodiscard]] geometry::SweptInterest interest() const noexcept
     {
-        // Of the rest of a move, which begins elsewhere, no cosine is known.
+        // The minimum opposition is unknown for the rest of a move, which starts elsewhere.
         return {(m_first.limit - m_begin) / (1.0 - m_begin), m_begin > 0.0 ? 0.0 : m_first.cosine()};
     }
 
@@ -202,7 +202,7 @@ class NearBall::Traversal
     void visitStructure(std::uint32_t number, double reach) noexcept
     {
         const geometry::SurfaceIndex& surface = m_layer.surface(number);
-        // A leaf's facets are added when the next is found: until then the memory has time.
+        // The facets of a leaf are added when the next leaf is found, to hide the memory latency.
         std::uint32_t begin = 0, end = 0;
         const auto addLast = [&] {
             for (; begin < end; ++begin) {
@@ -221,7 +221,7 @@ class NearBall::Traversal
         addLast();
     }
 
-    /// Offers those of the batch that the ball may touch.
+    /// Offers the facets of the batch that the ball may touch.
     void flush() noexcept
     {
         if (m_batch.isEmpty()) {
@@ -230,7 +230,7 @@ class NearBall::Traversal
         float at[3], along[3];
         TriangleGroup group;
         const float reach = m_batch.derive(m_from4, group);
-        // Where on the way that is still of interest the ball comes nearest to them.
+        // Closest approach of the ball on the remaining part of interest.
         const Extent extent = extentAlong(group, m_u3);
         const double rounding = kPlaceRounding * reach;
         const double most = std::max(0.0, m_first.limit * m_whole - m_begin * m_whole);
@@ -253,10 +253,11 @@ class NearBall::Traversal
 
     const HapticLayer& m_layer;
     double m_begin;
-    double m_whole;                                             ///< length of the move [mm]
-    double m_free_mm = std::numeric_limits<double>::infinity(); ///< of the rest, before what was not asked
-    Vec3 m_u;                                                   ///< its direction
-    Vec3 m_from;                                                ///< where the rest begins [mm]
+    double m_whole; ///< length of the move [mm]
+    double m_free_mm =
+        std::numeric_limits<double>::infinity(); ///< free length of the rest, before the first untested part
+    Vec3 m_u;                                    ///< direction of the move
+    Vec3 m_from;                                 ///< start of the rest [mm]
     double m_from4[4]{};
     float m_u3[3];
     TickWork& m_work;
@@ -267,7 +268,7 @@ class NearBall::Traversal
 void NearBall::prepare(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work) noexcept
 {
     if ((y - x).cwiseAbs().maxCoeff() > kCellsOnWay * m_cells.size_mm(layer)) {
-        return; // such moves are asked of the whole hierarchy
+        return; // such moves are tested by a traversal of the hierarchy
     }
     (void)m_cells.at(layer, x, work);
     (void)m_cells.at(layer, y, work);
@@ -287,10 +288,10 @@ Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Ti
     work.spend(kSweep);
     First first{x, y, layer.fingertip_mm, best, 1.0};
     const double length = (y - x).cwiseAbs().maxCoeff();
-    double done = 0.0; // share of the move that is known to be free
+    double done = 0.0; // fraction of the move known to be free
     for (int piece = 0; piece < kMostPieces; ++piece) {
         const Vec3 p = x + done * (y - x);
-        // A cell is not worth its price to a long move, unless it is paid for already.
+        // A long move does not justify the price of a cell, unless the cell is paid for already.
         const bool isLong = (1.0 - done) * length > kCellsOnWay * m_cells.size_mm(layer);
         const BallCell* held = m_cells.paidAt(p);
         if (held == nullptr && isLong) {

@@ -13,11 +13,11 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kFarMove = 8.0; // facets: gathering along a longer move does not pay
+constexpr double kFarMove = 8.0; // facet sizes; gathering along longer moves does not pay
 
 // In units of TickWork.
-constexpr std::uint32_t kExact = 5;                  // of an exact test, beside 1 for each facet that is asked
-constexpr std::uint32_t kSpared = 128 + 64 * kExact; // of a traversal, that costs no more
+constexpr std::uint32_t kExact = 5;                  // price of an exact test, in addition to 1 per visited facet
+constexpr std::uint32_t kSpared = 128 + 64 * kExact; // work of a traversal included in the price of a sweep
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
@@ -35,15 +35,15 @@ bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::
     });
 }
 
-/// @return true when a move ends in front of a plane that has only one side, and not at it.
+/// Returns true if a move ends in front of a one-sided plane, by more than the contact tolerance.
 /// @param n    normal, of any length
-/// @param end  distance in front of the plane at the move's end, times that length
+/// @param end  distance in front of the plane at the end of the move, times that length
 bool endsInFront(const Vec3& n, double end, double skin_mm) noexcept
 {
     return end > 0.0 && end * end >= kOnPlane * kOnPlane * skin_mm * skin_mm * n.squaredNorm();
 }
 
-/// @return of the facets that a path goes over, those that can't block its move i.
+/// Returns the facets below a path that cannot block its move i.
 std::span<const FacetNumber> aroundMove(std::span<const FacetNumber> walked, std::size_t i) noexcept
 {
     const std::span<const FacetNumber> left = walked.subspan(std::min(i, walked.size()));
@@ -64,7 +64,7 @@ bool isBefore(const Crossing& a, const Crossing& b) noexcept
 
 } // namespace
 
-/// Keeps the first crossing of those offered. The order of the offers does not matter.
+/// Keeps the first of the crossings offered. The result does not depend on the order of the offers.
 struct NearPoint::First
 {
     const Vec3& x;
@@ -74,12 +74,12 @@ struct NearPoint::First
     std::span<const FacetNumber> walked;
     double limit;
     bool found = false;
-    std::uint32_t cost = 0; ///< of what was offered
+    std::uint32_t cost = 0; ///< cost of all offers
 
     void offer(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t triangle) noexcept
     {
         ++cost;
-        // Most offers end here.
+        // Most offers are rejected here.
         if (!surface.isTwoSided(triangle)) {
             const geometry::Triangle t = surface.triangle(triangle);
             const Vec3& a = surface.vertex(t[0]);
@@ -127,12 +127,12 @@ void NearPoint::endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept
     }
     const GatheredFacets& held = m_cache.held();
     float at[3];
-    // Three half ulp: of the place, of the box and of their difference.
+    // Three roundings of half an ulp: position, box and their difference.
     const float rounding = 2e-7f * (asFloats(g, held.origin(), at) + held.reach_mm());
     const core::Box& region = held.region();
     const double half = std::min({static_cast<double>(boxDistance(held.groups(), held.count(), at) - rounding),
                                   (region.max() - g).minCoeff(), (g - region.min()).minCoeff()}) -
-                        kPlate * layer.skin_mm; // so far beside a facet it may still block
+                        kPlate * layer.skin_mm; // distance from a facet at which it may still block
     m_empty.setEmpty();
     if (half > 0.0) {
         m_empty = core::Box(g.array() - half, g.array() + half);
@@ -141,7 +141,7 @@ void NearPoint::endFreeTick(const HapticLayer& layer, const Vec3& g) noexcept
 
 void NearPoint::lookAround(const HapticLayer& layer, std::uint32_t structure, const Vec3& p) noexcept
 {
-    // The box is as large as the other structures leave room for: the god-object leaves it sooner or later.
+    // The box is as large as the other structures permit. The god-object eventually leaves the box.
     constexpr double kFirst = 8.0, kLeast = 2.0, kMost = 32.0; // facets
     Around& around = m_around;
     const double facet = layer.facetSize_mm;
@@ -213,7 +213,7 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
         const bool isWalked = isAmong(walked, held.structure(k), held.triangle(k));
         if (isWalked && walked.size() <= 3 &&
             isAmong(walked.last(walked.size() - 1), held.structure(k), held.triangle(k))) {
-            continue; // at most two moves: none is blocked by either's facet
+            continue; // at most two moves, none of which is blocked by the facets at its ends
         }
         const geometry::SurfaceIndex& surface = layer.surface(held.structure(k));
         const geometry::Triangle t = surface.triangle(held.triangle(k));
@@ -222,7 +222,7 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
         const bool isTwoSided = surface.isTwoSided(held.triangle(k));
         for (std::size_t i = 0; i < moves; ++i) {
             if (!isTwoSided && endsInFront(n, n.dot(path[i + 1] - a), layer.skin_mm)) {
-                continue; // most
+                continue; // most facets
             }
             if (isWalked && isAmong(aroundMove(walked, i), held.structure(k), held.triangle(k))) {
                 continue;
@@ -235,16 +235,16 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
     return moves;
 }
 
-/// Finds the numbers of the facets held that come near, sorted by structure and triangle: the order in which facets
-/// were gathered depends on the region.
+/// Finds the cached facets nearby, sorted by structure and triangle, because the order in which facets were gathered
+/// depends on the region.
 int NearPoint::near(const HapticLayer& layer, const Vec3& g, double reach_mm, std::array<int, kHeld>& found) noexcept
 {
     if (m_work.isSpent()) {
         return 0;
     }
     m_work.spend(2 * kSweepPrice);
-    // A region that holds too many is halved with each attempt. The last attempt gathers the place that is asked for
-    // alone: whether its facets can be held does not depend on the attempts before.
+    // Each attempt halves a region that contains too many facets. The last attempt gathers only the queried position,
+    // so that success there does not depend on the attempts before.
     for (int attempt = 0; attempt < 8 && !holds(g); ++attempt) {
         if (!m_cache.takePrepared(layer, g, g)) {
             (void)m_cache.gather(layer, planFor(layer), g, g);
@@ -282,7 +282,7 @@ Sweep NearPoint::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, C
 Sweep NearPoint::ask(const HapticLayer& layer, const Vec3& x, const Vec3& y, Crossing& first,
                      std::span<const FacetNumber> walked) noexcept
 {
-    // In the region that is held; if the move leaves it, in the one that is prepared, and in one gathered along the
+    // Try the cached region first. If the move leaves this region, try the prepared one, and then gather along the
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (holds(x)) {

@@ -12,27 +12,29 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A move that is nearer to an edge's direction than this sine goes along the edge: it enters at the ends, not at the
+/// Sine of the angle to an edge below which a move counts as parallel to the edge and enters at the ends, not at the
 /// side.
 constexpr double kAlong = 1e-15;
 
-/// Where the line w + s u, seen from the middle of a sphere or of a cylinder's section, comes nearer to it than r. The
-/// start counts as outside: where rounding makes it lie inside, it is on the sphere. How far the line passes beside the
-/// middle is a cross product, so that no difference of large squares decides.
-/// @param u  unit, or shorter by the part along the cylinder's axis
+/// Intersects the line w + s u, relative to the centre of a sphere or of a cylinder's cross section, with the radius r.
+/// The start counts as outside: if rounding puts it inside, it is treated as on the sphere. The distance of the line
+/// from the centre is computed as a cross product, to avoid cancellation between large squares.
+/// @param u  unit, or shorter by the component along the cylinder's axis
 inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
 {
     const double u2 = u.squaredNorm();
-    const double nearest = -w.dot(u); // times u2: where the line comes nearest
+    const double nearest = -w.dot(u); // parameter of the closest approach, times u2
     if (nearest <= 0.0 || u2 <= kAlong * kAlong) {
         return kNever;
     }
-    const double beside2 = w.cross(u).squaredNorm(); // times u2
+    const double beside2 = w.cross(u).squaredNorm(); // squared distance of the line, times u2
     return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNever;
 }
 
-/// Way along the move x + s u at which its distance from the triangle falls to `r`; kNever when it stays farther or
-/// would do so beyond `limit`. [mm] @param u  unit @pre the distance at x is greater than r, and r than 0
+/// Returns the distance along the move x + s u at which the distance from the triangle falls to `r` [mm]; kNever if it
+/// stays larger, or if that happens beyond `limit`.
+/// @param u  unit direction
+/// @pre the distance at x exceeds r, and r > 0
 double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, double r, double limit) noexcept
 {
     double first = kNever;
@@ -52,7 +54,7 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
     const std::array<const Vec3*, 3> corner{&facet.a, &facet.b, &facet.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 w = x - *corner[i], e = *corner[(i + 1) % 3] - *corner[i];
-        // A corner or edge that the move cannot reach before the first root so far needs none.
+        // Skip corners and edges that the move cannot reach before the first root found so far.
         double reach = r + std::min(first, limit);
         if (w.squaredNorm() <= reach * reach) {
             first = std::min(first, firstRoot(w, u, r));
@@ -60,7 +62,7 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
         }
         const double e2 = e.squaredNorm();
         if (e2 > 0.0) {
-            // The cylinder around the edge: the same without the parts along it.
+            // The cylinder around the edge: same root, without the components along the edge.
             const double perEdge2 = 1.0 / e2, we = w.dot(e), ue = u.dot(e);
             const Vec3 across = w - (we * perEdge2) * e;
             if (across.squaredNorm() > reach * reach) {
@@ -76,7 +78,7 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
     return first <= limit ? first : kNever;
 }
 
-/// Inlined, so that what is not asked of it costs nothing.
+/// Inlined, so that unused members of the result cost nothing.
 PALPATE_ALWAYS_INLINE Nearest nearest(const Facet& facet, const Vec3& p) noexcept
 {
     const Vec3 ab = facet.b - facet.a, ac = facet.c - facet.a, ap = p - facet.a;
@@ -110,7 +112,7 @@ PALPATE_ALWAYS_INLINE Nearest nearest(const Facet& facet, const Vec3& p) noexcep
         const Vec3 along = (d4 - d3) / ((d4 - d3) + (d5 - d6)) * bc;
         return {facet.b + along, bp - along, bc.normalized(), true, 1};
     }
-    // By the plane rather than by the weights: exact for slivers, too.
+    // By the plane rather than by barycentric weights: accurate for slivers, too.
     const Vec3 away = facet.n.dot(ap) * facet.n;
     return {p - away, away, Vec3::Zero(), false};
 }
@@ -136,7 +138,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     Vec3 away = nearest(facet, x).away;
     const double distance = away.norm();
     if (distance <= onPlane) {
-        away = side * facet.n; // on the facet itself: up is where it leads away
+        away = side * facet.n; // on the facet itself, the direction is the facet's normal
     }
     const double closing = -away.dot(d);
     if (closing <= 0.0) {
@@ -150,17 +152,17 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
         crossing.closing_mm = closing;
         return true;
     }
-    // A little more than the limit, so that of facets met at the same share none is lost to rounding.
+    // Slightly above the limit, so that rounding removes none of several facets met at the same fraction.
     const double most = limit * length + onPlane;
     if (distance - radius_mm > most) {
         return false;
     }
-    // A facet that touches already comes first, whatever its entry: nothing is made of the move.
+    // A touching facet comes first regardless of its entry, and the move is not made at all.
     const bool isTouching = distance <= kept + onPlane;
     if (isTouching && closing / distance < leastClosing_mm) {
         return false;
     }
-    // The distance is convex along the move, and falls fastest where it begins.
+    // The distance is convex along the move and falls fastest at the start.
     if (distance - radius_mm - (isTouching ? length : most) * (closing / (distance * length)) > onPlane) {
         return false;
     }

@@ -12,9 +12,9 @@
 
 namespace palpate::haptics::internal {
 
-/// The facets whose planes limit a god-object now, point or ball: Zilles & Salisbury's active constraints, at most
-/// three, and the plane just met.
-/// @tparam Contact  with `facet` and `side`
+/// Zilles & Salisbury's active constraints of a point or a ball: the facets whose planes currently limit the
+/// god-object, at most three, and the plane met last.
+/// @tparam Contact  with members `facet` and `side`
 template<class Contact>
 class ActiveSet
 {
@@ -32,7 +32,8 @@ class ActiveSet
 
     void clear() noexcept { m_count = 0; }
 
-    /// Adds a contact; where all places are taken, the oldest makes room. @return the place to fill
+    /// Adds a contact. If the set is full, the oldest contact is removed.
+    /// @return the new entry, to be filled
     Contact& add() noexcept
     {
         if (m_count == kMost) {
@@ -42,21 +43,22 @@ class ActiveSet
         return m_contacts[m_count++];
     }
 
-    /// Lets go of each contact for which `isLost(contact)`.
+    /// Removes each contact for which `isLost(contact)` is true.
     template<class IsLost>
     void release(IsLost&& isLost) noexcept
     {
         m_count = static_cast<std::size_t>(std::remove_if(begin(), end(), isLost) - begin());
     }
 
-    /// Finds the allowed displacement nearest to `wanted`, and lets go of the contacts with no part in it.
-    /// @param planeOf  gives a contact's HalfSpace of displacements
+    /// Finds the allowed displacement nearest to `wanted`, and removes the inactive contacts.
+    /// @param wanted  unconstrained displacement [mm]
+    /// @param planeOf  returns the HalfSpace of displacements that a contact allows
     /// @return the displacement [mm]
     template<class PlaneOf>
     [[nodiscard]] Vec3 constrain(const Vec3& wanted, PlaneOf&& planeOf) noexcept
     {
         std::array<HalfSpace, kMost> planes;
-        // The thinnest: no contact is lost to another's rounding.
+        // Minimum skin, so that no contact is lost to the tolerance of another.
         double skin_mm = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < m_count; ++i) {
             planes[i] = planeOf(m_contacts[i]);
@@ -66,7 +68,7 @@ class ActiveSet
             constrainedPoint(wanted, std::span<const HalfSpace>(planes).first(m_count), allowance(skin_mm, wanted));
         m_count = static_cast<std::size_t>(point.count);
         for (std::size_t i = 0; i < m_count; ++i) {
-            // `active` ascends, so nothing is overwritten before it is used.
+            // `active` is ascending, so entries are read before they are overwritten.
             const std::size_t kept = point.active[i];
             if (kept != i) {
                 m_contacts[i] = m_contacts[kept];
@@ -76,7 +78,8 @@ class ActiveSet
         return point.u;
     }
 
-    /// The part of `v` along which the contacts let the god-object go. @pre at most three, as `constrain` leaves
+    /// Returns the component of `v` along which the contacts permit motion.
+    /// @pre at most three contacts, as after `constrain`
     [[nodiscard]] Vec3 freePart(const Vec3& v) const noexcept
     {
         std::array<Vec3, 3> normals;
@@ -87,7 +90,7 @@ class ActiveSet
         return internal::freePart(v, std::span<const Vec3>(normals).first(count));
     }
 
-    /// The multiplier of a contact that the last `constrain` has kept [mm].
+    /// Returns the multiplier of a contact kept by the last `constrain` [mm].
     [[nodiscard]] double lambda_mm(std::size_t i) const noexcept { return m_lambda_mm[i]; }
 
   private:

@@ -14,14 +14,14 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kFarthest_mm = 1.0; // that a god-object is moved off a surface
+constexpr double kFarthest_mm = 1.0; // maximum distance that a god-object is moved off a surface
 constexpr std::uint32_t kMostAsked = 4096;
-constexpr std::uint32_t kSearched = 512; // positions in the index before and after the one of before
-constexpr int kRounds = 4;               // in a corner of several surfaces
-constexpr double kAbove = 2.0;           // skins: just not touched yet
-constexpr double kTurned = 0.5;          // cosine
+constexpr std::uint32_t kSearched = 512; // search range in the index, before and after the previous position
+constexpr int kRounds = 4;               // iterations in a corner of several surfaces
+constexpr double kAbove = 2.0;           // skins: just out of contact
+constexpr double kTurned = 0.5;          // cosine of the maximum turn
 
-/// @return the surface of the same structure in the scene before; null without one
+/// Returns the surface of the same structure in the previous scene; null if there is none.
 const geometry::SurfaceIndex* predecessor(const HapticScene& before, const HapticScene& after,
                                           std::uint32_t structure) noexcept
 {
@@ -30,15 +30,15 @@ const geometry::SurfaceIndex* predecessor(const HapticScene& before, const Hapti
                                                                                  : nullptr;
 }
 
-/// Where a place lies against a surface.
+/// Position relative to a surface.
 struct Against
 {
-    Facet facet;      ///< of the nearest, the one that is seen most from above or below
-    Vec3 q;           ///< nearest point [mm]
-    double height_mm; ///< distance from it; < 0: behind
+    Facet facet;      ///< nearest facet; of several, the one with the position most nearly along its normal
+    Vec3 q;           ///< closest point [mm]
+    double height_mm; ///< signed distance; < 0: behind
 };
 
-/// @return nothing where no triangle comes within `reach_mm`, or too many do
+/// Returns nothing if no triangle is within `reach_mm`, or too many are.
 std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p,
                                      double reach_mm) noexcept
 {
@@ -65,7 +65,8 @@ std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std:
     asked = 0;
     std::optional<Against> against;
     double most = -1.0;
-    // At an edge or a corner several are nearest: the sign is that of the one that sees the place least from the side.
+    // At an edge or a corner several facets are nearest. The sign is taken from the facet with the position most nearly
+    // along its normal.
     eachNear([&](const Facet& facet, const Vec3& q, double distance) {
         const double along = facet.n.dot(p - q);
         if (distance <= least + facet.skin_mm && std::abs(along) > most) {
@@ -76,15 +77,15 @@ std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std:
     return against;
 }
 
-/// Number in the mesh of what lies beyond an edge.
+/// Returns the mesh index of the triangle across an edge.
 std::uint32_t beyond(const geometry::SurfaceIndex& surface, std::uint32_t triangle, std::uint32_t edge) noexcept
 {
     const std::uint32_t neighbour = surface.neighbour(triangle, edge).triangle;
     return neighbour == geometry::SurfaceIndex::kNoNeighbour ? neighbour : surface.sourceTriangle(neighbour);
 }
 
-/// @return the triangle with the same number in the mesh and the same neighbours, looked for around its old position:
-/// the order of an index is that of places, and another order of a file gives other neighbours
+/// Finds the triangle with the same index in the mesh and the same neighbours, searching around its previous position:
+/// the index is ordered by location, and a different triangle order in a file would change the neighbours.
 std::optional<std::uint32_t> sameTriangle(const geometry::SurfaceIndex& from, std::uint32_t position,
                                           const geometry::SurfaceIndex& to) noexcept
 {
@@ -107,7 +108,7 @@ std::optional<std::uint32_t> sameTriangle(const geometry::SurfaceIndex& from, st
     return {};
 }
 
-/// Takes places along with a triangle: affine in its plane, with their height above it.
+/// Maps positions with a moving triangle: affine in its plane, with constant height above.
 class Ride
 {
   public:
@@ -133,7 +134,7 @@ class Ride
     Vec3 m_alongU, m_alongV;
 };
 
-/// @return true when a surface that was replaced is the same where the god-object touches it
+/// Returns true if a replaced surface is unchanged where the god-object touches it.
 bool isStillOn(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
                std::size_t contact, double fingertip_mm) noexcept
 {
@@ -142,7 +143,7 @@ bool isStillOn(const geometry::SurfaceIndex& surface, std::uint32_t structure, c
     return on && std::abs(god.side[contact] * on->height_mm - fingertip_mm) <= kAbove * skin_mm;
 }
 
-/// Where the god-object's contact is now; where it stands when that is not there any more.
+/// Returns the position that follows the contact; the current position if the contact no longer exists.
 Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObjectState& god, const Vec3& p_WH,
             double fingertip_mm) noexcept
 {
@@ -174,12 +175,12 @@ Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObject
     return god.p_WG;
 }
 
-/// +1: the god-object is in front of the surface before, -1: behind one without an inside; 0: it is not to be kept out,
-/// or not known.
+/// Side of the previous surface. +1: the god-object is in front, -1: behind a two-sided surface; 0: not to be kept out,
+/// or unknown.
 struct Side
 {
     int side = 0;
-    Vec3 n; ///< of the facet that tells it
+    Vec3 n; ///< normal of the facet that determined the side
 };
 
 Side sideBefore(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
@@ -197,7 +198,7 @@ Side sideBefore(const geometry::SurfaceIndex& surface, std::uint32_t structure, 
     return {was->height_mm < 0.0 ? -1 : 1, was->facet.n};
 }
 
-/// @return the nearest place in front of the surface, where `p` is not there and that is near enough
+/// Returns the nearest position in front of the surface, if `p` is not in front and the position is near enough.
 std::optional<Vec3> lifted(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p, Side before,
                            double fingertip_mm) noexcept
 {

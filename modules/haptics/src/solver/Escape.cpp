@@ -9,7 +9,7 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kSameNormal = 1e-12; // difference of unit normals that is rounding
+constexpr double kSameNormal = 1e-12; // rounding of the difference of unit normals
 
 bool isSamePlane(const PointContact& p, const PointContact& q) noexcept
 {
@@ -17,7 +17,7 @@ bool isSamePlane(const PointContact& p, const PointContact& q) noexcept
            std::abs(p.gap(q.facet.a)) <= kOnPlane * std::min(p.facet.skin_mm, q.facet.skin_mm);
 }
 
-/// Two such planes hold a point no more than one of them does.
+/// Two parallel planes constrain a point no more than one of them.
 bool areParallel(const PointContact& p, const PointContact& q) noexcept
 {
     return p.facet.n.cross(q.facet.n).squaredNorm() <= kSameNormal * kSameNormal;
@@ -25,8 +25,8 @@ bool areParallel(const PointContact& p, const PointContact& q) noexcept
 
 } // namespace
 
-/// Adds a facet that is touched, and its plane unless it is one of those added already: facets beside each other on a
-/// voxel's wall or a box's face lead the same way.
+/// Adds a touched facet and its plane, unless an equal plane was added already: adjacent facets of a voxel wall or of a
+/// box face lead in the same direction.
 void Escape::add(const PointContact& contact) noexcept
 {
     m_largest_mm = std::max(m_largest_mm, contact.facet.skin_mm);
@@ -41,8 +41,8 @@ void Escape::add(const PointContact& contact) noexcept
     }
 }
 
-/// Collects the facets that are touched, the held ones first: they lead on more often.
-/// @return true when those are all
+/// Collects the touched facets. Held contacts come first, because paths along them succeed more often.
+/// @return true if all touched facets were collected
 bool Escape::gather(const PointContacts& held) noexcept
 {
     for (const PointContact& contact : held) {
@@ -50,7 +50,7 @@ bool Escape::gather(const PointContacts& held) noexcept
     }
     return m_near.forEachNear(m_layer, m_god, kNearby * m_layer.skin_mm, [&](const Facet& facet) {
         const PointContact contact{facet, facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1};
-        const double reach = kTouched * facet.skin_mm; // feet may lie so far beside a facet
+        const double reach = kTouched * facet.skin_mm; // maximum distance of a foot outside its facet
         if (footingOn(facet, contact.side, m_god, {reach, reach, 0.0}) != Footing::Away &&
             std::none_of(held.begin(), held.end(), [&](const PointContact& c) { return c.isSame(contact); })) {
             add(contact);
@@ -62,8 +62,8 @@ bool Escape::find(const PointContacts& held, End& end) noexcept
 {
     const bool isKnown = gather(held);
     const double skin = std::max(m_skin_mm, m_largest_mm);
-    // Within the skin's thickness a facet's very edge may stand in the way of what is open beyond it: the ways are
-    // tried from a little above, away from the HIP.
+    // Within the thickness of the skin, the edge of a facet may block a path that is open beyond. The paths therefore
+    // start slightly above the planes, away from the HIP.
     const Vec3 wanted = m_hip - m_god;
     const double spring = wanted.norm();
     m_most_mm = spring - kLeastGain * skin;
@@ -97,8 +97,8 @@ bool Escape::find(const PointContacts& held, End& end) noexcept
     return false;
 }
 
-/// Goes along the given planes alone, of those that are touched. @return false when that leads no nearer to the HIP
-/// than is worth a move.
+/// Follows the given subset of the touched planes.
+/// @return false if the gain towards the HIP is too small
 bool Escape::follow(Vec3 from, std::span<const PointContact> along, End& end) noexcept
 {
     std::array<HalfSpace, 2> planes;
@@ -110,9 +110,9 @@ bool Escape::follow(Vec3 from, std::span<const PointContact> along, End& end) no
     };
     const Vec3 pull = m_hip - from;
     if ((pull - constrainedPoint(pull, setPlanes(), allowance(m_skin_mm, pull)).u).norm() > m_most_mm) {
-        return false; // most ways end here, without a sweep
+        return false; // most candidates are rejected here, without a sweep
     }
-    // First to a skin above the planes themselves, where that is free: their edges are no longer in the way from there.
+    // First move to a skin above the planes, if that move is free: from there their edges do not block.
     Crossing crossing;
     const Vec3 up = constrainedPoint(Vec3::Zero(), setPlanes(), 0.0).u;
     if (!along.empty() && m_near.sweep(m_layer, from, from + up, crossing) == Sweep::Free) {
@@ -124,7 +124,7 @@ bool Escape::follow(Vec3 from, std::span<const PointContact> along, End& end) no
         return false;
     }
     Vec3 u = point.u;
-    // A facet that is touched blocks most ways: no sweep is needed to see that.
+    // Most paths are blocked by a touched facet, which is detected without a sweep.
     const auto stands = [&](const Facet& facet) { return blocks(facet, from, from + u, 0.0, crossing); };
     if (std::any_of(touched().begin(), touched().end(), stands)) {
         return false;

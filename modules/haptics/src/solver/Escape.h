@@ -9,15 +9,16 @@
 
 namespace palpate::haptics::internal {
 
-/// A way out of a corner whose planes leave no room: at a vertex the surface may fall away on one side although the
-/// planes around it hold the god-object, because the free space is not the intersection of their half-spaces there.
+/// Finds a way out of a corner whose planes leave no room. At a saddle vertex the surface may fall away on one side
+/// although the planes around the vertex hold the god-object, because free space is not the intersection of their
+/// half-spaces there.
 ///
-/// Tried are the straight way to the HIP and those along each plane and each pair of planes that are touched.
+/// Candidates are the straight path to the HIP and the paths along each touched plane and each pair of touched planes.
 /// @par Real-time Wait-free; bounded by the work of the tick that `near` has begun.
 class Escape
 {
   public:
-    /// @param god,skin_mm  the god-object and the gap that it keeps [mm]
+    /// @param god,skin_mm  the god-object and its gap [mm]
     Escape(const Vec3& hip, const HapticLayer& layer, NearPoint& near, const Vec3& god, double skin_mm) noexcept
         : m_hip(hip)
         , m_layer(layer)
@@ -27,22 +28,23 @@ class Escape
     {
     }
 
-    /// Where a way leads.
+    /// End of an escape path.
     struct End
     {
-        Vec3 p;                 ///< [mm]
-        PointContacts along;    ///< the facets that it follows
-        bool isBlocked = false; ///< by `next`
+        Vec3 p;                 ///< position [mm]
+        PointContacts along;    ///< facets whose planes the path follows
+        bool isBlocked = false; ///< the path ends at `next`
         PointContact next;
     };
 
-    /// Finds a way that leads closer to the HIP.
-    /// @param held  the present contacts
-    /// @return false where there is none
+    /// Finds a path that leads closer to the HIP.
+    /// @param held  current contacts
+    /// @param end  set if a path was found
+    /// @return false if there is none
     [[nodiscard]] bool find(const PointContacts& held, End& end) noexcept PALPATE_NONBLOCKING;
 
   private:
-    static constexpr std::size_t kMostTouched = 16; // facets around a vertex, and planes
+    static constexpr std::size_t kMostTouched = 16; // maximum number of touched facets, and of planes
 
     [[nodiscard]] bool gather(const PointContacts& held) noexcept;
     void add(const PointContact& contact) noexcept;
@@ -62,12 +64,12 @@ class Escape
     NearPoint& m_near;
     const Vec3& m_god;
     double m_skin_mm;
-    double m_largest_mm = 0.0; ///< skin of those touched
-    double m_most_mm = 0.0;    ///< from the HIP, at the end of a way that is worth a move
+    double m_largest_mm = 0.0; ///< maximum skin of the touched facets
+    double m_most_mm = 0.0;    ///< maximum distance from the HIP at the end of a useful path
     std::array<Facet, kMostTouched> m_touched;
     std::size_t m_count = 0;
-    bool m_isRoom = true;                            ///< for all that are touched
-    std::array<PointContact, kMostTouched> m_planes; ///< of those and of the rest, each once
+    bool m_isRoom = true;                            ///< all touched facets fit
+    std::array<PointContact, kMostTouched> m_planes; ///< distinct planes of the touched facets
     std::size_t m_planeCount = 0;
 };
 

@@ -12,16 +12,16 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::uint32_t kPatience = 32; // moves that together must gain a skin
-constexpr std::size_t kMostHeld = 3;    // contacts that a tick ends with
-constexpr int kRounds = 3;              // rounds over a convex edge that together must gain a skin
+constexpr std::uint32_t kPatience = 32; // moves that must gain a skin in total
+constexpr std::size_t kMostHeld = 3;    // maximum number of contacts at the end of a tick
+constexpr int kRounds = 3;              // cycles over a convex edge that must gain a skin in total
 
 } // namespace
 
 void PointTick::touch(const PointContact& contact) noexcept
 {
     m_active.add() = contact;
-    m_mayWalk = contact.isInTheWay && (m_friction == nullptr || contact.supports(m_god)); // from a facet newly met
+    m_mayWalk = contact.isInTheWay && (m_friction == nullptr || contact.supports(m_god)); // only from a newly met facet
     m_skin_mm = std::max(m_skin_mm, contact.facet.skin_mm);
 }
 
@@ -29,7 +29,7 @@ std::uint32_t PointTick::converge(std::uint32_t limit) noexcept
 {
     const std::uint32_t moves = moveUntilDone(limit);
     if (m_active.isEmpty() && m_lastMet && (m_hip - m_god).cwiseAbs().maxCoeff() > m_lastMet->facet.skin_mm) {
-        m_active.add() = *m_lastMet; // the facet that blocked last: away from the HIP a god-object is always held
+        m_active.add() = *m_lastMet; // away from the HIP a god-object always has a contact: the facet that blocked last
     }
     return moves;
 }
@@ -40,8 +40,8 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
     std::uint32_t i = 0;
     for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
         if (i % kPatience == kPatience - 1) {
-            // Planes that repeat each other to rounding can take turns for ever: a god-object that gains less than a
-            // skin in so many moves has arrived.
+            // Nearly coplanar planes may alternate forever. A god-object that gains less than a skin in kPatience moves
+            // has arrived.
             const double last = std::exchange(spring, (m_hip - m_god).norm());
             if (spring > last - m_skin_mm && !takeEscape()) {
                 return i + 1 + m_walked;
@@ -77,7 +77,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             continue;
         }
         if (m_active.isEmpty()) {
-            m_god = target; // the HIP: nothing holds it short of that, be it by rounding
+            m_god = target; // at the HIP, possibly only within rounding: no contact
             return i + 1 + m_walked;
         }
         moveTo(target);
@@ -90,7 +90,8 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
     return i + m_walked;
 }
 
-/// Walks on from the one contact, as long as walking is all there is to do. @return true when nothing is left.
+/// Continues from a single contact by walking, as long as walking suffices.
+/// @return true if the tick is complete
 bool PointTick::walkHome(std::uint32_t most) noexcept
 {
     PointContact& contact = m_active[0];
@@ -102,12 +103,13 @@ bool PointTick::walkHome(std::uint32_t most) noexcept
     if (Walk::isHeldByTwo(ended)) {
         touch({beyond, contact.side});
     }
-    m_mayWalk = false; // again from the next facet that is met
+    m_mayWalk = false; // may be set again by the next facet met
     return Walk::hasArrived(ended);
 }
 
-/// Where the HIP is nearest to a convex edge, each facet at it leads just beyond the edge and lets go there, and the
-/// other is met by the straight way. @return true when that has come round a few times without gaining a skin.
+/// Detects cycling. Where the HIP is nearest to a convex edge, each of the two facets leads just beyond the edge and is
+/// released there, and the straight move then meets the other facet.
+/// @return true if several cycles gained less than a skin
 bool PointTick::countRound() noexcept
 {
     const double spring = (m_hip - m_god).norm();
@@ -120,7 +122,7 @@ bool PointTick::countRound() noexcept
     return ++m_rounds >= kRounds;
 }
 
-/// Remembers a facet that was in the way, or that a walk has come to.
+/// Records a facet that blocked a move or was reached by a walk.
 void PointTick::meetInTurn(const PointContact& contact) noexcept
 {
     if (m_friction != nullptr) {
@@ -128,7 +130,8 @@ void PointTick::meetInTurn(const PointContact& contact) noexcept
     }
 }
 
-/// Facets that block in turn hold the god-object together, each a part of the pull. Friction asks which.
+/// Makes contacts of all facets that blocked in turn. Together they hold the god-object, each against a part of the
+/// pull, and friction must know all of them.
 void PointTick::holdByAllInTurn() noexcept
 {
     for (std::size_t i = 0; i < std::min<std::size_t>(m_turn, m_inTurn.size()) && m_active.count() < kMostHeld; ++i) {
@@ -150,7 +153,7 @@ Vec3 PointTick::nextTarget() noexcept
     return m_god + (m_friction == nullptr || m_active.isEmpty() ? u : slowed(u));
 }
 
-/// What friction leaves of a move to the constrained point.
+/// Shortens a move to the constrained point by friction.
 Vec3 PointTick::slowed(const Vec3& u) noexcept
 {
     m_friction->lift();
@@ -170,13 +173,13 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
     if (left < 1.0) {
         return u - left * slide;
     }
-    // In a corner there is nothing for friction to hold: whether a way leads out is to be seen.
+    // In a corner no motion is left that friction could hold; an escape may still exist.
     m_isHeld = m_active.count() == 1 || r > rounding;
     return u;
 }
 
-/// Moves up to the facet in the way and takes its plane as a constraint.
-/// @return false when that leads nowhere any more.
+/// Moves up to the blocking facet and adds its plane as a constraint.
+/// @return false if no further move can gain
 bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
 {
     const PointContact met{crossing.facet, crossing.side, Footing::Away, true};
@@ -184,8 +187,8 @@ bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
     if (moveTo(m_god + crossing.stop * (target - m_god))) {
         keepSupporting();
     }
-    // In place each new plane moves the constrained point away from the HIP, as in a dual active-set method: no set of
-    // planes comes back.
+    // In one place, each new plane moves the constrained point away from the HIP, as in a dual active-set method, so
+    // that no set of planes recurs.
     if (std::any_of(m_active.begin(), m_active.end(), [&met](const PointContact& c) { return c.isSame(met); })) {
         return false;
     }
@@ -193,7 +196,8 @@ bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
     return true;
 }
 
-/// @return false, unmoved, for less than rounding.
+/// Moves the god-object.
+/// @return false, without a move, if the distance is rounding
 bool PointTick::moveTo(const Vec3& p) noexcept
 {
     const double most = (p - m_god).cwiseAbs().maxCoeff();
@@ -201,7 +205,7 @@ bool PointTick::moveTo(const Vec3& p) noexcept
         return false;
     }
     m_god = p;
-    // Within a skin it is the same place: planes that are one to rounding are that far apart.
+    // Positions within a skin count as the same place: planes that are equal up to rounding are that far apart.
     if (most > m_skin_mm) {
         for (PointContact& contact : m_active) {
             contact.isInTheWay = false;
@@ -210,12 +214,12 @@ bool PointTick::moveTo(const Vec3& p) noexcept
     return true;
 }
 
-/// Drops the contacts whose triangle is no longer below the god-object, unless it stood in the way of a move from here:
-/// with others it may lie beside, met at a shallow angle; alone its foot is on its very edge, and a facet that blocks
-/// is not let go of.
+/// Drops the contacts whose triangle is no longer below the god-object, unless the facet blocked a move from here. Such
+/// a facet may be beside the god-object, met at a shallow angle together with others, or have its foot on the very edge
+/// if alone; a blocking facet is never released.
 void PointTick::keepSupporting() noexcept
 {
-    // With several contacts the foot on one may lie at its very edge, where rounding must not decide.
+    // With several contacts, the foot on one may be at the very edge of the facet, where rounding must not decide.
     const double slack = m_active.count() > 1 ? m_skin_mm : 0.0;
     m_active.release([&](PointContact& c) {
         const double skin = c.facet.skin_mm, plate = c.facet.isTwoSided ? kPlate * skin : 0.0;
@@ -224,16 +228,16 @@ void PointTick::keepSupporting() noexcept
     });
 }
 
-/// True when the contacts alone show that no move comes closer: none, one with the foot well inside it, or two below
-/// the god-object that share an edge and rise towards each other.
+/// Returns true if the contacts alone prove that no move leads closer: no contact, one contact with the foot well
+/// inside, or two supporting contacts that form a concave edge.
 bool PointTick::isCertain() const noexcept
 {
     return m_active.isEmpty() || (m_active.count() == 1 && m_active[0].footing == Footing::Inside) ||
            (m_active.count() == 2 && isConcaveEdge());
 }
 
-/// Both rise towards each other from a common edge, and the god-object stands between its ends: at an end a third may
-/// fall away.
+/// Returns true if the two contacts form a concave edge and the god-object is between its ends. At an end, the surface
+/// may fall away at a third facet.
 bool PointTick::isConcaveEdge() const noexcept
 {
     const PointContact &p = m_active[0], &q = m_active[1];
@@ -259,7 +263,8 @@ bool PointTick::isConcaveEdge() const noexcept
     return along.dot(m_god - *end[0]) > margin && along.dot(*end[1] - m_god) > margin;
 }
 
-/// Where the planes leave no room: @return true when there is a way out all the same, and it was taken.
+/// Tries to escape where the planes leave no room.
+/// @return true if an escape was found and made
 bool PointTick::takeEscape() noexcept
 {
     Escape::End end;

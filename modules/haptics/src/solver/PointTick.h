@@ -20,8 +20,8 @@ namespace palpate::haptics::internal {
 class PointTick
 {
   public:
-    /// @param friction  of the layer in this tick; null: none
-    /// @param walked  moves made before in this tick
+    /// @param friction  friction of the layer in this tick; null: frictionless
+    /// @param walked  number of moves already made in this tick
     PointTick(const Vec3& hip, const HapticLayer& layer, NearPoint& near, CoulombFriction* friction, const Vec3& god,
               std::uint32_t walked) noexcept
         : m_hip(hip)
@@ -33,10 +33,11 @@ class PointTick
     {
     }
 
-    /// Begins with a contact of the tick before.
+    /// Adds a contact of the previous tick.
     void touch(const Facet& facet, int side) noexcept { touch({facet, side}); }
 
-    /// @return how many moves were tried, `limit` when it was not enough.
+    /// Moves the god-object until rest or `limit`.
+    /// @return the number of moves tried; `limit` if the tick is incomplete
     [[nodiscard]] std::uint32_t converge(std::uint32_t limit) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] const Vec3& god() const noexcept { return m_god; }
@@ -64,21 +65,22 @@ class PointTick
     CoulombFriction* m_friction;
     Vec3 m_god;
     PointContacts m_active;
-    bool m_isHeld = false;                                       ///< by friction, where it is
-    bool m_mayWalk = false;                                      ///< from the one contact
-    std::uint32_t m_walked;                                      ///< moves made by walking
-    double m_skin_mm = 0.0;                                      ///< the largest of those touched
-    double m_letGo_mm = std::numeric_limits<double>::infinity(); ///< distance to the HIP when nothing held it last
-    int m_rounds = 0;                                            ///< in which that fell by less than a skin
-    /// A facet that was in the way or walked to, and the side that it was met from.
+    bool m_isHeld = false;  ///< held in place by friction
+    bool m_mayWalk = false; ///< walking from the single contact is possible
+    std::uint32_t m_walked; ///< moves made by walking
+    double m_skin_mm = 0.0; ///< maximum skin of the touched facets
+    double m_letGo_mm =
+        std::numeric_limits<double>::infinity(); ///< distance to the HIP when the last contact was released
+    int m_rounds = 0;                            ///< number of releases that gained less than a skin
+    /// A facet that blocked a move or was reached by a walk, and the side of contact.
     struct Met
     {
         FacetNumber number;
         int side;
     };
-    std::array<Met, 3> m_inTurn;           ///< the last since then
-    std::size_t m_turn = 0;                ///< how many were
-    std::optional<PointContact> m_lastMet; ///< the last facet in the way
+    std::array<Met, 3> m_inTurn;           ///< most recent facets since the last release
+    std::size_t m_turn = 0;                ///< number of facets since the last release
+    std::optional<PointContact> m_lastMet; ///< last facet that blocked a move
 };
 
 } // namespace palpate::haptics::internal

@@ -7,18 +7,18 @@
 
 namespace palpate::haptics::internal {
 
-/// Tells whether a god-object at the common corner of `facets` is held there against every direction.
+/// Tests whether a god-object at the common corner of `facets` is held against every direction.
 ///
-/// Around a vertex whose facets close a ring, free space is a cone of directions bounded by the facets' sectors. If any
-/// direction in it leads towards the HIP, so does the pull itself, its projection into one of the sectors, or one of
-/// the edges between them: where the pull is blocked, none of the projections falls into its own sector and no edge
-/// leads nearer, the god-object has arrived.
-/// @param facets     all those that are touched
-/// @param from       where the pull is tried from, within skins of the corner and in front of the facets [mm]
+/// If the facets around a vertex form a closed ring, free space is a cone of directions bounded by the sectors of the
+/// facets. If any direction in the cone leads towards the HIP, so does the pull itself, its projection into one of the
+/// sectors, or one of the edges between the sectors. Hence the god-object is at rest if the pull is blocked, no
+/// projection is inside its sector and no edge leads nearer.
+/// @param facets     all touched facets
+/// @param from       start of the pull, within skins of the corner and in front of the facets [mm]
 /// @param wanted     pull: HIP - god-object [mm]
-/// @param enough_mm  distances to the HIP greater than this are no gain, > 0
-/// @return false when that cannot be told: the facets do not close one ring, or have two sides, or some direction leads
-/// on.
+/// @param enough_mm  tolerance on the distance to the HIP, > 0
+/// @return false if undecided (the facets do not form one closed ring, or are two-sided) or if some direction leads
+/// nearer
 /// @par Real-time Wait-free.
 [[nodiscard]] bool isHeldByRing(std::span<const Facet> facets, const Vec3& from, const Vec3& wanted,
                                 double enough_mm) noexcept PALPATE_NONBLOCKING;
