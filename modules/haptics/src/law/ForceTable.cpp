@@ -14,13 +14,13 @@ namespace {
 using core::Status;
 using core::StatusCode;
 using Knot = ForceTable::Knot;
-using Numbers = std::array<double, 4>; // of a knot in bytes
+using Numbers = std::array<double, 4>; // of one serialized knot
 
 static_assert(std::endian::native == std::endian::little, "bytes() writes numbers as they lie in memory");
 
-constexpr double kDeepest_mm = 1e9; // a law's last knot: what keeps a force finite
+constexpr double kDeepest_mm = 1e9; // maximum depth of a knot; keeps forces finite
 
-/// @return what is wrong with the cell from a knot to the next, or null.
+/// Returns the error of the cell between two knots, or null.
 const char* problem(const Knot& from, const Knot& to)
 {
     const double length = to.depth_mm - from.depth_mm;
@@ -32,7 +32,7 @@ const char* problem(const Knot& from, const Knot& to)
         std::abs(to.force_N - from.force_N) > most * length) {
         return "is steeper than any law";
     }
-    // A cubic lies within the polygon of its four control points; these are the inner two.
+    // A cubic lies within the convex hull of its four control points; these are the inner two.
     const double allowed = -1e-9 * (from.force_N + to.force_N);
     if (from.force_N + from.slopeAfter * length / 3.0 < allowed ||
         to.force_N - to.slopeBefore * length / 3.0 < allowed) {
@@ -41,7 +41,7 @@ const char* problem(const Knot& from, const Knot& to)
     return nullptr;
 }
 
-/// @return what is wrong with a knot by itself, or null.
+/// Returns the error of a single knot, or null.
 const char* problem(const Knot& knot, bool isFirst, bool isLast)
 {
     if (!std::isfinite(knot.depth_mm) || !std::isfinite(knot.force_N) || !std::isfinite(knot.slopeBefore) ||
@@ -143,7 +143,7 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     : m_knots(std::move(knots))
 {
     m_cells.reserve(m_knots.size());
-    double energy_mJ = 0.0, above = 0.0; // and the moment of what lies above a cell
+    double energy_mJ = 0.0, above = 0.0; // energy and moment accumulated before a cell
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Cell& cell = m_cells.emplace_back(cellBetween(m_knots[i], m_knots[i + 1], energy_mJ));
         m_greatestSlope = std::max(m_greatestSlope, greatestSlope(cell));
@@ -159,10 +159,10 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     m_moments.push_back(above);
     m_greatestSlope = std::max(m_greatestSlope, last.slopeAfter);
 
-    m_firstPlace = placeOf(last.depth_mm) + 2 - kIndexSize; // the last place lies in the last cell
+    m_firstPlace = placeOf(last.depth_mm) + 2 - kIndexSize; // the last index entry is in the last cell
     std::uint16_t cell = 0;
     for (std::int64_t i = 0; i < kIndexSize; ++i) {
-        const std::int64_t place = m_firstPlace + i; // the first stands for all before it, too
+        const std::int64_t place = m_firstPlace + i; // the first entry also covers all smaller depths
         const double shallowest_mm = i > 0 && place > 0 ? std::bit_cast<double>(place << kPlaceShift) : 0.0;
         while (shallowest_mm > m_cells[cell].end_mm) {
             ++cell;

@@ -6,12 +6,12 @@
 
 namespace palpate::haptics::law {
 
-/// The sum of the terms that a tissue has. One that it lacks costs a branch; one whose force no number can hold (a
-/// damper after a time too short to divide by) is left out.
+/// Sum of the force terms of a tissue. An absent term costs a branch; a term whose force is not finite (a damper after
+/// too short a time step) is omitted.
 template<class... Terms>
 struct Sum
 {
-    /// @param touch  a Touch, or a MappedTouch where a term asks for the foot
+    /// @param touch  a Touch, or a MappedTouch if a term needs the foot
     template<class TouchOfTerms>
     [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const TouchOfTerms& touch) noexcept
     {
@@ -33,14 +33,14 @@ struct Sum
     }
 };
 
-// What a tissue answers with, by what it has: most have no map, and pay for none. A new term is a file here and a name
-// in these lists.
+// Force laws by the features of a tissue: most tissues have no maps and do not pay for them. To add a term, add a file
+// to this folder and a name to these lists.
 
-/// Neither friction, a law of its own nor a map: most scenes.
+/// No friction, nonlinear law or maps: most scenes.
 using LinearLaw = Sum<LinearSpring, LinearDamper>;
-/// No map of the force.
+/// No maps that affect the force.
 using UnmappedLaw = Sum<LawSpring, LinearDamper>;
-/// No lumps felt below.
+/// No buried lumps.
 using MappedLaw = Sum<MapSpring, MapDamper>;
 using FeltLaw = Sum<FeltSpring, MapDamper>;
 

@@ -17,14 +17,14 @@ using core::ForceLaw;
 constexpr double kCells = ForceTable::kLawKnots - 1;
 constexpr double kPerkPa = 1e-3; // 1 kPa = 1e-3 N/mm^2
 
-/// A law whose slope only grows.
+/// A law with increasing slope.
 struct Curve
 {
     std::function<Knot(double depth_mm)> at;
-    double steepest_N_per_mm; ///< from where the slope reaches it the law goes straight on
+    double steepest_N_per_mm; ///< the law continues linearly from the depth at which it reaches this slope
 };
 
-/// The depth at which the slope of the curve reaches its greatest, at most the table's reach.
+/// Returns the depth at which the curve reaches its maximum slope, limited to the reach of the table.
 double straightFrom(const Curve& curve)
 {
     double below = 0.0, above = ForceTable::kReach_mm;
@@ -38,7 +38,8 @@ double straightFrom(const Curve& curve)
     return above;
 }
 
-/// @param depthAt  share of the knots -> depth [mm], from 0 at 0 to `end_mm` at 1
+/// Samples a curve.
+/// @param depthAt  maps the fraction of the knots to a depth [mm], from 0 at 0 to `end_mm` at 1
 /// @param cells    at least 1
 std::vector<Knot> sampled(const Curve& curve, double end_mm, double cells, const std::function<double(double)>& depthAt)
 {
@@ -52,14 +53,14 @@ std::vector<Knot> sampled(const Curve& curve, double end_mm, double cells, const
     return knots;
 }
 
-/// Straight from the start on: what reaches its greatest slope within a few of the least cells.
+/// Returns a straight line, for a law that reaches its maximum slope within a few minimum cells.
 std::vector<Knot> straight(double slope)
 {
     return {{0.0, 0.0, slope, slope}};
 }
 
-/// F = k0/beta (e^(beta d) - 1), its tangent k0 e^(beta d). The error of the cubics grows with the fourth derivative,
-/// so that knots evenly spread over e^(beta d / 4) spread it evenly.
+/// F = k0/beta (e^(beta d) - 1), slope k0 e^(beta d). The error of the cubics grows with the fourth derivative, so that
+/// knots at equal steps of e^(beta d / 4) distribute the error evenly.
 /// @par Source Fung, Am. J. Physiol. 213 (1967), doi:10.1152/ajplegacy.1967.213.6.1532.
 std::vector<Knot> exponential(const ForceLaw& law)
 {
@@ -78,7 +79,8 @@ std::vector<Knot> exponential(const ForceLaw& law)
                    [&, beta = beta](double share) { return 4.0 / beta * std::log1p(range * share); });
 }
 
-/// A ball on soft ground, evenly spaced in the root of the depth: the force is a polynomial in that.
+/// Samples a spherical indenter on soft tissue at equal steps of the square root of the depth, in which the force is a
+/// polynomial.
 std::vector<Knot> ball(const Curve& curve)
 {
     const double end_mm = straightFrom(curve), least = 4.0 * ForceTable::kLeastCell_mm;
@@ -114,7 +116,7 @@ std::vector<Knot> layer(const ForceLaw& law)
     constexpr std::array<double, 5> kBonded{1.0, 1.133, 1.283, 0.769, 0.0975}, kLoose{1.0, 0.884, 0.781, 0.386, 0.0048};
     const auto at = [E = E, R = R, thickness_mm = thickness_mm, a = bonded != 0.0 ? kBonded : kLoose](double d) {
         const double half = hertzForce(E, R, d), x = std::sqrt(R * d) / thickness_mm;
-        double force = 0.0, slope = 0.0, power = half; // the term i is hertz * a_i x^i, of degree 1.5 + i/2 in d
+        double force = 0.0, slope = 0.0, power = half; // term i is hertz * a_i x^i, of degree 1.5 + i/2 in d
         for (std::size_t i = 0; i < a.size(); ++i) {
             force += a[i] * power;
             slope += d > 0.0 ? a[i] * power * (1.5 + 0.5 * double(i)) / d : 0.0;
@@ -125,7 +127,7 @@ std::vector<Knot> layer(const ForceLaw& law)
     return ball({at, ForceLaw::kMostSlope});
 }
 
-/// Three straight lines: up to F1, down to F2, up again.
+/// Three line segments: up to F1, down to F2, and up again.
 std::vector<Knot> click(const ForceLaw& law)
 {
     const auto [k1, F1, F2, fall_mm, k3] = law.numbers;
@@ -133,9 +135,10 @@ std::vector<Knot> click(const ForceLaw& law)
     return {{0.0, 0.0, k1, k1}, {top_mm, F1, k1, fall}, {top_mm + fall_mm, F2, fall, k3}};
 }
 
-/// The slope at the end of a curve, of the parabola through its three last points, as far as the curve stays within
-/// what it measured.
-/// @param s0, h0  slope and length of the last line, s1, h1 of the one before it
+/// Returns the slope at the end of a curve from the parabola through the last three points, limited so that the curve
+/// stays within the measured range.
+/// @param s0,h0  slope and length of the last segment
+/// @param s1,h1  slope and length of the segment before
 double endSlope(double s0, double h0, double s1, double h1)
 {
     const double slope = s0 + (s0 - s1) * h0 / (h0 + h1);
@@ -145,9 +148,9 @@ double endSlope(double s0, double h0, double s1, double h1)
     return s0 * s1 <= 0.0 && std::abs(slope) > 3.0 * std::abs(s0) ? 3.0 * s0 : slope;
 }
 
-/// The curve through measured points that neither swings beyond two neighbours nor rises where they fall.
+/// Interpolates measured points without overshoot and without rising where the points fall.
 /// @par Source Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984), doi:10.1137/0905021: the slope at a point is the
-/// weighted harmonic mean of its two lines'; 0 where one rises and the other doesn't.
+/// weighted harmonic mean of the slopes of its two segments; 0 where only one of them rises.
 std::vector<Knot> points(const ForceLaw& law)
 {
     std::vector<Knot> knots;
@@ -171,7 +174,8 @@ std::vector<Knot> points(const ForceLaw& law)
         }
         knots[i].slopeBefore = knots[i].slopeAfter = slope;
     }
-    knots[last].slopeAfter = std::max(0.0, knots[last].slopeAfter); // beyond what was measured it never pulls in
+    knots[last].slopeAfter =
+        std::max(0.0, knots[last].slopeAfter); // beyond the measured range the force never decreases
     return knots;
 }
 

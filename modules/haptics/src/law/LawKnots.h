@@ -9,9 +9,9 @@
 
 namespace palpate::haptics::law {
 
-/// The knots of a law that is not linear: its own force and slope at each, so that between them a ForceTable is at most
-/// 1e-7 of the force at kReach_mm away from the formula.
-/// @pre core::check(law) is fine
+/// Computes the knots of a nonlinear law, with the exact force and slope at each knot, so that the error of a
+/// ForceTable between them is at most 1e-7 of the force at kReach_mm.
+/// @pre core::check(law) succeeds
 [[nodiscard]] std::vector<ForceTable::Knot> knotsOf(const core::ForceLaw& law);
 
 } // namespace palpate::haptics::law

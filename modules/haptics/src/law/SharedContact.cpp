@@ -12,32 +12,32 @@ namespace palpate::haptics::law {
 
 namespace {
 
-/// The least depth at which a law is asked, as a share of the spring: in an acute groove the HIP can lie in front of a
-/// plane that pushes, and there the slope of the law at its start counts.
+/// Minimum depth at which a law is evaluated, as a fraction of the spring. In an acute groove the HIP can be in front
+/// of an active plane; the initial slope of the law is used there.
 constexpr double kLeastDepth = 1e-6;
 
-/// One structure's part of a contact.
+/// Contribution of one structure to a contact.
 struct Part
 {
-    std::size_t plane;               ///< the first of its planes
+    std::size_t plane;               ///< index of the structure's first plane
     Vec3 push_W = Vec3::Zero();      ///< P_S [mm]
-    double lambda_mm = 0.0;          ///< sum of its multipliers
+    double lambda_mm = 0.0;          ///< sum of the structure's multipliers
     double secant_N_per_mm = 0.0;    ///< k_S
-    double stiffness_N_per_mm = 0.0; ///< force by push, at most k_S
-    Vec3 aside_W = Vec3::Zero();     ///< force of its maps' gradients [N]
-    Vec3 damper_W = Vec3::Zero();    ///< force of its damper if it were alone [N]
+    double stiffness_N_per_mm = 0.0; ///< force divided by push, at most k_S
+    Vec3 aside_W = Vec3::Zero();     ///< lateral force from the gradients of the maps [N]
+    Vec3 damper_W = Vec3::Zero();    ///< damper force if the structure were alone [N]
     Contact contact;
 };
 
-/// The parts of the structures that push.
+/// Contributions of all structures that push.
 struct Parts
 {
     std::array<Part, 3> of;
     std::size_t count = 0;
-    Vec3 push_W = Vec3::Zero(); ///< of all [mm]
-    double lambda_mm = 0.0;     ///< of all
+    Vec3 push_W = Vec3::Zero(); ///< sum of the pushes [mm]
+    double lambda_mm = 0.0;     ///< sum of the multipliers
 
-    /// Resolves a spring into the planes that hold it.
+    /// Decomposes a spring into the active planes.
     Parts(std::span<const ActiveConstraint> planes, const Vec3& spring_W) noexcept
     {
         std::array<internal::HalfSpace, 3> spaces;
@@ -76,7 +76,7 @@ struct Parts
     }
 };
 
-/// Sorts at most three.
+/// Sorts up to three elements.
 template<class Number>
 void sortBy(std::span<Part> parts, const Number& number) noexcept
 {
@@ -87,8 +87,9 @@ void sortBy(std::span<Part> parts, const Number& number) noexcept
     }
 }
 
-/// Asks the laws of a structure as if it were alone, at its own depth and its own foot.
+/// Evaluates the law of a structure as if it were alone, at its own depth and foot.
 /// @param touch  with the depth and direction of the part
+/// @param part  receives force and contact
 void askLaw(const Touch& touch, Part& part) noexcept
 {
     const Foot foot(touch);
@@ -97,13 +98,14 @@ void askLaw(const Touch& touch, Part& part) noexcept
         touch.structure.maps.hasFelt() ? Sum<FeltSpring>::force(mapped) : Sum<MapSpring>::force(mapped);
     const double along_N = spring_W.dot(touch.up_W);
     part.secant_N_per_mm = along_N / touch.depth_mm;
-    // What a part stores is its law's energy by its share of the push: W_S(lambda_S) at a right angle, and what all
-    // store together where planes are nearly one.
+    // The stored energy of a part is the energy of its law times its fraction of the push: W_S(lambda_S) at a right
+    // angle, and the common energy where the planes are nearly parallel.
     part.aside_W = std::min(1.0, part.push_W.norm() / touch.depth_mm) * (spring_W - along_N * touch.up_W);
     part.damper_W = Sum<MapDamper>::force(mapped);
 }
 
-/// Shares out the force by levels of stiffness: each part's `stiffness_N_per_mm`. @pre sorted by ascending secant
+/// Distributes the force by levels of stiffness: sets `stiffness_N_per_mm` of each part.
+/// @pre sorted by ascending secant stiffness
 void levelStiffness(std::span<Part> parts, const Vec3& all_W) noexcept
 {
     for (std::size_t j = 0; j < parts.size(); ++j) {
@@ -112,7 +114,7 @@ void levelStiffness(std::span<Part> parts, const Vec3& all_W) noexcept
             push_W += part.push_W;
         }
         const double length2 = push_W.squaredNorm(), along = all_W.dot(push_W);
-        // In an acute groove the multipliers exceed the depths: only what reaches behind those planes counts.
+        // In an acute groove the multipliers exceed the depths. Only the part that reaches behind the planes counts.
         const double reached = along >= length2 ? 1.0 : std::max(0.0, along / length2);
         const double more = parts[j].secant_N_per_mm - (j > 0 ? parts[j - 1].secant_N_per_mm : 0.0);
         for (Part& part : parts.subspan(j)) {
@@ -144,7 +146,7 @@ SharedContact sharedContact(const HapticScene& scene, std::span<const ActiveCons
         contact.stiffnessScale = 1.0;
         contact.structure = plane.structure;
         contact.triangle = on.surface->sourceTriangle(plane.triangle);
-        // With friction a law is felt along the whole spring, as where a structure is alone.
+        // With friction, the law acts along the whole spring, as for a single structure.
         const double depth = std::max(kLeastDepth, all.push_W.dot(contact.n_W) / length) * spring;
         const Vec3 own_W = depth * contact.n_W;
         askLaw({on, facets[part.plane], scene.fingertip_mm(), p_WG, own_W, depth, contact.n_W, hip, planes,

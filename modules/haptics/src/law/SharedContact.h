@@ -10,20 +10,21 @@
 
 namespace palpate::haptics::law {
 
-/// True when the planes that hold a god-object belong to more than one structure.
+/// Returns true if the active planes belong to more than one structure.
 [[nodiscard]] inline bool isShared(std::span<const ActiveConstraint> planes) noexcept
 {
     return std::any_of(planes.begin(), planes.end(),
                        [&](const ActiveConstraint& plane) { return plane.structure != planes[0].structure; });
 }
 
-/// What several structures in one contact answer with.
+/// Response of several structures in one contact.
 struct SharedContact
 {
-    /// One for each structure that pushes, the smallest force first. All but `layer` and `friction` are set.
+    /// One entry per structure that pushes, in ascending order of force. All members but `layer` and `friction` are
+    /// set.
     std::array<Contact, 3> contacts;
     std::size_t count = 0;   ///< 0 without a spring
-    Vec3 n_W = Vec3::Zero(); ///< direction of all pushes together, unit
+    Vec3 n_W = Vec3::Zero(); ///< unit direction of the sum of all pushes
 };
 
 /// Lets each structure of a contact push with its own law, maps and damper.

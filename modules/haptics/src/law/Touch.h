@@ -8,15 +8,15 @@
 
 namespace palpate::haptics::law {
 
-/// How the HIP has come from where it was in the tick before.
+/// Motion of the HIP since the previous tick.
 struct Motion
 {
     const Vec3& from_W; ///< [mm]
     const Vec3& to_W;   ///< [mm]
-    double dt_s;        ///< in which it did; none where there was no tick before
-    const Vec3* v_W;    ///< its velocity, where the caller estimated it; null: the difference of the two places [mm/s]
+    double dt_s;        ///< duration; <= 0 if there was no previous tick
+    const Vec3* v_W;    ///< velocity estimated by the caller [mm/s]; null: use the difference of the two positions
 
-    /// Most tissues ask for none, and pay for no division. [mm/s]
+    /// Computed on demand, because most tissues need no velocity and should not pay for the division. [mm/s]
     [[nodiscard]] Vec3 velocity() const noexcept
     {
         if (v_W != nullptr) {
@@ -26,19 +26,19 @@ struct Motion
     }
 };
 
-/// All that a term of a force law may ask in a tick.
+/// Input of the terms of a force law in one tick.
 struct Touch
 {
-    const HapticStructure& structure; ///< touched
-    const internal::Facet& facet;     ///< of it
-    double fingertip_mm;              ///< radius of what touches
-    const Vec3& p_WG;                 ///< god-object [mm]
-    const Vec3& push_W;               ///< from the HIP to it [mm]
-    double depth_mm;                  ///< length of that
-    const Vec3& up_W;                 ///< its direction; means nothing without a depth
+    const HapticStructure& structure; ///< touched structure
+    const internal::Facet& facet;     ///< touched facet
+    double fingertip_mm;              ///< radius of the probe
+    const Vec3& p_WG;                 ///< god-object position [mm]
+    const Vec3& push_W;               ///< from the HIP to the god-object [mm]
+    double depth_mm;                  ///< length of push_W
+    const Vec3& up_W;                 ///< direction of push_W; undefined at depth 0
     Motion hip;
-    std::span<const ActiveConstraint> planes; ///< that hold the god-object
-    double& scale;                            ///< a term that scales the law by a map says here by how much [1]
+    std::span<const ActiveConstraint> planes; ///< active planes of the god-object
+    double& scale;                            ///< output: factor of the law by maps, set by terms that use maps [1]
 };
 
 } // namespace palpate::haptics::law

@@ -10,30 +10,33 @@
 
 namespace palpate::haptics::internal {
 
-/// All facets that a ball may touch whose centre is in or around one cell of a grid: a function of the scene and the
-/// cell alone, never of the way that led there.
+/// All facets that a ball may touch whose centre is in or around one cell of a grid. Depends only on the scene and the
+/// cell, never on the path that led there.
 class BallCell
 {
   public:
-    /// Facets that a cell holds, at most: a hundred are tested against a move, eight at a time, in half a microsecond.
+    /// Maximum number of facets in a cell. Testing a hundred facets against a move, eight at a time, takes half a
+    /// microsecond.
     static constexpr int kMost = 128;
 
     void clear() noexcept { m_size_mm = 0.0; }
 
-    /// Finds the facets. @param size_mm  of the grid's cells, of which this is the one around p
-    /// @return false when they are too many, and then holds none
+    /// Gathers the facets of the cell that contains `p`.
+    /// @param size_mm  cell size of the grid
+    /// @return false, with no facets, if there are too many
     bool gather(const HapticLayer& layer, const core::Vec3& p, double size_mm) noexcept PALPATE_NONBLOCKING;
 
-    /// @return true when p is in the cell itself, gathered or too full.
+    /// Returns true if `p` is in the cell itself, whether gathered or too full.
     [[nodiscard]] bool contains(const core::Vec3& p) const noexcept
     {
         return m_size_mm > 0.0 && cellOf(p, m_size_mm) == m_cell;
     }
-    /// Where the ball's centre may be: the cell, and a quarter of its width around it.
+    /// Returns the region of the ball's centre for which the cell is complete: the cell and a margin of a quarter of
+    /// its width.
     [[nodiscard]] const core::Box& region() const noexcept { return m_region; }
-    [[nodiscard]] bool isFull() const noexcept { return m_isFull; } ///< too many facets: none is held
+    [[nodiscard]] bool isFull() const noexcept { return m_isFull; } ///< too many facets: the cell is empty
     [[nodiscard]] double size_mm() const noexcept { return m_size_mm; }
-    [[nodiscard]] std::uint32_t price() const noexcept { return m_price; } ///< of gathering, in units of TickWork
+    [[nodiscard]] std::uint32_t price() const noexcept { return m_price; } ///< price of gathering, in units of TickWork
 
     [[nodiscard]] const core::Vec3& origin() const noexcept { return m_origin; } ///< of the groups [mm]
     [[nodiscard]] int count() const noexcept { return m_count; }
@@ -45,13 +48,13 @@ class BallCell
   private:
     class Gathering;
 
-    /// @return a cell's number by axis, as doubles: any position has one.
+    /// Returns the integer coordinates of a cell, as doubles to cover any position.
     [[nodiscard]] static core::Vec3 cellOf(const core::Vec3& p, double size_mm) noexcept
     {
         return (p / size_mm).array().floor();
     }
 
-    double m_size_mm = 0.0; ///< 0: nothing is known
+    double m_size_mm = 0.0; ///< 0: empty
     core::Vec3 m_cell = core::Vec3::Zero();
     core::Box m_region;
     core::Vec3 m_origin = core::Vec3::Zero();
@@ -64,36 +67,37 @@ class BallCell
     std::array<std::uint32_t, kMost> m_triangle{};
 };
 
-/// The cells used last. A tick pays the price of gathering for each that it comes to, held or not, so that what is held
-/// between ticks decides nothing.
+/// Cache of the most recently used cells. A tick pays the price of gathering for each cell that it visits, cached or
+/// not, so that the cache does not influence results.
 class BallCells
 {
   public:
-    /// Forgets everything: the scene changed.
+    /// Clears the cache; called when the scene has changed.
     void clear() noexcept PALPATE_NONBLOCKING;
 
-    /// A tick begins: each cell is to be paid for again.
+    /// Begins a tick: each cell must be paid for again.
     void beginTick() noexcept { m_tickBegan = m_clock; }
 
-    /// @return the cell that p is in, the largest with few enough facets; where there is none, one that `isFull`.
+    /// Returns the cell that contains `p`, at the largest size with few enough facets; if there is none, a cell with
+    /// `isFull`.
     [[nodiscard]] const BallCell& at(const HapticLayer& layer, const core::Vec3& p,
                                      TickWork& work) noexcept PALPATE_NONBLOCKING;
 
-    /// @return the cell that p is in if the tick has paid for it already, else null.
+    /// Returns the cell that contains `p` if it was paid for in this tick, otherwise null.
     [[nodiscard]] const BallCell* paidAt(const core::Vec3& p) const noexcept PALPATE_NONBLOCKING;
 
-    /// @return width of the largest cells [mm]
+    /// Returns the width of the largest cells [mm].
     [[nodiscard]] double size_mm(const HapticLayer& layer) noexcept PALPATE_NONBLOCKING;
 
   private:
     static constexpr std::size_t kHeld = 4;
 
     std::array<BallCell, kHeld> m_cells;
-    std::array<std::uint32_t, kHeld> m_price{};   ///< with that of the larger ones that were too full
-    std::array<std::uint64_t, kHeld> m_lastUse{}; ///< by m_clock
+    std::array<std::uint32_t, kHeld> m_price{};   ///< includes the price of the larger cells that were too full
+    std::array<std::uint64_t, kHeld> m_lastUse{}; ///< in units of m_clock
     std::uint64_t m_clock = 0;
     std::uint64_t m_tickBegan = 0;
-    double m_size_mm = 0.0; ///< of the largest cells; 0: not known yet
+    double m_size_mm = 0.0; ///< of the largest cells; 0: not yet computed
 };
 
 } // namespace palpate::haptics::internal

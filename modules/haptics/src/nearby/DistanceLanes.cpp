@@ -40,12 +40,12 @@ constexpr float kAsNear = 1e-5f;
 constexpr float kAsNearAt = 5e-7f;
 static_assert(4.0 * kAsNear * kAsNearAt >= kSquareRounding * kSquareRounding);
 
-/// Of eight triangles, as seen from a point.
+/// Result for eight triangles, as seen from a point.
 struct Away
 {
-    Float8 height;    ///< above the plane, times the normal's length [mm³]
-    Float8 distance2; ///< 0 for a triangle too flat to tell [mm²]
-    Float8 along;     ///< how far v leads away from the nearest place, times the distance [mm²]
+    Float8 height;    ///< height above the plane, times the length of the normal [mm³]
+    Float8 distance2; ///< squared distance; 0 for a triangle too flat to decide [mm²]
+    Float8 along;     ///< component of v away from the closest point, times the distance [mm²]
 };
 
 /// The place is where it is to rounding but for one thing: of two edges' nearest places that are as far away, to
@@ -70,7 +70,7 @@ PALPATE_ALWAYS_INLINE Away awayFrom(const TriangleGroup& group, const float* p, 
         apac += ap[axis] * ac[axis];
         bpbc += (ap[axis] - ab[axis]) * (ac[axis] - ab[axis]);
     }
-    // Inside when the point lies to the left of all three edges.
+    // Inside if the point is to the left of all three edges.
     Float8 leftAb{}, leftAc{}, leftBc{};
     for (int axis = 0; axis < 3; ++axis) {
         const int j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -157,17 +157,17 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, TriangleGroup& group) no
 PALPATE_WIDE_LANES void distances(const TriangleGroup* groups, int count, const float* p, const float* half,
                                   float* distance_mm) noexcept
 {
-    alignas(32) float along[kMostTriangles]; // how much the half moves lead away, times the distance
+    alignas(32) float along[kMostTriangles]; // component of the half moves away from the triangle, times the distance
     for (int first = 0; first < count; first += kLanes) {
         const Away away = awayFrom<false>(groups[first / kLanes], p, half, 0.0f);
-        // Squared until the end: the square roots are taken side by side.
+        // Squared up to here: the square roots are computed side by side.
         store8(distance_mm + first, away.distance2);
         store8(along + first, absolute(away.along));
     }
     const int lanes = (count + kLanes - 1) / kLanes * kLanes;
     for (int i = 0; i < lanes; ++i) {
         const float distance = std::sqrt(distance_mm[i]);
-        // A distance from a convex set along a line is convex: it lies above its tangent.
+        // A distance from a convex set is convex along a line and lies above its tangent.
         distance_mm[i] = distance - along[i] / std::max(distance, kSmallest);
     }
 }

@@ -9,12 +9,12 @@
 
 namespace palpate::haptics::internal {
 
-/// All facets of a layer that come near a region, as floats side by side. They are gathered in steps, so that the work
-/// can be spread over ticks and none waits for memory longer than it must.
+/// All facets of a layer near a region, in single precision and structure-of-arrays layout. Gathering proceeds in
+/// steps, so that the work can be spread over ticks and memory latency is hidden.
 class GatheredFacets
 {
   public:
-    static constexpr int kMost = 64; ///< facets that can be held, a multiple of eight
+    static constexpr int kMost = 64; ///< capacity; a multiple of eight
 
     void clear() noexcept
     {
@@ -23,14 +23,14 @@ class GatheredFacets
     }
 
     /// First step: finds the facets.
-    /// @param region    of what asks for them [mm]
-    /// @param origin    that floats are relative to, in the region [mm]
-    /// @param around_mm  how far outside of the region a facet may lie and still matter
-    /// @return false, empty, when there are too many.
+    /// @param region    positions from which the facets are queried [mm]
+    /// @param origin    origin of the single-precision coordinates, in the region [mm]
+    /// @param around_mm  distance outside the region at which a facet still matters
+    /// @return false, with no facets, if there are too many
     bool begin(const HapticLayer& layer, const core::Box& region, const core::Vec3& origin,
                double around_mm) noexcept PALPATE_NONBLOCKING;
 
-    /// The next steps: asks for the corners; then fills up to `groups` groups, until all are.
+    /// Next steps: prefetches the corners, then fills up to `groups` groups per call until all are filled.
     void proceed(const HapticLayer& layer, int groups) noexcept PALPATE_NONBLOCKING;
     void finish(const HapticLayer& layer) noexcept PALPATE_NONBLOCKING
     {
@@ -41,9 +41,9 @@ class GatheredFacets
 
     [[nodiscard]] bool isBegun() const noexcept { return m_stage != Stage::Empty; }
     [[nodiscard]] bool isReady() const noexcept { return m_stage == Stage::Ready; }
-    /// @return true when `p` is in the region that was begun.
+    /// Returns true if `p` is in the region of the set, ready or not.
     [[nodiscard]] bool covers(const core::Vec3& p) const noexcept { return isBegun() && m_region.contains(p); }
-    /// @return true when all facets near `p` are ready.
+    /// Returns true if all facets near `p` are ready.
     [[nodiscard]] bool holds(const core::Vec3& p) const noexcept { return isReady() && m_region.contains(p); }
 
     [[nodiscard]] const core::Box& region() const noexcept { return m_region; }
@@ -52,15 +52,15 @@ class GatheredFacets
     [[nodiscard]] float reach_mm() const noexcept { return m_reach_mm; } ///< largest coordinate in the groups
     [[nodiscard]] const FacetGroup* groups() const noexcept { return m_groups.data(); }
     [[nodiscard]] std::uint32_t structure(int i) const noexcept { return m_structure[i]; }
-    /// @return position in the structure's SurfaceIndex.
+    /// Returns the index in the structure's SurfaceIndex.
     [[nodiscard]] std::uint32_t triangle(int i) const noexcept { return m_triangle[i]; }
 
   private:
     enum class Stage : std::uint8_t
     {
         Empty,
-        Found,    ///< numbers of the triangles are known
-        Numbered, ///< and where their corners are
+        Found,    ///< triangle indices are known
+        Numbered, ///< addresses of the corners are known
         Ready,
     };
 
@@ -74,8 +74,8 @@ class GatheredFacets
     float m_reach_mm = 0.0f;
     Stage m_stage = Stage::Empty;
     std::array<FacetGroup, kMost / kLanes> m_groups;
-    // Of each facet, by eights; the last eight are filled up with the last facet.
-    const double* m_at[3][kMost]; ///< where its corners lie
+    // Arrays by facet, padded to a multiple of eight with the last facet.
+    const double* m_at[3][kMost]; ///< addresses of the corners
     std::uint32_t m_structure[kMost];
     alignas(32) std::int32_t m_isTwoSided[kMost]; ///< all ones or zero
     std::uint32_t m_triangle[kMost];

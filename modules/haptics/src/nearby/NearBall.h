@@ -7,26 +7,27 @@
 
 namespace palpate::haptics::internal {
 
-/// Tells which facets a ball's moves meet: asks the cells that a short move leads through, and the whole hierarchy for
-/// the rest of a long one.
+/// Finds the facets that block moves of a ball: tests the grid cells that a short move passes through, and traverses
+/// the whole hierarchy for the rest of a long one.
 class NearBall
 {
   public:
-    /// Forgets everything: the scene changed.
+    /// Clears the cache; called when the scene has changed.
     void clear() noexcept PALPATE_NONBLOCKING { m_cells.clear(); }
 
     void beginTick() noexcept PALPATE_NONBLOCKING { m_cells.beginTick(); }
 
-    /// Finds the first facet of the layer that blocks a ball with the scene's radius, its centre going x → y.
-    /// @param first  where Blocked: by what; where Unknown: `stop` is the share of the move that may be made, and its
-    ///               facet one of those in the way, if its `key` is not beyond 1
+    /// Finds the first facet of the layer that blocks a ball of the scene's radius whose centre moves x → y.
+    /// @param work  remaining budget
+    /// @param first  if Blocked: the first crossing; if Unknown: `stop` is the fraction of the move that may be made,
+    /// and if `key` is at most 1, `facet` is one of the blocking facets
     /// @par Real-time Wait-free; bounded by `work`.
     [[nodiscard]] Sweep sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work,
                               BallCrossing& first) noexcept PALPATE_NONBLOCKING;
 
-    /// Gathers at the end of a tick what the next is expected to ask for, to spread the time over both. Decides
-    /// nothing, and is charged like all that is gathered.
-    /// @param x,y  where the centre is now, and where the next tick will lead it if it goes on like this
+    /// Gathers at the end of a tick the cells that the next tick is expected to need, to spread the time over both.
+    /// Does not influence results, and is charged like all gathering.
+    /// @param x,y  current position of the centre, and the position expected after the next tick
     void prepare(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work) noexcept PALPATE_NONBLOCKING;
 
   private:

@@ -27,7 +27,7 @@ constexpr float kRounding = 2e-6f;
 // its length. That quotient is at most this share of the coordinates cubed over the edge squared where it matters.
 constexpr float kPassing = 8e-15f;
 
-// Beyond these a product of two squared edges has lost its digits.
+// Outside this range, a product of two squared edges loses precision.
 constexpr float kSmallest = 1e-15f;
 constexpr float kLargest = 1e15f;
 
@@ -45,7 +45,7 @@ PALPATE_ALWAYS_INLINE Double4 load4(const double* p) noexcept
     return v;
 }
 
-/// Eight points, a row each, to three rows of eight.
+/// Transposes eight points, one per row, to three rows of eight.
 PALPATE_ALWAYS_INLINE void storeByAxis(const core::Float4* row, float (*axis)[kLanes]) noexcept
 {
     for (int half = 0; half < 2; ++half, row += 4) {
@@ -99,7 +99,7 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, FacetGroup& group) noexc
         bc2 += bc * bc;
         const Float8 low = a[axis] + least(least(ab[axis], ac[axis]), zero);
         const Float8 high = a[axis] + greatest(greatest(ab[axis], ac[axis]), zero);
-        // Rounding of the conversions and of the sum, twice over.
+        // Twice the rounding of the conversions and of the sum.
         const Float8 outwards = (absolute(low) + absolute(high) + absolute(a[axis])) * 4e-7f + kSmallest;
         core::store8(group.low[axis], low - outwards);
         core::store8(group.high[axis], high + outwards);
@@ -141,19 +141,19 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
         const Float8 slack = rounding * load8(group.longest2);
         Mask8 twoSided;
         std::memcpy(&twoSided, group.isTwoSided, sizeof twoSided);
-        // From the front to behind; or, where there is no inside, from any side to the other.
+        // From front to back; for a two-sided facet, from either side to the other.
         const std::uint32_t crosses =
             core::laneBits(((start >= -slack) & (end <= slack)) | (twoSided & (start <= slack) & (end >= -slack)));
         if (crosses == 0) {
             continue;
         }
-        // Where the plane is met, against the triangle's box. For a move in a plane the share is any number or none:
-        // that facet is not ruled out.
+        // Tests the intersection with the plane against the triangle's box. For a move within the plane, the fraction
+        // is arbitrary or NaN, and the facet is kept.
         const Float8 depth = start - end;
         const Float8 share = start / depth;
         const Mask8 isCertain = absolute(depth) > 8.0f * slack;
         const Float8 beside = rounding + passing * load8(group.perShortest2);
-        const Float8 shareSlack = 2.0f * slack / absolute(depth); // as uncertain as the two distances in it
+        const Float8 shareSlack = 2.0f * slack / absolute(depth); // relative uncertainty of the two distances
         Mask8 misses{};
         for (int axis = 0; axis < 3; ++axis) {
             const float d = y[axis] - x[axis];
@@ -226,7 +226,7 @@ PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, 
 
 PALPATE_WIDE_LANES float boxDistance(const FacetGroup* groups, int count, const float* g) noexcept
 {
-    // The last eight are filled up with the last facet: no lane is without one.
+    // The last group is padded with the last facet, so that every lane is valid.
     Float8 nearest = Float8{} + std::numeric_limits<float>::infinity();
     for (int first = 0; first < count; first += kLanes) {
         const FacetGroup& group = groups[first / kLanes];

@@ -6,12 +6,12 @@
 
 namespace palpate::haptics::internal {
 
-/// What is left of the work that one tick may do, in units of about 10 ns on a processor of today: a bound on time by
-/// counts and not by a clock, so that a replay is exact.
+/// Remaining work budget of a tick, in units of about 10 ns on a current processor. Time is bounded by counting work
+/// instead of reading a clock, so that replays are exact.
 ///
-/// What is charged must not depend on what is held between ticks: two ways to the same answer are charged alike. A
-/// sweep is therefore charged a fixed price that covers everything the facets around can cost, and beyond it only for
-/// facets that a traversal visits beyond as many as can be held; a walk is charged for the moves that it makes.
+/// Charges must not depend on data cached between ticks: two ways to the same answer have the same price. A sweep
+/// therefore has a fixed price that covers all cached facets, plus a charge for the facets that a traversal visits
+/// beyond a fixed allowance. A walk is charged by the moves that it makes.
 class TickWork
 {
   public:
@@ -28,11 +28,12 @@ class TickWork
     std::uint32_t m_left;
 };
 
-/// The work of a tick, shared by its layers: what one leaves goes to the next, and each is sure of a little.
+/// Work budget of a tick, shared by its layers: each layer has a small guaranteed part, and unused work passes to the
+/// next layer.
 class SharedWork
 {
   public:
-    /// @param units  of the whole tick; the parts that layers are sure of may come on top
+    /// @param units  budget of the whole tick; the guaranteed parts may come on top
     explicit SharedWork(std::uint32_t units) noexcept
         : m_sure(units / kParts)
         , m_left(units)
@@ -48,12 +49,12 @@ class SharedWork
     std::uint32_t m_sure, m_left;
 };
 
-/// How a sweep of one straight move ended.
+/// Result of a sweep along one straight move.
 enum class Sweep : std::uint8_t
 {
-    Free,    ///< nothing blocks it
-    Blocked, ///< by the first crossing
-    Unknown, ///< the tick's work was spent before that was known: the move must not be made
+    Free,    ///< not blocked
+    Blocked, ///< blocked by the first crossing
+    Unknown, ///< undecided, because the work was spent: the move must not be made
 };
 
 } // namespace palpate::haptics::internal
