@@ -11,9 +11,9 @@ namespace palpate::haptics {
 
 namespace {
 
-constexpr std::size_t kCached = std::size_t{1} << 20; // bytes of nodes that a core's own caches hold
+constexpr std::size_t kCached = std::size_t{1} << 20; // bytes of nodes that fit into the private caches of a core
 
-/// The maps whose gradients push.
+/// Computes the bends of the maps whose gradients contribute to the force.
 void bendMaps(HapticStructure& structure)
 {
     const auto bend = [&](TissueMap& map) {
@@ -72,7 +72,7 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         for (const std::uint32_t i : members) {
             const geometry::SurfaceIndex& surface = *m_structures[i].surface;
             bytes += surface.hierarchy().nodeCount() * sizeof(geometry::BoxHierarchy::Node);
-            // A god-object within a few skins of a surface must find it.
+            // A god-object within a few skins of a surface must find that surface.
             const double reach = 8.0 * surface.skin_mm();
             layer.skin_mm = std::max(layer.skin_mm, surface.skin_mm());
             layer.isPlain = layer.isPlain && m_structures[i].isPlain();

@@ -14,16 +14,17 @@ using core::Vec3;
 using geometry::SurfaceIndex;
 using Corners = std::vector<std::array<float, 3>>;
 
-constexpr double kSharp = 0.766; // cosine of 40 degrees, from which on an edge ends what is smooth
-constexpr int kMostAround = 64;  // triangles around a vertex that are looked at
-constexpr double kSlight = 1e-6; // of the number: its float's rounding, and no bend
-constexpr double kBeyond = 1e-6; // of the range of numbers around, that a control value may lie beyond it
+constexpr double kSharp = 0.766; // cosine of 40 degrees: sharper edges are not smoothed
+constexpr int kMostAround = 64;  // maximum number of triangles visited around a vertex
+constexpr double kSlight = 1e-6; // relative to the value: single-precision rounding, not a bend
+constexpr double kBeyond =
+    1e-6; // tolerance on the range of a control value, relative to the range of the surrounding values
 
-/// A triangle's own plane and slope.
+/// Plane and gradient of a triangle.
 struct Flat
 {
-    Vec3 normal;   ///< times twice the area [mm^2]
-    Vec3 gradient; ///< of the numbers at its corners
+    Vec3 normal;   ///< with twice the area as length [mm^2]
+    Vec3 gradient; ///< of the values at its corners
 
     Flat(const SurfaceIndex& surface, const Corners& corners, std::uint32_t triangle)
     {
@@ -39,7 +40,7 @@ struct Flat
 
 using Flats = std::vector<Flat>;
 
-/// The triangles around a corner over which the map is smooth, and the gradient there.
+/// The triangles around a corner over which the map is smooth, and the gradient at the corner.
 class AroundCorner
 {
   public:
@@ -87,7 +88,9 @@ class AroundCorner
         m_triangles[static_cast<std::size_t>(m_count++)] = triangle;
     }
 
-    /// @param edge  of the corner's two, over which to leave the triangle. @return true when that led all around
+    /// Visits the triangles around the corner.
+    /// @param edge  edge of the corner over which to leave the first triangle
+    /// @return true if the traversal closed the ring
     bool goAround(std::uint32_t from, std::size_t edge)
     {
         std::uint32_t triangle = from;
@@ -116,7 +119,7 @@ class AroundCorner
     const Corners& m_corners;
     std::uint32_t m_vertex;
     float m_value;
-    Vec3 m_normal; ///< sum over the triangles, times twice their areas [mm^2]
+    Vec3 m_normal; ///< sum of the triangle normals, weighted by twice the area [mm^2]
     Vec3 m_sum = Vec3::Zero();
     double m_area = 0.0, m_lowest = m_value, m_highest = m_value;
     std::array<std::uint32_t, kMostAround> m_triangles{};

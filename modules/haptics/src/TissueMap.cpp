@@ -5,7 +5,8 @@
 
 namespace palpate::haptics {
 
-/// A copy with each number through `value`, and an edge's bends times `bend` of the numbers at its ends.
+/// Returns a copy with `value` applied to each number, and the bends of an edge multiplied by `bend` of the numbers at
+/// its ends.
 template<class Value, class Bend>
 TissueMap TissueMap::mapped(const Value& value, const Bend& bend) const
 {

@@ -9,8 +9,8 @@ namespace {
 
 using Knot = ForceTable::Knot;
 
-/// Depths t within (0, length) at which a cell's slope is `slope`, ascending; none nearer than the least cell to one
-/// another or to an end.
+/// Returns the depths t within (0, length) at which the slope of a cell is `slope`, in ascending order, with at least
+/// the minimum cell length between each other and from the ends.
 std::vector<double> whereSlopeIs(double slope, double rise, double square, double cube, double length)
 {
     const double a = 3.0 * cube, half = square, c = rise - slope; // a t^2 + 2 half t + c = 0
@@ -18,7 +18,7 @@ std::vector<double> whereSlopeIs(double slope, double rise, double square, doubl
     if (inside <= 0.0) {
         return {};
     }
-    const double q = -(half + std::copysign(std::sqrt(inside), half)); // neither root loses digits
+    const double q = -(half + std::copysign(std::sqrt(inside), half)); // avoids cancellation in both roots
     std::vector<double> found;
     for (const double t : {q / a, c / q}) {
         const double apart = 2.0 * ForceTable::kLeastCell_mm;
@@ -39,8 +39,9 @@ class Bounding
     {
     }
 
-    /// A piece of the law from `from` to `to`, in which its slope crosses `most` nowhere.
-    /// @param forceAt  the law's force by depth; `slopeAt` its slope
+    /// Adds a piece of the law from `from` to `to`, in which the slope does not cross `most`.
+    /// @param forceAt  force of the law by depth
+    /// @param slopeAt  slope of the law by depth
     template<class Force, class Slope>
     void add(const Knot& from, const Knot& to, const Force& forceAt, const Slope& slopeAt)
     {
@@ -66,7 +67,8 @@ class Bounding
         meet(above_mm, to, forceAt, slopeAt);
     }
 
-    /// Straight on from the law's last knot; what is not on the law by then may yet meet it where that is flatter.
+    /// Continues linearly from the last knot of the law. A bounded force that is still below the law may meet the law
+    /// later if the law is flatter.
     [[nodiscard]] std::vector<Knot> end(const Knot& last)
     {
         if (m_knots.empty()) {
@@ -99,12 +101,12 @@ class Bounding
     {
         m_knots.back().slopeAfter = m_most;
         if (m_endsLine) {
-            m_knots.pop_back(); // one line, not two
+            m_knots.pop_back(); // merge collinear segments
         }
         m_knots.push_back({depth_mm, force_N, m_most, 0.0});
         m_endsLine = true;
     }
-    /// The line meets the law at a depth within a piece that ends at `to`.
+    /// Ends the line where it meets the law, within a piece that ends at `to`.
     template<class Force, class Slope>
     void meet(double depth_mm, const Knot& to, const Force& forceAt, const Slope& slopeAt)
     {
@@ -122,7 +124,7 @@ class Bounding
 
     double m_most;
     bool m_isOnLaw = true;
-    bool m_endsLine = false; ///< the last knot ends a line, not a piece of the law
+    bool m_endsLine = false; ///< the last knot ends a line rather than a piece of the law
     std::vector<Knot> m_knots;
 };
 

@@ -20,7 +20,7 @@ struct LinearDamper
     }
 };
 
-/// The same, with b as a map has it at the god-object's foot.
+/// LinearDamper with b from a map at the god-object's foot.
 struct MapDamper
 {
     [[nodiscard]] static bool isIn(const HapticStructure& structure) noexcept

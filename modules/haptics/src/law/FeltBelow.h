@@ -10,8 +10,9 @@
 
 namespace palpate::haptics::law {
 
-/// What lumps below a surface make of its law: `U = sum_j s_j(x) W_j(d)` with s_j the felt maps at the foot x and W_j
-/// as in FeltPress. So the force is `F(d)` times what the maps say between two presses, and there is one energy.
+/// Effect of buried lumps on a surface's law: `U = sum_j s_j(x) W_j(d)`, with s_j the transmission maps at the foot x
+/// and W_j as in FeltPress. The force is `F(d)` times the maps interpolated between two penetration depths, and derives
+/// from a single energy.
 /// @par Source resources/docs/felt.md
 struct FeltBelow
 {
@@ -19,14 +20,18 @@ struct FeltBelow
     double energy_mJ = 0.0;       ///< sum of s_j W_j(d)
     Vec3 gradient = Vec3::Zero(); ///< sum of W_j(d) grad s_j [N]
 
-    /// `scale` alone, with the same bits. @param depth_mm  d > 0
+    /// Computes only `scale`, bitwise identical.
+    /// @param depth_mm  d > 0
     /// @par Real-time Wait-free.
     [[nodiscard]] PALPATE_ALWAYS_INLINE static double scaleAt(const MapPlace& place, const HapticStructure& on,
                                                               double depth_mm) noexcept
     {
         return FeltPress::scaleAt(depth_mm, [&](std::size_t j) { return place.risesOf(on.maps.felt[j]).value; });
     }
-    /// @param place  of the foot; @param depth_mm  d > 0; @param law  the structure's there
+    /// Computes all members.
+    /// @param place  position of the foot
+    /// @param depth_mm  d > 0
+    /// @param law  value of the structure's law at `depth_mm`
     /// @par Real-time Wait-free.
     [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const MapPlace& place, const HapticStructure& on,
                                                             double depth_mm, const ForceTable::Value& law) noexcept

@@ -16,7 +16,7 @@ Vec3 Foot::heldPart(Vec3 gradient, std::span<const ActiveConstraint> planes, boo
         normals[i] = planes[i].n_W;
     }
     const Vec3 free = internal::freePart(gradient, std::span<const Vec3>(normals).first(count));
-    // A ball that rolls over an edge touches it all the while: its foot moves along the edge alone.
+    // A ball that rolls over an edge stays in contact with this edge: its foot moves only along the edge.
     return isOnEdge ? Vec3(along.dot(free) * along) : free;
 }
 

@@ -11,7 +11,7 @@
 
 namespace palpate::haptics::law {
 
-/// Where the god-object stands on the triangle that it touches.
+/// Position of the god-object's foot on the touched triangle.
 /// @par Real-time Wait-free.
 class Foot
 {
@@ -31,8 +31,8 @@ class Foot
     }
     [[nodiscard]] const MapPlace& place() const noexcept { return m_place; }
 
-    /// The part of a map's gradient along which the foot moves with the HIP, to first order: in the face, along the
-    /// crease or the edge, nowhere in a corner.
+    /// Returns the component of a map's gradient along which the foot moves with the HIP, to first order: within the
+    /// face, along the crease or the edge, zero in a corner.
     [[nodiscard]] PALPATE_ALWAYS_INLINE Vec3 freePart(const Vec3& gradient) const noexcept
     {
         return m_planes.size() == 1 && !m_isOnEdge ? gradient : heldPart(gradient, m_planes, m_isOnEdge, m_along);
@@ -49,21 +49,21 @@ class Foot
     }
     [[nodiscard]] PALPATE_ALWAYS_INLINE static internal::Nearest nearestOn(const Touch& touch) noexcept
     {
-        // A point is above its foot, where it has the same barycentric coordinates.
+        // A point has the same barycentric coordinates as its foot.
         return touch.fingertip_mm > 0.0 ? internal::nearestOn(touch.facet, touch.p_WG)
                                         : internal::Nearest{touch.p_WG, Vec3::Zero()};
     }
-    // By value, so that what is not passed in most ticks stays in registers.
+    // By value, so that unused arguments stay in registers.
     [[nodiscard]] static Vec3 heldPart(Vec3 gradient, std::span<const ActiveConstraint> planes, bool isOnEdge,
                                        Vec3 along) noexcept;
 
     std::span<const ActiveConstraint> m_planes;
-    bool m_isOnEdge; ///< of a ball: it rolls around it
-    Vec3 m_along;    ///< of the edge, unit; zero on the face and at a corner
+    bool m_isOnEdge; ///< ball on an edge, around which it rolls
+    Vec3 m_along;    ///< unit direction of the edge; zero on the face and at a corner
     MapPlace m_place;
 };
 
-/// A touch where a map of the force is.
+/// Input of force terms that use maps.
 struct MappedTouch : Touch
 {
     const Foot& foot;

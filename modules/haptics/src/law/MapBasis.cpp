@@ -8,7 +8,7 @@ namespace palpate::haptics::law {
 
 namespace {
 
-/// A polynomial's value at barycentric coordinates and its derivatives by each of them.
+/// Value of a polynomial at barycentric coordinates, and its derivatives by each of them.
 struct Term
 {
     double value = 0.0;
@@ -33,14 +33,14 @@ Term ofEdge(const std::array<double, 3>& b, std::size_t i, std::size_t j) noexce
     return term;
 }
 
-/// `6 b_0 b_1 b_2 w_k`, with w_k = b_i b_j / (b_1 b_2 + b_2 b_0 + b_0 b_1) the share that the edge ij, opposite to
-/// corner k, has in the middle control value: 1 on that edge.
+/// `6 b_0 b_1 b_2 w_k`, where w_k = b_i b_j / (b_1 b_2 + b_2 b_0 + b_0 b_1) is the weight of edge ij, opposite to
+/// corner k, in the middle control value; w_k is 1 on that edge.
 Term ofMiddle(const std::array<double, 3>& b, std::size_t k) noexcept
 {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const double pairs = b[1] * b[2] + b[2] * b[0] + b[0] * b[1];
     if (!(pairs > 0.0)) {
-        return {}; // a corner
+        return {}; // at a corner
     }
     const double perPairs = 6.0 / pairs, across = b[i] * b[j];
     Term term{perPairs * b[k] * across * across, {}};
@@ -65,7 +65,8 @@ MapBasis::MapBasis(const internal::Facet& facet, double b1, double b2) noexcept
         // triangles).
         const core::Vec3 along = *corner[j] - *corner[i];
         const double foot = (*corner[j] - *corner[k]).dot(along) / along.squaredNorm();
-        constexpr double kBeside = 1.0; // of an obtuse triangle: edge lengths beyond the edge's ends, at most
+        constexpr double kBeside =
+            1.0; // for obtuse triangles: maximum distance beyond the ends of the edge, in edge lengths
         const double toI = std::clamp(foot, -kBeside, 1.0 + kBeside);
         Term atStart = ofEdge(b, i, j), atEnd = ofEdge(b, j, i);
         atStart.add(1.5 * toI - 0.5, middle[k]);

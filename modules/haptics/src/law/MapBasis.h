@@ -7,19 +7,20 @@
 
 namespace palpate::haptics::law {
 
-/// How much each of a triangle's six bends (TissueMap::bends) counts at a place.
+/// Basis functions of a triangle's six bends (TissueMap::bends) at a position.
 /// @par Real-time Wait-free.
 class MapBasis
 {
   public:
-    /// A number there, and how it rises from the first corner to the second and to the third.
+    /// A value and its differences from the first corner to the second and to the third.
     struct Rises
     {
         double value, toSecond, toThird;
     };
 
-    MapBasis() = default; // for one that is set later
-    /// @param b1, b2  barycentric coordinates of the second corner and of the third
+    MapBasis() = default; // uninitialized, to be assigned later
+    /// @param facet  the triangle
+    /// @param b1,b2  barycentric coordinates of the second and the third corner
     MapBasis(const internal::Facet& facet, double b1, double b2) noexcept;
 
     [[nodiscard]] Rises sum(const std::array<float, 6>& bends) const noexcept

@@ -11,19 +11,19 @@
 
 namespace palpate::haptics::law {
 
-/// What a map says at a place of a triangle.
+/// Value and gradient of a map at a point of a triangle.
 struct MapValue
 {
     double value = 1.0;
-    Vec3 gradient = Vec3::Zero(); ///< in the triangle's plane [1/mm times the value's unit]
+    Vec3 gradient = Vec3::Zero(); ///< in the triangle's plane [unit of the value / mm]
 };
 
-/// How numbers given at a triangle's corners rise over it: the same for all maps.
+/// Gradient of linear functions on a triangle, shared by all maps.
 /// @par Real-time Wait-free.
 class FacetSlopes
 {
   public:
-    /// @param facet  with an area, as those of an index have
+    /// @param facet  a triangle with nonzero area, as guaranteed by an index
     explicit FacetSlopes(const internal::Facet& facet) noexcept
     {
         const Vec3 e1 = facet.b - facet.a, e2 = facet.c - facet.a;
@@ -33,26 +33,30 @@ class FacetSlopes
         m_toThird = across.cross(e1);
     }
 
-    /// @param toSecond, toThird  how a number rises from the first corner to the second and to the third
+    /// Returns the gradient of a linear function.
+    /// @param toSecond,toThird  differences from the first corner to the second and to the third
     [[nodiscard]] Vec3 gradientOf(double toSecond, double toThird) const noexcept
     {
         return m_perArea2 * (toSecond * m_toSecond + toThird * m_toThird);
     }
-    /// Barycentric coordinates, of the second corner and of the third. @param from  the first corner to a place [mm]
+    /// Returns the barycentric coordinate of the second corner (`second`) or the third (`third`).
+    /// @param from  vector from the first corner to the position [mm]
     [[nodiscard]] double second(const Vec3& from) const noexcept { return m_toSecond.dot(from) * m_perArea2; }
     [[nodiscard]] double third(const Vec3& from) const noexcept { return m_toThird.dot(from) * m_perArea2; }
 
   private:
-    Vec3 m_toSecond, m_toThird; ///< gradients of those coordinates, times the square of twice the area [mm^3]
-    double m_perArea2;          ///< 1 over that square [1/mm^4]
+    Vec3 m_toSecond, m_toThird; ///< gradients of the two coordinates, times the squared double area [mm^3]
+    double m_perArea2;          ///< 1 / squared double area [1/mm^4]
 };
 
-/// A place on a triangle by its barycentric coordinates.
+/// A position on a triangle in barycentric coordinates.
 /// @par Real-time Wait-free.
 class MapPlace
 {
   public:
-    /// @param p  a place, its height above the triangle being nothing; beyond an edge the nearest on it is meant
+    /// @param facet  the triangle
+    /// @param p  position; its height above the triangle is ignored, and a position beyond an edge is projected onto
+    /// the edge
     MapPlace(const internal::Facet& facet, const Vec3& p) noexcept
         : m_facet(facet)
         , m_slopes(facet)
@@ -96,13 +100,13 @@ class MapPlace
         const Rises more = m_basis.sum((*map.bends)[m_facet.triangle]);
         const Rises bent{linear.value + map.factor * more.value, linear.toSecond + map.factor * more.toSecond,
                          linear.toThird + map.factor * more.toThird};
-        return bent.value > 0.0 ? bent : linear; // a stiffness stays one, however steep a map is
+        return bent.value > 0.0 ? bent : linear; // keeps the stiffness positive even for steep maps
     }
 
     const internal::Facet& m_facet;
     FacetSlopes m_slopes;
     double m_b1, m_b2;
-    mutable MapBasis m_basis; ///< the same for all maps; made when the first one bends here
+    mutable MapBasis m_basis; ///< shared by all maps; computed when the first map with bends is evaluated
     mutable bool m_hasBasis = false;
 };
 

@@ -18,7 +18,7 @@ struct LinearSpring
     }
 };
 
-/// `f_W = F(d) n` [N] with d = |p_WG - p_WH|, n from the HIP to the god-object, and F the law of force by depth.
+/// `f_W = F(d) n` [N] with d = |p_WG - p_WH|, n from the HIP to the god-object, and F the force law.
 struct LawSpring
 {
     [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
@@ -31,11 +31,12 @@ struct LawSpring
     }
 };
 
-/// What a tissue stores: `U = s(x) W(d)` with d = |p_WG - p_WH|, W' = F the law of force by depth, and s the map of
-/// stiffness at the god-object's foot x. `f_W = -grad U = s F(d) n - W(d) P grad s` [N] with n from the HIP to the
-/// god-object and P the projector on what the contact leaves the foot free to do.
+/// Derives the force from the stored energy `U = s(x) W(d)`, with d = |p_WG - p_WH|, W' = F the force law, and s the
+/// stiffness map at the god-object's foot x: `f_W = -grad U = s F(d) n - W(d) P grad s` [N], with n from the HIP to the
+/// god-object and P the projector on the directions in which the contact leaves the foot free to move.
 ///
-/// With friction the foot does not follow the HIP, so the last term is left out; law/Friction.h makes up for it.
+/// With friction the foot does not follow the HIP, so the last term is omitted; law/Friction.h compensates for the
+/// missing term.
 /// @par Source resources/docs/laws.md, "One energy".
 struct MapSpring
 {
@@ -58,7 +59,7 @@ struct MapSpring
     }
 };
 
-/// The same where lumps below are felt through the surface: `U = s(x) sum_j s_j(x) W_j(d)`, see FeltBelow.h.
+/// Same as MapSpring, with buried lumps: `U = s(x) sum_j s_j(x) W_j(d)`, see FeltBelow.h.
 struct FeltSpring
 {
     [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
@@ -68,7 +69,7 @@ struct FeltSpring
             return Vec3::Zero();
         }
         const HapticStructure& on = touch.structure;
-        if (on.tissue.hasFriction()) [[unlikely]] { // what is stored pulls at nothing
+        if (on.tissue.hasFriction()) [[unlikely]] { // with friction, the gradient of the stored energy is omitted
             const double s = on.maps.stiffness.isEmpty() ? 1.0 : touch.foot.numberOf(on.maps.stiffness);
             touch.scale = s * FeltBelow::scaleAt(touch.foot.place(), on, touch.depth_mm);
             return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;

@@ -13,10 +13,10 @@ namespace {
 
 using core::Vec3;
 
-constexpr double kHalfWidth = 0.75; // cells: a cell holds what is needed in it and a quarter of it around it
-constexpr double kWanted = 48.0;    // facets in a cell, by the facets' mean size
-constexpr int kLevels = 3;          // each half as large as the one before
-constexpr std::uint32_t kMostAsked = 8 * BallCell::kMost; // facets by their boxes, before a cell counts as too full
+constexpr double kHalfWidth = 0.75; // cells: a cell includes the facets for a margin of a quarter of its width
+constexpr double kWanted = 48.0;    // target number of facets of mean size in a cell
+constexpr int kLevels = 3;          // each level has half the cell size of the previous one
+constexpr std::uint32_t kMostAsked = 8 * BallCell::kMost; // bounding boxes tested before a cell counts as too full
 
 // In units of TickWork.
 constexpr std::uint32_t kGather = 90;
@@ -25,12 +25,13 @@ constexpr std::uint32_t kFacet = 1;
 
 } // namespace
 
-/// One cell being filled: all facets that may belong are found first, then where their corners lie, then how far they
-/// are, so that one wait for memory serves many.
+/// Gathering of one cell. First collects all candidate facets, then prefetches their corners, then computes distances,
+/// so that the memory latency of many facets overlaps.
 class BallCell::Gathering
 {
   public:
-    /// @return false when there are too many
+    /// Collects candidates.
+    /// @return false if there are too many
     bool find(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t first,
               std::uint32_t n) noexcept
     {
@@ -45,7 +46,8 @@ class BallCell::Gathering
         return true;
     }
 
-    /// Keeps the facets that the ball may touch. @return false when there are too many
+    /// Keeps the facets that the ball may touch.
+    /// @return false if there are too many
     bool keep(const HapticLayer& layer, double reach_mm, BallCell& cell) noexcept
     {
         locate(layer);
@@ -94,7 +96,7 @@ class BallCell::Gathering
         for (std::uint32_t i = m_count; i % kLanes != 0; ++i) {
             m_isTwoSided[i] = 0;
             for (auto& corner : m_at) {
-                corner[i] = corner[m_count - 1]; // the last eight are filled up with the last facet
+                corner[i] = corner[m_count - 1]; // pad the last eight with the last facet
             }
         }
     }
@@ -148,7 +150,7 @@ void BallCells::clear() noexcept
 double BallCells::size_mm(const HapticLayer& layer) noexcept
 {
     if (m_size_mm == 0.0) {
-        // Facets of mean size within a shell around a ball that stands on them.
+        // Facets of mean size within a shell around a ball in contact with them.
         const double area = 0.433 * layer.facetSize_mm * layer.facetSize_mm; // sqrt(3) / 4
         const double r = layer.fingertip_mm, patch = kWanted * area / std::numbers::pi;
         m_size_mm = patch / (std::sqrt(r * r + patch) + r) / (std::numbers::sqrt3 * kHalfWidth);

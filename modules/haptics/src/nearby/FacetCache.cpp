@@ -10,11 +10,11 @@ namespace {
 using core::Vec3;
 
 constexpr double kTicksAhead = 14.0;
-constexpr double kMarginsAhead = 16.0; // at most, for a fast motion
-constexpr double kMarginsOfMove = 3.0; // how much of a long move is gathered for at once
-// Share of the last tick in the mean motion: facets make the god-object rock about its way.
+constexpr double kMarginsAhead = 16.0; // maximum look-ahead for a fast motion
+constexpr double kMarginsOfMove = 3.0; // part of a long move that is gathered at once
+// Weight of the last tick in the mean motion: the facets make the god-object oscillate about its path.
 constexpr double kNewest = 0.25;
-// Finding, numbering and filling a usual region, spread over ticks.
+// Finding, numbering and filling a typical region, spread over ticks.
 constexpr double kTicksToPrepare = 5.0;
 constexpr int kGroupsATick = 8;
 
@@ -114,7 +114,7 @@ bool FacetCache::gather(const HapticLayer& layer, const GatheringPlan& plan, con
         return false;
     }
     facets.finish(layer);
-    // A region stretched along a long move tells nothing about the facets' size.
+    // The shape of a region along a long move does not reflect the size of the facets.
     adapt(plan, length <= m_margin_mm ? facets.count() : std::min(facets.count(), plan.many));
     return true;
 }

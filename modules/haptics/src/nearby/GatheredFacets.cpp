@@ -59,7 +59,7 @@ void GatheredFacets::number(const HapticLayer& layer) noexcept
         const geometry::Triangle t = surface->triangle(m_triangle[i]);
         for (std::size_t c = 0; c < 3; ++c) {
             m_at[c][i] = surface->vertex(t[c]).data();
-            core::prefetch(m_at[c][i]); // one round of waiting for memory rather than one for each facet
+            core::prefetch(m_at[c][i]); // overlap the memory latency of all facets
         }
         m_isTwoSided[i] = surface->isTwoSided(m_triangle[i]) ? -1 : 0;
     }

@@ -10,7 +10,8 @@ namespace palpate::haptics::internal {
 
 using core::Vec3;
 
-/// Share of the move x → y that stays inside the box, which x is in.
+/// Returns the fraction of the move x → y that stays inside the box.
+/// @pre x is inside the box
 [[nodiscard]] inline double insideShare(const core::Box& box, const Vec3& x, const Vec3& y) noexcept
 {
     double share = 1.0;

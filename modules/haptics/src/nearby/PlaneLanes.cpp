@@ -153,7 +153,7 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
         const Float8 share = start / depth;
         const Mask8 isCertain = absolute(depth) > 8.0f * slack;
         const Float8 beside = rounding + passing * load8(group.perShortest2);
-        const Float8 shareSlack = 2.0f * slack / absolute(depth); // relative uncertainty of the two distances
+        const Float8 shareSlack = 2.0f * slack / absolute(depth); // uncertainty of the fraction, from both distances
         Mask8 misses{};
         for (int axis = 0; axis < 3; ++axis) {
             const float d = y[axis] - x[axis];

@@ -9,15 +9,16 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// Normals nearer to dependence than this have lost half of their digits to rounding: the set is left out.
+// Normals closer to linear dependence than this have lost half of their digits to rounding, and the set is skipped.
 constexpr double kIndependent = 1.5e-8;
 
-/// Planes by their numbers. Their count is known when it is compiled, so that nothing is left of the loops over them:
-/// one plane and two are closed forms.
+/// Indices of planes. The count is a compile-time constant, so that the loops are unrolled completely: the cases of one
+/// and two planes become closed forms.
 template<std::size_t k>
 using PlaneSet = std::array<std::uint8_t, k>;
 
-/// Solves with equality on `set`. @return false when the normals are dependent or a multiplier is not positive.
+/// Solves with equality on `set`.
+/// @return false if the normals are dependent or a multiplier is not positive
 template<std::size_t k>
 PALPATE_ALWAYS_INLINE bool solveOn(const Vec3& wanted, std::span<const HalfSpace> planes, const PlaneSet<k>& set,
                                    Vec3& u, std::array<double, 3>& lambda) noexcept
@@ -29,7 +30,7 @@ PALPATE_ALWAYS_INLINE bool solveOn(const Vec3& wanted, std::span<const HalfSpace
     for (std::size_t i = 0; i < k; ++i) {
         const Vec3& n = planes[set[i]].n;
         e[i] = n;
-        // Twice: the second pass removes what rounding left of the first.
+        // Second pass to remove the rounding error of the first.
         for (int pass = 0; pass < (i == 0 ? 0 : 2); ++pass) {
             for (std::size_t j = 0; j < i; ++j) {
                 const double along = e[i].dot(e[j]);
@@ -79,7 +80,7 @@ ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace>
 {
     ConstrainedPoint best;
     best.u = wanted;
-    if (halfSpaces.size() == 1) { // most ticks: one face
+    if (halfSpaces.size() == 1) { // single face, the most frequent case
         const double missing = halfSpaces[0].offset_mm - halfSpaces[0].n.dot(wanted);
         if (missing > allowance_mm) {
             best.u += missing * halfSpaces[0].n;

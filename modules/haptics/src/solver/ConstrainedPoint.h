@@ -19,13 +19,13 @@ struct HalfSpace
     double offset_mm;
 };
 
-/// The nearest allowed displacement and the planes that hold it there.
+/// Nearest allowed displacement, and the planes that are active there.
 struct ConstrainedPoint
 {
     Vec3 u = Vec3::Zero();                ///< [mm]
-    std::array<std::uint8_t, 3> active{}; ///< numbers of the planes with a positive multiplier
+    std::array<std::uint8_t, 3> active{}; ///< indices of the planes with a positive multiplier
     std::array<double, 3> lambda_mm;      ///< their multipliers: u - wanted = sum of lambda n
-    int count = 0;                        ///< how many of `active` are valid
+    int count = 0;                        ///< number of valid entries in `active`
 };
 
 /// Minimises 0.5 |u - wanted|^2 subject to every half-space: the constrained point of Zilles & Salisbury.
@@ -46,9 +46,10 @@ struct ConstrainedPoint
 [[nodiscard]] ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace> halfSpaces,
                                                 double allowance_mm) noexcept PALPATE_NONBLOCKING;
 
-/// @return the part of `v` along which planes with these normals let a point go: in the plane, along the line of two,
-/// nothing in a corner.
-/// @param normals  unit, at most three that are not the same to rounding
+/// Returns the component of `v` along which a point constrained to planes with these normals can move: in the plane,
+/// along the line of two planes, zero in a corner.
+/// @param v  displacement
+/// @param normals  unit normals, at most three, distinct beyond rounding
 /// @par Real-time Wait-free.
 [[nodiscard]] Vec3 freePart(Vec3 v, std::span<const Vec3> normals) noexcept PALPATE_NONBLOCKING;
 

@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::size_t kMostFacets = 16;
 
-/// A facet seen from the common corner: its edges to the next two corners, in the triangle's order.
+/// A facet as seen from the common corner: its edges to the other two corners, in the triangle's order.
 struct Sector
 {
     const Vec3* first;
     const Vec3* second;
 };
 
-/// Sorts out which corner all facets share and whether they close one ring around it.
-/// @return the corner, null when they do not.
+/// Finds the corner shared by all facets, and tests whether they form one closed ring around this corner.
+/// @return the corner, or null if they do not
 const Vec3* closedRing(std::span<const Facet> facets, std::array<Sector, kMostFacets>& sectors) noexcept
 {
     for (const Vec3* apex : {&facets[0].a, &facets[0].b, &facets[0].c}) {
@@ -37,7 +37,7 @@ const Vec3* closedRing(std::span<const Facet> facets, std::array<Sector, kMostFa
         if (n < facets.size()) {
             continue;
         }
-        // Round once, each facet ending where just one other begins.
+        // Traverse the ring once; each facet must end where exactly one other facet begins.
         std::size_t at = 0, steps = 0;
         do {
             std::size_t next = n;
@@ -82,7 +82,7 @@ bool isHeldByRing(std::span<const Facet> facets, const Vec3& from, const Vec3& w
         }
         const Vec3& n = facets[i].n;
         const double press = n.dot(wanted);
-        // Sides of a sector as signs of volumes; what rounding could decide counts as inside.
+        // The sides of a sector are tested by signs of triple products; values within rounding count as inside.
         const double rounding = 1e-12 * std::sqrt(spring2);
         if (press < 0.0 && -press <= enough_mm && n.dot(p.cross(wanted)) >= -rounding * p.norm() &&
             n.dot(wanted.cross(q)) >= -rounding * q.norm()) {
