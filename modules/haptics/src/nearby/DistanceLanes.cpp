@@ -24,18 +24,19 @@ using core::store8;
 
 constexpr float kSmallest = 1e-30f;
 
-// Longest edge squared over twice the area, squared: of flatter triangles than this the normal does not tell enough. A
-// product or difference in floats is off by eps = 2^-24 of itself, the normal along the triangle's longest direction so
-// by at most 6/sqrt(27) eps times two edges, which tilts the plane by 1.16 eps times this. Over the triangle, at most
-// sqrt(3) C long, C the largest coordinate, the tilt comes to 2 eps C times this, twice as much where the place is
-// beside it; the rest, some 8 eps C, is the coordinates' own rounding.
+// Maximum flatness, the squared longest edge over the double area, at which the normal of a triangle is used;
+// kFlattest2 is its square. A product or difference in single precision has the relative error eps = 2^-24. The error
+// of the normal along the triangle's longest direction is at most 6/sqrt(27) eps times two edges, which tilts the plane
+// by 1.16 eps times the flatness. Over the triangle, which is at most sqrt(3) C long (C the largest coordinate), the
+// tilt amounts to 2 eps C times the flatness, and to twice as much for a point beside the triangle. The remaining 8 eps
+// C are the rounding of the coordinates.
 constexpr float kFlattest = 75.0f;
 constexpr float kFlattest2 = kFlattest * kFlattest;
 constexpr double kFloatRounding = 0.5 * std::numeric_limits<float>::epsilon();
 static_assert((2.0 * kFlattest + 8.0) * kFloatRounding <= kDistanceRounding);
 
-// Squared distances d² that differ by no more than kAsNear d² + kAsNearAt C², C the largest coordinate, are equal to
-// rounding: twice the geometric mean of the two is no less than kSquareRounding d C.
+// Two squared distances are considered equal if they differ by at most kAsNear d² + kAsNearAt C², C the largest
+// coordinate: twice the geometric mean of the two terms is at least kSquareRounding d C.
 constexpr float kAsNear = 1e-5f;
 constexpr float kAsNearAt = 5e-7f;
 static_assert(4.0 * kAsNear * kAsNearAt >= kSquareRounding * kSquareRounding);
@@ -48,10 +49,11 @@ struct Away
     Float8 along;     ///< component of v away from the closest point, times the distance [mm²]
 };
 
-/// The place is where it is to rounding but for one thing: of two edges' nearest places that are as far away, to
-/// rounding, they may be apart by the root of that, and so the directions away from them.
-/// @tparam isWary  `along` is the least for any of such places
-/// @param coordinate_mm  largest of p and of the group
+/// Computes the closest points on eight triangles. Their positions are accurate to rounding, with one exception: if the
+/// closest points on two edges are equally far away within rounding, these points, and so the directions away from
+/// them, may differ by the square root of the rounding error.
+/// @tparam isWary  compute `along` as the minimum over all such points
+/// @param coordinate_mm  largest coordinate of p and of the group
 template<bool isWary>
 PALPATE_ALWAYS_INLINE Away awayFrom(const TriangleGroup& group, const float* p, const float* v,
                                     float coordinate_mm) noexcept

@@ -18,13 +18,14 @@ using core::least;
 using core::load8;
 using core::Mask8;
 
-// Rounding of a plane distance from floats: a few ulp of the largest numbers that enter it, twice over, times the
-// longest edge squared over twice the area; that area is left out, as the normal is as long. The skin is far smaller,
-// so contacts are always tested again in double precision.
+// Rounding error of a plane distance in single precision: twice a few ulp of the largest operands, times the squared
+// longest edge over the double area. The area cancels, because the normal has the same length. The skin is far smaller
+// than this error, so contacts are always tested again in double precision.
 constexpr float kRounding = 2e-6f;
 
-// The exact tests let a move pass a triangle's edge at up to 16 ulp of the product of the distances to its ends, over
-// its length. That quotient is at most this share of the coordinates cubed over the edge squared where it matters.
+// The exact tests let a move pass outside an edge by up to 16 ulp of the product of the distances to its ends, divided
+// by its length. Where this matters, the quotient is at most this factor times the cubed coordinates over the squared
+// edge.
 constexpr float kPassing = 8e-15f;
 
 // Outside this range, a product of two squared edges loses precision.

@@ -7,11 +7,11 @@
 
 namespace palpate::haptics::internal {
 
-/// How many facets are ruled out at once.
+/// Number of facets tested at once.
 inline constexpr int kLanes = 8;
 
-/// Eight triangles as floats relative to an origin near them: corner a from the origin, and the edges to the other two.
-/// [mm]
+/// Eight triangles in single precision relative to a nearby origin: corner a, and the edges from a to the other two
+/// corners [mm].
 struct alignas(32) Corners
 {
     float a[3][kLanes];
@@ -35,7 +35,8 @@ struct alignas(32) FacetGroup
     float normal[3][kLanes];    ///< of the front, with twice the area as length; by axis, then facet [mm²]
     float offset[kLanes];       ///< offset of the plane from the origin along the normal [mm³]
     float longest2[kLanes];     ///< squared longest edge: factor of the rounding error of distances [mm²]
-    float perShortest2[kLanes]; ///< 1 / squared shortest edge: rounding error of the longest edge's factor [1/mm²]
+    float perShortest2[kLanes]; ///< 1 / squared shortest edge: factor of the tolerance of the edge tests, see kPassing
+                                ///< in PlaneLanes.cpp [1/mm²]
     float low[3][kLanes];       ///< bounding box of the triangle, rounded outwards [mm]
     float high[3][kLanes];      ///< [mm]
     std::int32_t isTwoSided[kLanes]; ///< all ones or zero

@@ -28,19 +28,20 @@ struct ConstrainedPoint
     int count = 0;                        ///< number of valid entries in `active`
 };
 
-/// Minimises 0.5 |u - wanted|^2 subject to every half-space: the constrained point of Zilles & Salisbury.
+/// Minimises 0.5 |u - wanted|^2 subject to all half-spaces: the constrained point of Zilles & Salisbury.
 ///
-/// Their 4×4, 5×5 or 6×6 Lagrange system for k = 1, 2, 3 planes has the identity as its upper left block, so the
-/// multipliers alone solve the k×k system G lambda = offset - N wanted with the Gram matrix G = N N^T of the normals. G
-/// is factored by orthonormalising the normals, which keeps near-parallel planes accurate; a set of planes whose
-/// normals are dependent to rounding is left out. The first set, the smaller first, whose multipliers are all positive
-/// and whose point no other plane forbids is the answer (the Karush-Kuhn-Tucker conditions make it the only one).
+/// The paper's 4×4, 5×5 or 6×6 Lagrange system for k = 1, 2, 3 planes has the identity as its upper left block, so that
+/// the multipliers are the solution of the k×k system G lambda = offset - N wanted, with the Gram matrix G = N N^T of
+/// the normals. G is factored by orthonormalising the normals, which preserves the accuracy for near-parallel planes;
+/// sets of planes with linearly dependent normals (up to rounding) are skipped. Sets are tried in ascending order of
+/// size. The result is the first set with only positive multipliers whose point violates no other plane; by the
+/// Karush-Kuhn-Tucker conditions, this solution is unique.
 ///
 /// @param wanted      unconstrained displacement, HIP - god-object [mm]
 /// @param halfSpaces  up to four
-/// @param allowance_mm  violation of the other planes that is taken for rounding
-/// @return where no set qualifies (planes that contradict or repeat each other), the set that violates the others
-/// least.
+/// @param allowance_mm  tolerance on the violation of the other planes
+/// @return the constrained point; if no set qualifies (contradictory or repeated planes), the set with the smallest
+/// violation of the others
 /// @par Real-time Wait-free: at most 14 sets.
 /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, equations 3 to 5.
 [[nodiscard]] ConstrainedPoint constrainedPoint(const Vec3& wanted, std::span<const HalfSpace> halfSpaces,
