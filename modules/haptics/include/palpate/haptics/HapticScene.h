@@ -75,6 +75,14 @@ struct HapticLayer
 
 /// All structures that the servo thread can touch: an immutable list sorted into layers, outermost first. Built and
 /// destroyed outside the servo thread, which only holds a pointer.
+///
+/// @code
+/// HapticStructure liver;
+/// liver.name = "liver";
+/// liver.surface = surface;               // std::shared_ptr<const geometry::SurfaceIndex>
+/// liver.tissue.stiffness_N_per_mm = 0.2; // typical of a liver: 0.1 to 0.3 N/mm
+/// const HapticScene scene({liver});
+/// @endcode
 class HapticScene
 {
   public:
