@@ -60,9 +60,9 @@ MapBasis::MapBasis(const internal::Facet& facet, double b1, double b2) noexcept
     const std::array<Term, 3> middle{ofMiddle(b, 0), ofMiddle(b, 1), ofMiddle(b, 2)};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        // The altitude's foot on edge ij is `foot` of corner i and the rest of j. A slope across the edge that is
-        // linear along it puts the middle control value where these shares do (Farin, section on C1 of Bezier
-        // triangles).
+        // The foot of the altitude on edge ij has the barycentric weights `foot` of corner i and 1 - foot of corner j.
+        // These weights of the middle control value make the slope across the edge linear along the edge (Farin,
+        // section on C1 of Bezier triangles).
         const core::Vec3 along = *corner[j] - *corner[i];
         const double foot = (*corner[j] - *corner[k]).dot(along) / along.squaredNorm();
         constexpr double kBeside =

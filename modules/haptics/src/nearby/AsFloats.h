@@ -8,7 +8,8 @@
 
 namespace palpate::haptics::internal {
 
-/// A place relative to an origin, as floats. @return its largest coordinate [mm].
+/// Converts a position relative to an origin to single precision.
+/// @return the largest coordinate [mm]
 inline float asFloats(const core::Vec3& p, const core::Vec3& origin, float* at) noexcept
 {
     float most = 0.0f;

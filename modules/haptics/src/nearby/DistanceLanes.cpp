@@ -201,9 +201,9 @@ PALPATE_WIDE_LANES std::uint32_t opposingLanes(const TriangleGroup& group, const
     Mask8 isTwoSided;
     std::memcpy(&isTwoSided, group.corners.isTwoSided, sizeof isTwoSided);
     const Float8 perNormal2 = load8(group.perNormal2);
-    // Twice the rounding: x may be beside the triangle.
+    // Twice the rounding, because x may be beside the triangle.
     const Mask8 isBehind = (away.height < 0.0f) & (away.height * away.height * perNormal2 > 4.0f * rounding * rounding);
-    // Twice the rounding: that of the distance as well.
+    // Twice the rounding, to include the error of the distance.
     const Float8 falls = 2.0f * rounding - away.along;
     const Mask8 isBeside = (falls < 0.0f) | (falls * falls < cosine * cosine * away.distance2);
     return core::laneBits((perNormal2 <= 0.0f) | ~(isBeside | (isBehind & ~isTwoSided)));
