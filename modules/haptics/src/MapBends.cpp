@@ -17,8 +17,8 @@ using Corners = std::vector<std::array<float, 3>>;
 constexpr double kSharp = 0.766; // cosine of 40 degrees: sharper edges are not smoothed
 constexpr int kMostAround = 64;  // maximum number of triangles visited around a vertex
 constexpr double kSlight = 1e-6; // relative to the value: single-precision rounding, not a bend
-constexpr double kBeyond =
-    1e-6; // tolerance on the range of a control value, relative to the range of the surrounding values
+// Tolerance on the range of a control value, relative to the range of the surrounding values.
+constexpr double kBeyond = 1e-6;
 
 /// Plane and gradient of a triangle.
 struct Flat

@@ -80,8 +80,8 @@ class CoulombFriction
     /// @param pull_mm  length of the spring along the direction of motion
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept
     {
-        constexpr double kRim =
-            1.0 + 1e-9; // a sliding god-object is exactly on the boundary of the friction cone, up to rounding
+        // A sliding god-object is exactly on the boundary of the friction cone, up to rounding.
+        constexpr double kRim = 1.0 + 1e-9;
         const double behind_mm = m_now.drag > 0.0 && m_now.isBehind ? m_now.behind_mm : 0.0;
         return pull_mm <= kRim * (m_now.slides ? m_now.sliding_mm + behind_mm : m_now.still_mm);
     }

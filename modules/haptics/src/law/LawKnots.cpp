@@ -174,8 +174,8 @@ std::vector<Knot> points(const ForceLaw& law)
         }
         knots[i].slopeBefore = knots[i].slopeAfter = slope;
     }
-    knots[last].slopeAfter =
-        std::max(0.0, knots[last].slopeAfter); // beyond the measured range the force never decreases
+    // Beyond the measured range the force never decreases.
+    knots[last].slopeAfter = std::max(0.0, knots[last].slopeAfter);
     return knots;
 }
 

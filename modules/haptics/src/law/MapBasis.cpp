@@ -65,8 +65,8 @@ MapBasis::MapBasis(const internal::Facet& facet, double b1, double b2) noexcept
         // section on C1 of Bezier triangles).
         const core::Vec3 along = *corner[j] - *corner[i];
         const double foot = (*corner[j] - *corner[k]).dot(along) / along.squaredNorm();
-        constexpr double kBeside =
-            1.0; // for obtuse triangles: maximum distance beyond the ends of the edge, in edge lengths
+        // For obtuse triangles: maximum distance beyond the ends of the edge, in edge lengths.
+        constexpr double kBeside = 1.0;
         const double toI = std::clamp(foot, -kBeside, 1.0 + kBeside);
         Term atStart = ofEdge(b, i, j), atEnd = ofEdge(b, j, i);
         atStart.add(1.5 * toI - 0.5, middle[k]);

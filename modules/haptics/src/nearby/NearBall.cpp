@@ -254,10 +254,10 @@ class NearBall::Traversal
     const HapticLayer& m_layer;
     double m_begin;
     double m_whole; ///< length of the move [mm]
-    double m_free_mm =
-        std::numeric_limits<double>::infinity(); ///< free length of the rest, before the first untested part
-    Vec3 m_u;                                    ///< direction of the move
-    Vec3 m_from;                                 ///< start of the rest [mm]
+    /// Free length of the rest, before the first untested part.
+    double m_free_mm = std::numeric_limits<double>::infinity();
+    Vec3 m_u;    ///< direction of the move
+    Vec3 m_from; ///< start of the rest [mm]
     double m_from4[4]{};
     float m_u3[3];
     TickWork& m_work;

@@ -20,8 +20,8 @@ constexpr double kSlight = 1e-8;
 // Minimum step in skins. kPatience steps of this length cannot gain kArrived skins in total, so shorter steps are not
 // made. Far from the origin such steps are rounding noise, and each could require all facets nearby to be tested.
 constexpr double kShortest = kArrived / kPatience;
-constexpr int kMostSlight =
-    4; // maximum number of sideways moves per tick that gain less than kSlight and are still followed up
+// Maximum number of sideways moves per tick that gain less than kSlight and are still followed up.
+constexpr int kMostSlight = 4;
 
 // Steps are considered creeping when kCreeping consecutive steps point in the direction of the previous one (cosine
 // above kAlike). The next step is then as long as all remaining ones together (secant estimate), but at most kLongest
@@ -42,13 +42,13 @@ constexpr double kParted = 3.0;      // skins; a larger gap, including the regul
 constexpr int kMostRolled = 8;       // maximum number of facets rolled over per move
 constexpr double kFall = 1.0 / 16.0; // radii; maximum gap to a facet that the ball has rolled onto
 constexpr double kAside = 1e-4;      // radii; length of the sideways move that tests whether a ball at rest would roll
-constexpr double kBrink =
-    1e-7; // radii; maximum distance from an edge at which rounding decides on which side the ball stands
+// Radii; maximum distance from an edge at which rounding decides on which side the ball stands.
+constexpr double kBrink = 1e-7;
 
 constexpr double kNowhere = 1e-3; // radii; a tick that moved farther than this but gained less than a skin is undone
 
-constexpr double kThere =
-    0.01; // radii; maximum distance to the next facet that counts as contact when the work budget is spent
+// Radii; maximum distance to the next facet that counts as contact when the work budget is spent.
+constexpr double kThere = 0.01;
 
 // Skins. A ball that penetrates deeper was placed inside the tissue rather than pressed in; the ball may leave, but is
 // not pushed out.

@@ -69,9 +69,9 @@ class PointTick
     bool m_mayWalk = false; ///< walking from the single contact is possible
     std::uint32_t m_walked; ///< moves made by walking
     double m_skin_mm = 0.0; ///< maximum skin of the touched facets
-    double m_letGo_mm =
-        std::numeric_limits<double>::infinity(); ///< distance to the HIP when the last contact was released
-    int m_rounds = 0;                            ///< number of releases that gained less than a skin
+    /// Distance to the HIP when the last contact was released.
+    double m_letGo_mm = std::numeric_limits<double>::infinity();
+    int m_rounds = 0; ///< number of releases that gained less than a skin
     /// A facet that blocked a move or was reached by a walk, and the side of contact.
     struct Met
     {

@@ -181,8 +181,8 @@ PALPATE_ALWAYS_INLINE Walk::Exit Walk::exitFrom(const Vec3& from, const Vec3& to
     for (std::size_t e = 0; e < 3; ++e) {
         const Vec3 &p = *corner[e], &q = *corner[e + 1];
         const double u = turned * (q[j] - p[j]), v = turned * (q[k] - p[k]);
-        const double end =
-            u * (to[k] - p[k]) - v * (to[j] - p[j]); // distance to the left of the edge, times the edge length
+        // Distance to the left of the edge, times the edge length.
+        const double end = u * (to[k] - p[k]) - v * (to[j] - p[j]);
         if (end > m_margin_mm * (std::abs(u) + std::abs(v))) {
             continue;
         }
@@ -371,8 +371,8 @@ bool Walk::makePathMoves() noexcept
     if (!isFree) {
         m_facet = Facet::of(m_surface, m_facet.structure, m_over[moves + 1].triangle);
         if (m_friction != nullptr) {
-            m_friction->restore(
-                m_frictionAt[moves + 1]); // undo the look-ahead, whose length depends on the facets held
+            // Undo the look-ahead, whose length depends on the facets held.
+            m_friction->restore(m_frictionAt[moves + 1]);
         }
     } else {
         stand();
