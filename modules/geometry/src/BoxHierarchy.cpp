@@ -20,11 +20,11 @@ using core::Float4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
-constexpr int kFewBins = 8;             // for few items
-constexpr std::uint32_t kFew = 2048;    // items that are all looked at to split them
-constexpr std::uint32_t kMany = 20'000; // items whose hierarchy several threads build
+constexpr int kFewBins = 8;             // bin count for small ranges
+constexpr std::uint32_t kFew = 2048;    // ranges up to this size evaluate all items
+constexpr std::uint32_t kMany = 20'000; // minimum number of items for a multithreaded build
 
-/// A box in two registers; the fourth lanes mean nothing.
+/// Box in two SIMD registers; the fourth lanes are undefined.
 struct Box4
 {
     Float4 low = core::splat4(kInfinity);
@@ -60,11 +60,11 @@ Float4 doubledCentre(const BoxedItem& item)
     return three(box.low) + three(box.high);
 }
 
-/// Neighbouring items, and what they fill.
+/// Contiguous range of items with bounds.
 struct Range
 {
     std::uint32_t first, last;
-    int depth; ///< halvings that led here
+    int depth; ///< number of splits above
     Box4 box, centres;
 
     [[nodiscard]] std::uint32_t count() const { return last - first; }
@@ -72,8 +72,8 @@ struct Range
 
 } // namespace
 
-/// Top-down binned surface-area heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies",
-/// 2007); of a node's parts the one with the largest surface is split until there are four.
+/// Top-down build with a binned surface area heuristic (Wald, "On fast construction of SAH-based bounding volume
+/// hierarchies", 2007). The child with the largest surface area is split until a node has four children.
 class HierarchyBuilder
 {
   public:
@@ -111,7 +111,7 @@ class HierarchyBuilder
         return result;
     }
 
-    /// Up to four parts of a range, in the order of their items.
+    /// Up to four subranges of a range, in item order.
     struct Parts
     {
         std::array<Range, 4> part;
@@ -147,7 +147,7 @@ class HierarchyBuilder
         return parts;
     }
 
-    /// A node of these parts; the children that are no leaves are still to be set.
+    /// Creates a node for these parts; indices of inner children are set later.
     static Node nodeOf(const Parts& parts)
     {
         Node node{};
@@ -166,7 +166,7 @@ class HierarchyBuilder
         return node;
     }
 
-    /// Adds the node of a range and all below it. @return its index.
+    /// Adds the subtree of a range. @return index of its root node.
     std::uint32_t add(const Range& whole, Nodes& nodes)
     {
         const Parts parts = divide(whole);
@@ -181,7 +181,7 @@ class HierarchyBuilder
         return index;
     }
 
-    /// What all items fill.
+    /// Bounds of all items.
     Range whole(std::uint32_t count, unsigned threads) const
     {
         constexpr std::size_t kPieces = 64;
@@ -197,28 +197,28 @@ class HierarchyBuilder
         return all;
     }
 
-    /// A node near the root, and what its children are: other branches, or trees that one thread adds.
+    /// Node near the root; its children are further branches, or subtrees built by one thread.
     struct Branch
     {
         Parts parts;
-        std::array<std::uint32_t, 4> below{}; ///< a branch's number, or a tree's and kTree
-        std::uint32_t place = 0;              ///< of its node
+        std::array<std::uint32_t, 4> below{}; ///< index of a branch, or of a tree with kTree set
+        std::uint32_t place = 0;              ///< index of its node
     };
     static constexpr std::uint32_t kTree = 0x80000000u;
     struct Tree
     {
         Range range;
         Nodes nodes;
-        std::uint32_t place = 0; ///< of the first of its nodes
+        std::uint32_t place = 0; ///< index of its first node
     };
-    /// The upper part of a hierarchy: a branch comes before what is below it.
+    /// Upper part of a hierarchy; each branch precedes its descendants.
     struct Crown
     {
         std::vector<Branch> branches;
         std::vector<Tree> trees;
     };
 
-    /// The four parts of the root: of many items all are split in two, then both halves are.
+    /// Splits the root of a large hierarchy: once over all items, then both halves in parallel.
     Parts divideRoot(std::uint32_t count, unsigned threads)
     {
         const Range all = whole(count, threads);
@@ -237,7 +237,7 @@ class HierarchyBuilder
         return root;
     }
 
-    /// Divides level by level what has more than `most` items.
+    /// Splits all ranges with more than `most` items, level by level.
     Crown growCrown(std::uint32_t count, std::uint32_t most, unsigned threads)
     {
         Crown crown;
@@ -264,7 +264,7 @@ class HierarchyBuilder
         return crown;
     }
 
-    /// Gives a branch and all below it their places, in the order in which `add` would add them. @return the next one
+    /// Assigns node indices to a branch and its descendants in the order of `add`. @return next free index
     static std::uint32_t place(Crown& crown, std::uint32_t branch, std::uint32_t next)
     {
         crown.branches[branch].place = next++;
@@ -281,11 +281,11 @@ class HierarchyBuilder
         return next;
     }
 
-    /// The whole tree of many items: which thread divides which part does not depend on the number of threads, nor do
-    /// the nodes' places.
+    /// Builds a large hierarchy in parallel. Neither the partition of the items nor the node indices depend on the
+    /// number of threads.
     void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
     {
-        constexpr std::uint32_t kTrees = 128; // several for each thread: they take unequal times
+        constexpr std::uint32_t kTrees = 128; // several per thread for load balancing
         Crown crown = growCrown(count, std::max(kMany / 4, count / kTrees), threads);
         core::parallelFor(
             crown.trees.size(),
@@ -323,15 +323,15 @@ class HierarchyBuilder
             threads);
     }
 
-    /// Where a range is cut: between two bins along an axis.
+    /// Split position between two bins along an axis.
     struct Cut
     {
         float cost = kInfinity;
         std::size_t axis = 0;
-        int bin = 0; ///< the first of the right part
+        int bin = 0; ///< first bin of the right part
     };
 
-    /// @return a function that gives an item's bin along an axis.
+    /// @return a function that computes an item's bin along an axis.
     static auto binsAlong(std::size_t axis, const Box4& centres, int bins)
     {
         return
@@ -341,8 +341,8 @@ class HierarchyBuilder
             };
     }
 
-    /// Takes the cheapest cut along an axis when it is cheaper than `best`. @param stride  of the items that are looked
-    /// at
+    /// Replaces `best` by the cheapest split along an axis if its cost is lower.
+    /// @param stride  step between evaluated items
     void findCut(const Box4& centres, std::uint32_t first, std::uint32_t last, std::uint32_t stride, std::size_t axis,
                  int bins, Cut& best) const
     {
@@ -376,17 +376,17 @@ class HierarchyBuilder
         }
     }
 
-    /// @return where the right part begins; both parts are at least one leaf where there is enough for it.
+    /// @return start of the right part; both parts contain at least one full leaf if there are enough items.
     std::uint32_t partition(const Box4& centres, std::uint32_t first, std::uint32_t last, int depth)
     {
         const std::uint32_t count = last - first;
-        // Past this depth only halving is allowed, which bounds the depth: 32 + log2(2^29) < kMaxDepth.
+        // Below this depth only median splits are used, which bounds the depth: 32 + log2(2^29) < kMaxDepth.
         if (depth < 32 && count > 8) {
             const Float4 extent = centres.high - centres.low;
             const std::size_t longest = longestOf(extent);
             const int bins = count > kBins * kBins ? kBins : kFewBins;
-            // A large set is well described by a part of it; which part is fixed, so the tree is too. For a small one
-            // the longest axis is nearly always the best.
+            // Large ranges are evaluated on a subset of their items, chosen deterministically. For small ranges the
+            // longest axis is nearly always the best.
             const std::uint32_t stride = count > kFew ? count / (kFew / 2) : 1;
             const std::size_t firstAxis = count > kFew ? 0 : longest, lastAxis = count > kFew ? 2 : longest;
             Cut best;
@@ -410,12 +410,13 @@ class HierarchyBuilder
         return halve(centres, first, last);
     }
 
-    /// As std::partition, without a branch that is often mispredicted. Its room on the stack must not be part of each
-    /// level of `add`. @return how many are left.
+    /// As std::partition, without its frequently mispredicted branch. Not inlined, so that the stack buffer is not part
+    /// of each recursion level of `add`.
+    /// @return size of the left part.
     template<class IsLeft>
     [[gnu::noinline]] static std::size_t partitionFew(std::span<BoxedItem> items, IsLeft&& isLeft)
     {
-        struct Bytes // of an item: nothing is set before it is used
+        struct Bytes // raw storage of an item, left uninitialised
         {
             std::byte all[sizeof(BoxedItem)];
         };
@@ -444,7 +445,7 @@ class HierarchyBuilder
         return longest;
     }
 
-    /// Halves along the longest axis; the left half is a whole number of leaves.
+    /// Median split along the longest axis; the left part is a whole number of leaves.
     std::uint32_t halve(const Box4& centres, std::uint32_t first, std::uint32_t last)
     {
         const std::size_t axis = longestOf(centres.high - centres.low);

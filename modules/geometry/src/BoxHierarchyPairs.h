@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// BoxHierarchy::visitPairs, for the sources that call it.
+// Definition of BoxHierarchy::visitPairs, for the sources that call it.
 
 #include "palpate/geometry/BoxHierarchy.h"
 
@@ -14,9 +14,9 @@
 
 namespace palpate::geometry {
 
-/// Pairs of nodes, or of a leaf and a node, that are still to be opened.
+/// Traversal stack of node pairs and leaf-node pairs.
 template<class Pair>
-class alignas(64) PairVisit // one a thread, each in lines of its own
+class alignas(64) PairVisit // one per thread, on separate cache lines
 {
   public:
     using Node = BoxHierarchy::Node;
@@ -29,7 +29,7 @@ class alignas(64) PairVisit // one a thread, each in lines of its own
     {
     }
 
-    /// Opens node `a` and node `b`, or one node with itself. @param next  called for pairs of nodes to be opened next
+    /// Expands a pair of nodes, or a node with itself. @param next  called for node pairs to be expanded next
     template<class Next>
     void open(std::uint32_t a, std::uint32_t b, Next&& next)
     {
@@ -39,7 +39,7 @@ class alignas(64) PairVisit // one a thread, each in lines of its own
             if (p.low[0][i] > p.high[0][i]) {
                 continue; // unused
             }
-            // Of a node and itself each pair once.
+            // Expanding a node with itself visits each pair of children once.
             const std::uint32_t wanted = a == b ? 0xfu << i & 0xfu : 0xfu;
             const bool isLeaf = (p.leafMask >> i & 1u) != 0;
             for (std::uint32_t lanes = touching(p, i, q) & wanted; lanes != 0; lanes &= lanes - 1) {
@@ -109,11 +109,11 @@ void BoxHierarchy::visitPairs(double around_mm, unsigned threads, Pair&& pair) c
         return;
     }
     const auto around = static_cast<float>(1.000001 * around_mm);
-    std::vector<PairVisit<std::remove_reference_t<Pair>>> visits; // by thread
+    std::vector<PairVisit<std::remove_reference_t<Pair>>> visits; // one for each thread
     for (unsigned thread = 0; thread < std::max(1U, threads); ++thread) {
         visits.emplace_back(m_nodes.data(), around, thread, pair);
     }
-    // Several pieces for each thread: they take unequal times.
+    // Several pieces per thread for load balancing.
     const std::size_t most = 128 * visits.size();
     std::vector<std::array<std::uint32_t, 2>> pieces{{0, 0}};
     std::size_t opened = 0;

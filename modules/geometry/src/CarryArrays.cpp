@@ -10,7 +10,7 @@ namespace palpate::geometry {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-constexpr float kMixed = 0.1F; ///< share by which values at one place may differ without being counted
+constexpr float kMixed = 0.1F; ///< relative tolerance of differing values at one place
 
 MeshArray weldArray(const MeshArray& input, std::span<const std::uint32_t> weldedTo, std::size_t vertices,
                     std::size_t& mixed)
@@ -59,7 +59,7 @@ void keepTriangles(std::vector<MeshArray>& arrays, std::span<const std::uint32_t
     for (MeshArray& array : arrays) {
         if (array.isPerTriangle) {
             for (std::size_t i = 0; i < source.size(); ++i) {
-                array.values[i] = array.values[source[i]]; // `source` ascends
+                array.values[i] = array.values[source[i]]; // safe in place: `source` is ascending
             }
             array.values.resize(source.size());
         }

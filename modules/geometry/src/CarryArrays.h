@@ -10,14 +10,14 @@
 
 namespace palpate::geometry {
 
-/// The arrays of a mesh whose vertices are welded: the mean of the values that are known at each.
-/// @param weldedTo  for each vertex of `input` its new number, below `vertices`
-/// @param mixed  counts the values that differed by more than 10 % at one place
+/// Transfers arrays to a welded mesh: each new vertex gets the mean of the known values.
+/// @param weldedTo  new index of each vertex of `input`, below `vertices`
+/// @param mixed  incremented for each merged value whose inputs differ by more than 10 %
 [[nodiscard]] std::vector<MeshArray> weldArrays(const std::vector<MeshArray>& input,
                                                 std::span<const std::uint32_t> weldedTo, std::size_t vertices,
                                                 std::size_t& mixed);
 
-/// Leaves the arrays' values for these triangles alone. @param source  for each that is kept its number before
+/// Keeps only the array values of these triangles. @param source  previous index of each kept triangle, ascending
 void keepTriangles(std::vector<MeshArray>& arrays, std::span<const std::uint32_t> source);
 
 } // namespace palpate::geometry

@@ -17,17 +17,18 @@ namespace palpate::geometry {
 
 namespace {
 
-// How high a god-object goes above a triangle it moves over, as far outside its edges, and as much for rounding.
+// Three times the maximum height of a god-object above a triangle: height, equal overshoot beyond the edges, rounding.
 constexpr double kApart = SurfaceIndex::kClearApart;
 static_assert(3.0 * SurfaceIndex::kClearHeight < kApart);
 
-constexpr float kLeastSine = 1.0f / 32.0f; // of an angle of a triangle
+constexpr float kLeastSine = 1.0f / 32.0f; // minimum sine of a triangle's angle
 constexpr float kMostTurned = SurfaceIndex::kClearTurned;
-constexpr std::size_t kMostAround = 32; // triangles at a vertex
+constexpr std::size_t kMostAround = 32; // maximum number of triangles at a vertex
 
-// Where everything lies across everything, to look at all pairs would take for ever, and nothing would be clear.
-constexpr std::uint64_t kMostPairs = 64;   // for each triangle; a sphere's have 16
-constexpr std::uint32_t kMostNearby = 256; // of one triangle
+// Limits for degenerate surfaces where nearly all triangles overlap: testing all pairs would take very long, and no
+// triangle would be clear.
+constexpr std::uint64_t kMostPairs = 64;   // for each triangle; a sphere has 16
+constexpr std::uint32_t kMostNearby = 256; // for one triangle
 
 using Corners = std::array<Vec3, 3>;
 
@@ -55,25 +56,26 @@ float dot(Float4 a, Float4 b)
     return p[0] + p[1] + p[2];
 }
 
-/// @return the unit normal of the front; zero when one of its angles is too small.
+/// @return unit front normal; zero if an angle of the triangle is too small.
 Float4 normalOf(const Corners& corners)
 {
     const Float4 ab = floats(corners[1] - corners[0]), ac = floats(corners[2] - corners[0]), bc = ac - ab;
     const Float4 n = cross(ab, ac);
     const float area2 = dot(n, n), ab2 = dot(ab, ab), ac2 = dot(ac, ac), bc2 = dot(bc, bc);
-    const float longest = std::max({ab2 * ac2, ab2 * bc2, ac2 * bc2}); // of two sides: its angle has the least sine
+    const float longest =
+        std::max({ab2 * ac2, ab2 * bc2, ac2 * bc2}); // of two sides: the angle between them has the smallest sine
     return area2 >= kLeastSine * kLeastSine * longest && area2 > 0.0f ? n / std::sqrt(area2) : Float4{};
 }
 
 typedef std::int16_t Short8 __attribute__((vector_size(16)));
 
-/// What a triangle spans along eight directions, in whole steps, rounded outwards: most that do not touch are seen
-/// to be apart by it.
+/// Extents of a triangle along eight directions in integer steps, rounded outwards (a k-DOP): separates most triangle
+/// pairs that do not touch.
 struct Spans
 {
     Short8 low, high;
 
-    /// @return 1 when all the spans overlap.
+    /// @return 1 if all extents overlap.
     [[nodiscard]] std::uint16_t overlaps(const Spans& other) const
     {
         const Short8 apart = (low > other.high) | (high < other.low);
@@ -83,7 +85,7 @@ struct Spans
     }
 };
 
-/// @param steps  per mm; no place is more than 32,000 steps from the origin along an axis
+/// @param steps  steps per mm; coordinates are at most 32,000 steps from the origin
 Spans spansOf(const Corners& corners, const Vec3& origin, double steps)
 {
     const auto rows = [](Float4 v) {
@@ -108,13 +110,13 @@ Spans spansOf(const Corners& corners, const Vec3& origin, double steps)
         low[i] = core::least(core::least(a[i], b[i]), c[i]);
         high[i] = core::greatest(core::greatest(a[i], b[i]), c[i]);
     }
-    // Truncation moves by less than a step, the rest by far less.
+    // Truncation changes a value by less than one step, the other errors are far smaller.
     return {steps8(low) - 2, steps8(high) + 2};
 }
 
-constexpr std::size_t kBlock = 16'384; // triangles that are worth a thread
+constexpr std::size_t kBlock = 16'384; // minimum number of triangles for a thread
 
-/// What is known of each triangle and each vertex.
+/// Precomputed properties of each triangle and vertex.
 struct Survey
 {
     Survey(const JoinedSurface& joined, unsigned threads);
@@ -122,9 +124,10 @@ struct Survey
     const JoinedSurface& surface;
     core::LargeArray<Float4> normal;
     core::LargeArray<Spans> spans;
-    std::vector<std::uint16_t> uses;    ///< triangles at each vertex; when it wraps round, no fan is so short
-    std::vector<std::uint32_t> some;    ///< one of them << 2 | the corner there
-    std::vector<std::uint8_t> isSmooth; ///< of each vertex: see findClear
+    std::vector<std::uint16_t>
+        uses; ///< number of triangles at each vertex; may wrap around for vertices with too many triangles for a fan
+    std::vector<std::uint32_t> some;    ///< one of these triangles << 2 | its corner at the vertex
+    std::vector<std::uint8_t> isSmooth; ///< for each vertex: see findClear
 
     [[nodiscard]] bool areSmoothAround(std::uint32_t vertex) const;
 };
@@ -160,7 +163,7 @@ Survey::Survey(const JoinedSurface& joined, unsigned threads)
         [&](std::size_t v) { isSmooth[v] = areSmoothAround(static_cast<std::uint32_t>(v)) ? 1 : 0; }, threads);
 }
 
-/// @return true when the triangles at a vertex are one fan, seen from above side by side; see findClear.
+/// @return true if the triangles at a vertex form a single fan, disjoint in projection; see findClear.
 bool Survey::areSmoothAround(std::uint32_t vertex) const
 {
     const std::size_t count = uses[vertex];
@@ -168,7 +171,7 @@ bool Survey::areSmoothAround(std::uint32_t vertex) const
         return false;
     }
     std::array<std::uint32_t, kMostAround> around;
-    std::array<Float4, kMostAround + 1> spoke; // spoke[i] to spoke[i + 1]: a triangle
+    std::array<Float4, kMostAround + 1> spoke; // spoke[i] to spoke[i + 1]: one triangle
     Float4 mean{};
     const std::uint32_t start = some[vertex] >> 2;
     std::uint32_t at = start, k = some[vertex] & 3u;
@@ -177,16 +180,16 @@ bool Survey::areSmoothAround(std::uint32_t vertex) const
         around[i] = at;
         mean += normal[at];
         spoke[i] = floats(surface.vertices[surface.triangles[at][k == 2 ? 0 : k + 1]] - centre);
-        // Over the edge that ends in the vertex.
+        // Continue across the edge that ends at the vertex.
         const SurfaceIndex::Neighbour next = surface.neighbour(at, k == 0 ? 2 : k - 1);
         at = next.triangle;
         k = next.edge;
         if (at == SurfaceIndex::kNoNeighbour || (at == start) != (i + 1 == count)) {
-            return false; // an edge of the surface, or another fan
+            return false; // a boundary edge, or a second fan
         }
     }
     spoke[count] = spoke[0];
-    // Once around: the spokes go from one side of a plane through the mean normal to the other a single time.
+    // For a single turn, the spokes cross a plane through the mean normal from one side to the other exactly once.
     const Float4 size = core::absolute(mean);
     Float4 axis{};
     axis[size[0] <= size[1] && size[0] <= size[2] ? 0 : size[1] <= size[2] ? 1 : 2] = 1.0f;
@@ -210,7 +213,7 @@ bool shareCorner(const Triangle& a, const Triangle& b)
     return std::any_of(a.begin(), a.end(), [&b](std::uint32_t v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
 
-/// @return true when some axis shows a gap of more than `gap_mm` between two triangles.
+/// @return true if a separating axis shows a gap above `gap_mm` between two triangles.
 bool areApart(const Corners& f, const Corners& g, double gap_mm)
 {
     const auto separates = [&](const Vec3& axis) {
@@ -234,7 +237,7 @@ bool areApart(const Corners& f, const Corners& g, double gap_mm)
     return false;
 }
 
-/// @return true when all triangles that share no corner with triangle `i` are apart from it, and are not too many.
+/// @return true if all triangles without a shared corner with triangle `i` are far enough away and not too many.
 bool isAlone(const JoinedSurface& surface, std::uint32_t i, double gap_mm)
 {
     const Triangle& t = surface.triangles[i];
@@ -255,16 +258,16 @@ bool isAlone(const JoinedSurface& surface, std::uint32_t i, double gap_mm)
     return result;
 }
 
-/// How many triangles each one may touch: those of its leaf's neighbourhood whose spans overlap with its own.
+/// Counts the potentially touching triangles of each triangle: those in nearby leaves with overlapping extents.
 class TouchCount
 {
   public:
-    /// Looks at all pairs of triangles in leaves that come within `gap_mm` of each other, unless these are too many.
+    /// Tests all triangle pairs in leaves within `gap_mm` of each other, up to the pair limit.
     TouchCount(const Survey& survey, double gap_mm, unsigned threads);
 
-    /// There were so many pairs that the counts are not whole.
+    /// True if the pair limit was reached, so that the counts are incomplete.
     [[nodiscard]] bool isTooMuch() const noexcept { return m_pairs > m_mostPairs; }
-    /// @return as far as 16 bits go
+    /// @return count modulo 2^16
     [[nodiscard]] std::uint16_t of(std::uint32_t triangle) const noexcept
     {
         std::uint16_t sum = 0;
@@ -275,10 +278,10 @@ class TouchCount
     }
 
   private:
-    struct alignas(64) Part // what one thread has counted
+    struct alignas(64) Part // counts of one thread
     {
-        core::LargeArray<std::uint16_t> touching; ///< of each triangle
-        std::uint64_t pairs = 0;                  ///< not counted in m_pairs yet
+        core::LargeArray<std::uint16_t> touching; ///< for each triangle
+        std::uint64_t pairs = 0;                  ///< pairs not yet added to m_pairs
     };
 
     std::vector<Part> m_parts;
@@ -290,7 +293,7 @@ TouchCount::TouchCount(const Survey& survey, double gap_mm, unsigned threads)
     : m_mostPairs(std::max<std::uint64_t>(kMostPairs * survey.surface.triangleCount(), 1'000'000))
 {
     const std::uint32_t count = survey.surface.triangleCount();
-    // Each thread takes two bytes a triangle; together they take no more than the survey does.
+    // Each thread uses two bytes per triangle; the limit keeps the total below the memory of the survey.
     constexpr std::uint32_t kMostThreads = 16;
     threads = std::clamp(count / static_cast<std::uint32_t>(kBlock), 1U, std::clamp(threads, 1U, kMostThreads));
     m_parts.resize(threads);
@@ -342,7 +345,8 @@ std::vector<std::uint8_t> findClear(const JoinedSurface& surface, unsigned threa
             if ((survey.isSmooth[t[0]] & survey.isSmooth[t[1]] & survey.isSmooth[t[2]]) == 0) {
                 return;
             }
-            // Those that share a corner touch, three of them at two corners. One that touches no more is alone.
+            // Triangles with a shared corner touch; three of them share two corners. Without other contacts the
+            // triangle is alone.
             const int sharing = survey.uses[t[0]] + survey.uses[t[1]] + survey.uses[t[2]] - 6;
             isClear[i] = touching.of(i) == sharing || isAlone(surface, i, gap_mm) ? 1 : 0;
         },

@@ -13,8 +13,8 @@ namespace palpate::geometry {
 
 namespace {
 
-/// True when a ray to the outside goes through an odd number of walls.
-/// @param walls  room to work in
+/// True if a ray to the outside crosses an odd number of walls.
+/// @param walls  scratch buffer
 bool leavesOddly(const SurfaceIndex& surface, const Vec3& p, const Vec3& d, std::vector<double>& walls)
 {
     const Box& box = surface.bounds();
@@ -32,7 +32,7 @@ bool leavesOddly(const SurfaceIndex& surface, const Vec3& p, const Vec3& d, std:
         return 1.0;
     });
     std::sort(walls.begin(), walls.end());
-    // Neighbours are both met at their edge: one wall.
+    // A ray through a shared edge hits both neighbours: merge them to one wall.
     const double apart = 1e-9 * (size + p.norm());
     const auto last = std::unique(walls.begin(), walls.end(), [apart](double a, double b) { return b - a <= apart; });
     return (last - walls.begin()) % 2 == 1;
@@ -51,8 +51,8 @@ double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
         return kMiss;
     }
     const Vec3 s = p - a;
-    constexpr double eps =
-        1e-12; // of barycentric coordinates: a ray through an edge belongs to both neighbours, not to none
+    // In barycentric coordinates: a ray through an edge hits both neighbours rather than neither.
+    constexpr double eps = 1e-12;
     const double beta = s.dot(q) / det;
     const Vec3 r = s.cross(u);
     const double gamma = d.dot(r) / det;
@@ -68,7 +68,7 @@ bool isInside(const SurfaceIndex& surface, const Vec3& p)
     if (surface.triangleCount() == 0 || !p.allFinite() || !surface.bounds().contains(p)) {
         return false;
     }
-    // Along no axis and no diagonal: anatomy is often cut along them.
+    // Not along an axis or a diagonal, because anatomical models are often cut along these.
     static const std::array<Vec3, 3> kRays{Vec3(0.31, 0.53, 0.79).normalized(), Vec3(-0.67, 0.23, -0.71).normalized(),
                                            Vec3(0.19, -0.89, 0.43).normalized()};
     std::vector<double> walls;

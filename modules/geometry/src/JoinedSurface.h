@@ -7,14 +7,14 @@
 
 namespace palpate::geometry {
 
-/// A surface in the order of its index, each triangle joined to its neighbours: what is needed to tell which triangles
-/// are clear. A view: everything must outlive it.
+/// View of a surface in index order with triangle adjacency: input for finding clear triangles. All referenced data
+/// must outlive the view.
 struct JoinedSurface
 {
     std::span<const Vec3> vertices;       ///< [mm]
-    std::span<const Triangle> triangles;  ///< of vertices
-    std::span<const Triangle> neighbours; ///< of each triangle, by edge: see findNeighbours
-    const BoxHierarchy& hierarchy;        ///< of the triangles
+    std::span<const Triangle> triangles;  ///< vertex indices
+    std::span<const Triangle> neighbours; ///< neighbours of each triangle, by edge: see findNeighbours
+    const BoxHierarchy& hierarchy;        ///< over the triangles
     Box bounds;                           ///< [mm]
     double skin_mm;
 

@@ -7,7 +7,7 @@ namespace palpate::geometry {
 
 namespace {
 
-/// "52,114 triangles"
+/// Formats a count with its noun, e.g. "52,114 triangles".
 std::string counted(std::size_t n, const char* one, const char* many)
 {
     return core::grouped(n) + ' ' + (n == 1 ? one : many);

@@ -16,21 +16,21 @@ namespace {
 
 constexpr std::uint32_t kNone = SurfaceIndex::kNoNeighbour << 2;
 
-/// A triangle's edge, as seen from the smaller of its vertices.
+/// Edge of a triangle, stored at its smaller vertex.
 struct Side
 {
-    std::uint32_t larger; ///< vertex
+    std::uint32_t larger; ///< larger vertex
     std::uint32_t where;  ///< triangle << 2 | edge
 };
 
-/// Those of one vertex that lead to the same other one.
+/// Matching sides of a vertex that lead to the same other vertex.
 struct Found
 {
     std::uint32_t count = 0;
-    std::uint32_t where = kNone; ///< of one of them
+    std::uint32_t where = kNone; ///< one of the matches
 };
 
-/// More sides of a vertex than this are sorted before they are searched.
+/// Vertices with more sides than this use a sorted search.
 constexpr std::size_t kFew = 64;
 
 bool isSmaller(const Side& a, const Side& b)
@@ -55,11 +55,11 @@ Found find(std::span<const Side> sides, std::uint32_t larger, bool isSorted)
     return found;
 }
 
-/// Joins the triangles at those edges whose smaller vertex is first … last - 1.
+/// Connects the triangles at edges whose smaller vertex is in the range first to last - 1.
 void join(std::span<const Triangle> triangles, std::uint32_t first, std::uint32_t last,
           core::LargeArray<Triangle>& joined)
 {
-    // Of each vertex the sides that lead away from it, then those that lead to it.
+    // For each vertex, the outgoing sides followed by the incoming sides.
     std::vector<std::uint32_t> ends(2 * std::size_t{last - first} + 2, 0);
     const auto forEachSide = [&](auto&& f) {
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -90,7 +90,7 @@ void join(std::span<const Triangle> triangles, std::uint32_t first, std::uint32_
         }
         for (const Side& side : away) {
             const Found other = find(back, side.larger, isSorted);
-            // More than one on either side: none knows which belong together.
+            // With several sides in one direction the pairing is ambiguous.
             if (other.count == 1 && find(away, side.larger, isSorted).count == 1) {
                 joined[side.where >> 2][side.where & 3u] = other.where;
                 joined[other.where >> 2][other.where & 3u] = side.where;
@@ -105,7 +105,7 @@ core::LargeArray<Triangle> findNeighbours(std::span<const Triangle> triangles, s
                                           unsigned threads)
 {
     core::LargeArray<Triangle> found(triangles.size());
-    // A part of the vertices each, as each part looks at all triangles.
+    // Each part processes a range of vertices but scans all triangles.
     constexpr std::size_t kTrianglesEach = 10'000;
     const auto parts = std::clamp<std::size_t>(triangles.size() / kTrianglesEach, 1, std::max(1U, threads));
     const auto end = [&](std::size_t part) { return static_cast<std::uint32_t>(part * vertexCount / parts); };

@@ -9,10 +9,10 @@
 
 namespace palpate::geometry {
 
-/// Finds for each edge of each triangle the one other triangle there that is turned the same way.
-/// @param vertexCount  more than any triangle's corner
-/// @return for each triangle, by edge, `triangle << 2 | edge` of the other; SurfaceIndex::kNoNeighbour << 2 where there
-///         is none or more than one.
+/// Finds the consistently oriented neighbour across each edge of each triangle.
+/// @param vertexCount  above all vertex indices
+/// @return for each triangle, by edge, `triangle << 2 | edge` of the neighbour; SurfaceIndex::kNoNeighbour << 2 without
+/// a unique neighbour
 /// @par Cost O(n), on at most `threads` threads; the result does not depend on their number.
 [[nodiscard]] core::LargeArray<Triangle> findNeighbours(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                                         unsigned threads);

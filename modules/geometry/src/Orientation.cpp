@@ -10,11 +10,11 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::uint8_t kKeep = 0, kTurn = 1, kUnknown = 2;
 
-/// A neighbour over a two-triangle edge.
+/// Neighbour across an edge of two triangles.
 struct Link
 {
     std::uint32_t neighbour = kNone;
-    bool isSameWay = false; ///< both traverse the edge in the same direction: they disagree
+    bool isSameWay = false; ///< both traverse the edge in the same direction, i.e. inconsistently
 };
 
 void add(std::array<Link, 3>& links, const Link& link)

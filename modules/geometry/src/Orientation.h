@@ -8,7 +8,7 @@
 
 namespace palpate::geometry {
 
-/// What is known of one component while its orientation is decided.
+/// State of one component while its orientation is decided.
 struct Component
 {
     bool isConsistent = true;
@@ -19,10 +19,10 @@ struct Component
     std::uint32_t someTriangle = 0;
 };
 
-/// Decides which triangles of the inconsistent components must turn round to agree with their neighbours over
-/// two-triangle edges. Patches that only meet at other edges keep the facing of their majority.
-/// @param components  `isOrientable` becomes false where no choice agrees; nothing is turned there
-/// @return the triangles to turn round
+/// Finds the triangles of inconsistent components to reverse so that neighbours across two-triangle edges agree.
+/// Patches connected only by other edges keep the orientation of their majority.
+/// @param components  `isOrientable` is set to false if no consistent orientation exists; such components are unchanged
+/// @return the triangles to reverse
 [[nodiscard]] std::vector<std::uint32_t> trianglesToTurn(std::size_t triangleCount, const EdgeTable& edges,
                                                          const std::vector<std::uint32_t>& componentOf,
                                                          std::vector<Component>& components);

@@ -34,7 +34,7 @@ class DisjointSets
         }
         return i;
     }
-    // The smaller number becomes the representative, so that the result does not depend on the order.
+    // The smaller index becomes the representative, so that the result does not depend on the order.
     void join(std::uint32_t a, std::uint32_t b)
     {
         a = find(a);
@@ -57,7 +57,7 @@ std::uint64_t mix(std::uint64_t h)
     return h ^ (h >> 33);
 }
 
-/// Numbers things by equality in the order in which they first come.
+/// Hash set that maps equal items to the index of the first occurrence.
 template<class Hash, class Equal>
 class FirstSeen
 {
@@ -68,7 +68,7 @@ class FirstSeen
         , m_equal(equal)
     {
     }
-    /// @return the first number that equals `i`, `i` itself when it is new.
+    /// @return the first index equal to `i`, or `i` if new.
     std::uint32_t insert(std::uint32_t i)
     {
         for (std::size_t at = m_hash(i) & (m_slots.size() - 1);; at = (at + 1) & (m_slots.size() - 1)) {
@@ -88,13 +88,13 @@ class FirstSeen
     Equal m_equal;
 };
 
-/// Welds equal coordinates. @return for each vertex its new number.
+/// Welds vertices with equal coordinates. @return new index of each vertex.
 std::vector<std::uint32_t> weld(const std::vector<Vec3>& in, std::vector<Vec3>& out)
 {
     const auto hash = [&in](std::uint32_t i) {
         std::uint64_t h = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            h = mix(h ^ std::bit_cast<std::uint64_t>(in[i][axis] + 0.0)); // + 0.0 makes -0 equal to 0
+            h = mix(h ^ std::bit_cast<std::uint64_t>(in[i][axis] + 0.0)); // + 0.0 maps -0 to 0
         }
         return h;
     };
@@ -114,8 +114,8 @@ std::vector<std::uint32_t> weld(const std::vector<Vec3>& in, std::vector<Vec3>& 
     return renumbered;
 }
 
-/// True when rounding alone can explain the triangle's area: it has no normal. The rounding of a cross product is a few
-/// ulp of the square of the longest edge.
+/// True if the area is within the rounding error, so that the normal is undefined. The rounding error of a cross
+/// product is a few ulp of the squared longest edge.
 bool isZeroArea(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const Vec3 ab = b - a, ac = c - a;
@@ -161,7 +161,7 @@ double signedVolume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& or
     return (mesh.vertices[t[0]] - origin).dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
 }
 
-/// Winding number around `p` of the components that `counts` accepts, by a ray along +x.
+/// Winding number around `p` of the components accepted by `counts`, from a ray along +x.
 template<class Counts>
 int windingOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& componentOf, const Vec3& p, Counts&& counts)
 {
@@ -175,7 +175,7 @@ int windingOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& compon
         for (std::size_t k = 0; k < 3; ++k) {
             q[k] = mesh.vertices[t[k]] - p;
         }
-        // Half-open edges in y: each crossing of the yz projection is counted once.
+        // Half-open edges in y count each crossing of the yz projection once.
         int sides = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 &a = q[k], &b = q[(k + 1) % 3];
@@ -196,11 +196,11 @@ int windingOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& compon
     return winding;
 }
 
-/// Makes a mesh fit for touching, step by step; each step leaves its counts in the report.
+/// Stepwise repair of a mesh; each step adds its counts to the report.
 class Repairer
 {
   public:
-    /// @param turnsOutwards  closed parts that are inside out, too, though their orientation is consistent
+    /// @param turnsOutwards  also reverse consistently oriented closed components that are inside out
     explicit Repairer(const TriangleMesh& input, bool turnsOutwards = false)
         : m_input(input)
         , m_turnsOutwards(turnsOutwards)
@@ -236,12 +236,12 @@ class Repairer
     RepairedMesh m_result;
     TriangleMesh& m_mesh = m_result.mesh;
     MeshReport& m_report = m_result.report;
-    std::vector<std::uint32_t> m_componentOf; ///< of each triangle
+    std::vector<std::uint32_t> m_componentOf; ///< component of each triangle
     std::vector<Component> m_components;
-    std::vector<std::uint8_t> m_turned; ///< of each triangle: 1 where it goes the other way round than in the input
+    std::vector<std::uint8_t> m_turned; ///< for each triangle: 1 if reversed relative to the input
 };
 
-/// Keeps one vertex at each place and the triangles that have an area, each once.
+/// Welds the vertices and drops zero-area and duplicate triangles.
 void Repairer::weldAndDrop()
 {
     const std::vector<std::uint32_t> renumbered = weld(m_input.vertices, m_mesh.vertices);
@@ -282,7 +282,7 @@ void Repairer::weldAndDrop()
     dropUnusedVertices(m_mesh);
 }
 
-/// Numbers the sets of triangles that are connected over edges, by their first triangles.
+/// Finds the sets of triangles connected by edges, numbered in the order of their first triangles.
 void Repairer::findComponents(const EdgeTable& edges)
 {
     const std::size_t n = m_mesh.triangles.size();
@@ -303,7 +303,8 @@ void Repairer::findComponents(const EdgeTable& edges)
             m_components.push_back({});
             m_components.back().someTriangle = i;
         } else {
-            m_componentOf[i] = m_componentOf[root]; // the root is the smallest of its set, so it was seen before
+            // The root is the smallest index of its set and therefore already numbered.
+            m_componentOf[i] = m_componentOf[root];
         }
     }
     edges.forEach([&](const EdgeUse* uses, std::size_t count) {
@@ -313,7 +314,7 @@ void Repairer::findComponents(const EdgeTable& edges)
     });
 }
 
-/// Turns what must turn to agree with its neighbours, and finds the components that are closed then.
+/// Reverses triangles to agree with their neighbours, then finds the closed components.
 void Repairer::orient(const EdgeTable& edges)
 {
     const std::size_t n = m_mesh.triangles.size();
@@ -349,7 +350,7 @@ void Repairer::measureComponents()
     }
 }
 
-/// Turns the components that have a 1.
+/// Reverses all components marked with 1.
 void Repairer::turnAll(const std::vector<std::uint8_t>& components)
 {
     for (std::size_t c = 0; c < components.size(); ++c) {
@@ -362,7 +363,7 @@ void Repairer::turnAll(const std::vector<std::uint8_t>& components)
     }
 }
 
-/// A component whose orientation was made up here faces outwards when it is closed.
+/// Reverses closed components oriented by this repair so that they face outwards.
 void Repairer::turnComponentsOutwards()
 {
     std::vector<std::uint8_t> turned(m_components.size(), 0);
@@ -373,7 +374,7 @@ void Repairer::turnComponentsOutwards()
     turnAll(turned);
 }
 
-/// Closed, but its normals point inwards, which is right only for a cavity inside another closed component.
+/// True for a closed component with inward normals that is not a cavity of another closed component.
 bool Repairer::isInsideOut(std::uint32_t component) const
 {
     const Vec3& p = somePointOf(component);
@@ -390,7 +391,7 @@ bool Repairer::isWithin(std::uint32_t inner, std::uint32_t outer) const
            windingOf(m_mesh, m_componentOf, p, [outer](std::uint32_t c) { return c == outer; }) != 0;
 }
 
-/// Turns what is inside out, with what lies within it.
+/// Reverses inside-out components together with their contents.
 void Repairer::turnInsideOut()
 {
     std::vector<std::uint8_t> turned(m_components.size(), 0);
@@ -462,7 +463,7 @@ RepairedMesh Repairer::run()
     return std::move(m_result);
 }
 
-/// Makes `again`, which was repaired from the mesh of `before`, refer to the mesh that `before` was repaired from.
+/// Makes `again`, repaired from the mesh of `before`, refer to the original input of `before`.
 RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
 {
     MeshReport& report = again.report;
@@ -474,7 +475,7 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
     report.zeroAreaTriangles += was.zeroAreaTriangles;
     report.duplicateTriangles += was.duplicateTriangles;
     report.inconsistentEdges = was.inconsistentEdges;
-    report.reorientedTriangles = was.reorientedTriangles; // turned to agree with the rest; not those turned on request
+    report.reorientedTriangles = was.reorientedTriangles; // reversed for consistency; excludes reversals on request
     if (again.turned.empty() && !before.turned.empty()) {
         again.turned.assign(again.source.size(), 0);
     }

@@ -17,16 +17,17 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::size_t kMostSamples = 8'000; ///< triangles that are looked at
-constexpr std::size_t kMostTrials = 1'000;  ///< of these, triangles that each choice of axes is tried on
-constexpr double kCosine = 0.99985;         ///< of 1°, within which two normals are one direction
-constexpr double kSine = 0.01745;           ///< of 1°, within which two directions are perpendicular
-constexpr double kLeastShare = 0.5;         ///< of the area: between 10 % (anatomy) and 100 % (masks)
-constexpr double kPitchTolerance = 0.05;    ///< of the pitch: more than files with two decimals round by
-constexpr double kLeastInnerOfCubes = 0.15; ///< of the area, in steps; the mask of a box has 7 %
-constexpr double kLeastInnerOfFaces = 0.33; ///< an angle bracket that is divided into squares has 20 %
+constexpr std::size_t kMostSamples = 8'000; ///< maximum number of examined triangles
+constexpr std::size_t kMostTrials = 1'000;  ///< subset of the samples used to evaluate each candidate grid
+constexpr double kCosine = 0.99985;         ///< of 1°, maximum angle between normals of the same direction
+constexpr double kSine = 0.01745;           ///< of 1°, tolerance of perpendicularity
+constexpr double kLeastShare = 0.5;         ///< minimum fraction of the area: between 10 % (anatomy) and 100 % (masks)
+constexpr double kPitchTolerance = 0.05;    ///< fraction of the pitch: above the rounding of files with two decimals
+constexpr double kLeastInnerOfCubes = 0.15; ///< minimum fraction of the area in steps; the mask of a box has 7 %
+/// As above, without bevels; an angle bracket divided into squares has 20 %.
+constexpr double kLeastInnerOfFaces = 0.33;
 
-/// A triangle as far as its shape matters.
+/// Geometric properties of a triangle.
 struct Facet
 {
     std::array<Vec3, 3> edges;
@@ -51,14 +52,14 @@ std::vector<Facet> sampleFacets(const TriangleMesh& mesh)
     return facets;
 }
 
-/// A direction that normals share.
+/// Cluster of similar normals.
 struct Direction
 {
-    Vec3 sum = Vec3::Zero(); ///< of the normals, by their area
+    Vec3 sum = Vec3::Zero(); ///< area-weighted sum of the normals
     double area = 0.0;
 };
 
-/// Number of the cell of 0.9° that a normal is in; cells within 1° of each other are joined later.
+/// Index of the 0.9° cell that contains a normal; cells within 1° of each other are merged later.
 std::uint32_t cellOf(const Vec3& normal)
 {
     constexpr double kCells = 64.0;
@@ -69,7 +70,7 @@ std::uint32_t cellOf(const Vec3& normal)
     return number;
 }
 
-/// @return the Staircase::kDirections directions that hold most of the area, or all there are, the largest first
+/// @return up to Staircase::kDirections directions with the largest area, in descending order
 std::vector<Direction> mainDirections(const std::vector<Facet>& facets)
 {
     std::vector<std::pair<std::uint32_t, std::size_t>> byCell;
@@ -108,13 +109,13 @@ std::vector<Direction> mainDirections(const std::vector<Facet>& facets)
     return found;
 }
 
-/// How far apart corners lie along an axis.
+/// Spacing of the triangle corners along an axis.
 struct Pitch
 {
-    double step_mm = 0.0; ///< half a voxel of marching cubes, a voxel of voxel faces; 0: none fits
-    bool isHalf = false;  ///< corners lie up to two steps apart
+    double step_mm = 0.0; ///< half a voxel for marching cubes, a voxel for voxel faces; 0: no match
+    bool isHalf = false;  ///< corner distances may span two steps
 
-    /// @return 0, 1 or 2: so many steps; -1: something else
+    /// @return number of steps, 0 to 2; -1 if the distance is not a multiple
     [[nodiscard]] int stepsIn(double distance_mm) const
     {
         const double steps = distance_mm / step_mm;
@@ -124,7 +125,7 @@ struct Pitch
     [[nodiscard]] double voxel_mm() const { return isHalf ? 2.0 * step_mm : step_mm; }
 };
 
-/// @return the pitch whose step is the mean of those that it explains: files round their numbers
+/// @return the pitch with its step averaged over all matching distances, because files contain rounded coordinates
 Pitch refined(Pitch pitch, const std::vector<double>& distances)
 {
     double sum = 0.0, steps = 0.0;
@@ -138,7 +139,7 @@ Pitch refined(Pitch pitch, const std::vector<double>& distances)
     return pitch;
 }
 
-/// Finds the step that explains most distances of corners along an axis.
+/// Finds the step that matches most corner distances along an axis.
 Pitch pitchAlong(const std::vector<Facet>& facets, std::size_t count, const Vec3& axis)
 {
     std::vector<double> distances;
@@ -149,7 +150,7 @@ Pitch pitchAlong(const std::vector<Facet>& facets, std::size_t count, const Vec3
         }
     }
     std::sort(distances.begin(), distances.end());
-    constexpr double kNothing = 0.01; // of the largest distance: rounding
+    constexpr double kNothing = 0.01; // relative to the largest distance: smaller values count as rounding errors
     const auto first = std::lower_bound(distances.begin(), distances.end(), kNothing * distances.back());
     Pitch best;
     std::size_t most = 0;
@@ -173,15 +174,15 @@ Pitch pitchAlong(const std::vector<Facet>& facets, std::size_t count, const Vec3
     return refined(best, distances);
 }
 
-/// Three axes and what fits them.
+/// Three perpendicular axes with their pitches.
 struct Grid
 {
     std::array<Vec3, 3> axes;
     std::array<Pitch, 3> pitches;
-    double share = 0.0; ///< of the area
+    double share = 0.0; ///< fraction of the area that matches
 };
 
-/// @param count  facets to look at, evenly spread
+/// @param count  number of evenly spread facets to examine
 Grid gridAlong(const std::vector<Facet>& facets, std::size_t count, const std::array<Vec3, 3>& axes)
 {
     Grid grid{axes, {}, 0.0};
@@ -209,10 +210,10 @@ Grid gridAlong(const std::vector<Facet>& facets, std::size_t count, const std::a
     return grid;
 }
 
-/// @return the perpendicular axes among the directions that most of the area fits; a share of 0 where there are none
+/// @return the perpendicular axes with the largest matching area; a share of 0 if there are no such axes
 Grid bestGrid(const std::vector<Facet>& facets, const std::vector<Direction>& directions)
 {
-    std::vector<Vec3> lines; // a direction and its opposite are one
+    std::vector<Vec3> lines; // opposite directions count as the same line
     for (const Direction& one : directions) {
         if (std::none_of(lines.begin(), lines.end(),
                          [&one](const Vec3& line) { return std::abs(line.dot(one.sum)) >= kCosine; })) {
@@ -240,8 +241,8 @@ Grid bestGrid(const std::vector<Facet>& facets, const std::vector<Direction>& di
     return best.share > 0.0 ? gridAlong(facets, facets.size(), best.axes) : best;
 }
 
-/// A flat side of the whole surface is no step, however finely it is divided.
-/// @return the share of the area that does not lie in the outermost planes across the axes
+/// Flat outer sides of the whole surface are not steps, however finely tessellated.
+/// @return fraction of the area outside the outermost planes perpendicular to the axes
 double innerShare(const std::vector<Facet>& facets, const Grid& grid)
 {
     double all = 0.0, outer = 0.0;
@@ -260,7 +261,7 @@ double innerShare(const std::vector<Facet>& facets, const Grid& grid)
     return all > 0.0 ? 1.0 - outer / all : 0.0;
 }
 
-/// Marching cubes bevels every edge of a mask; faces of voxels, and CAD parts, have none of these facets.
+/// Marching cubes bevels every edge of a mask; voxel faces and CAD parts do not have such facets.
 bool hasBevels(const std::vector<Facet>& facets, const Grid& grid)
 {
     double all = 0.0, oblique = 0.0;
@@ -280,7 +281,7 @@ bool hasSteps(const std::vector<Facet>& facets, const Grid& grid)
     return innerShare(facets, grid) >= (hasBevels(facets, grid) ? kLeastInnerOfCubes : kLeastInnerOfFaces);
 }
 
-/// Names the axes by the world's: the first is the one nearest to x, and so on; each points the same way as that.
+/// Sorts and flips the axes to match the world axes: the first is nearest to x, and so on.
 void setAxes(const Grid& grid, Staircase& out)
 {
     std::array<std::size_t, 3> order{0, 1, 2}, best = order;
@@ -309,7 +310,7 @@ std::optional<Staircase> findStaircase(const TriangleMesh& mesh)
 {
     const std::vector<Facet> facets = sampleFacets(mesh);
     if (facets.size() <= static_cast<std::size_t>(Staircase::kDirections)) {
-        return std::nullopt; // so few have few directions, whatever they are
+        return std::nullopt; // a few triangles always have few directions
     }
     const std::vector<Direction> directions = mainDirections(facets);
     const auto add = [](double sum, const auto& one) { return sum + one.area; };

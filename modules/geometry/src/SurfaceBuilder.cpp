@@ -15,10 +15,11 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::size_t kBlock = 16'384; // triangles that are worth a thread
+constexpr std::size_t kBlock = 16'384; // minimum number of triangles for a thread
 
-/// Bound of the error of a plane distance, for points about as near to a triangle as it is large: that of the point's
-/// own position, and that of the normal, whose cross product is off by less than 2 eps of the longest edge's square.
+/// Error bound of a plane distance, for points at distances up to about the triangle size: the error of the point's
+/// coordinates plus the error of the normal, where the cross product is accurate to 2 eps times the squared longest
+/// edge.
 double planeDistanceError(double slenderest_mm2, double coordinate_mm)
 {
     return 2.0 * std::numeric_limits<double>::epsilon() * (coordinate_mm + std::sqrt(slenderest_mm2));
@@ -34,7 +35,7 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
     items.resize(count);
     core::LargeArray<double> doubledArea_mm2(count);
     std::vector<double> slenderest_mm2(count / kBlock + 1,
-                                       0.0); // longest edge times it squared over twice the area, squared
+                                       0.0); // (longest edge^3 / (2 * area))^2
     core::parallelForBlocks(
         count, kBlock,
         [&](std::size_t i) {
@@ -50,7 +51,7 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
             doubledArea_mm2[i] = std::sqrt(area2);
         },
         m_threads);
-    // A sum of two halves, whatever the number of threads: it has the same bits.
+    // Sum two halves in a fixed order, so that the result is bit-identical for any number of threads.
     double front_mm2 = 0.0, back_mm2 = 0.0;
     for (std::size_t i = 0, j = count / 2; j < count; ++i, ++j) {
         front_mm2 += i < count / 2 ? doubledArea_mm2[i] : 0.0;
@@ -61,12 +62,13 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
     const double worst =
         planeDistanceError(*std::max_element(slenderest_mm2.begin(), slenderest_mm2.end()), coordinate);
     Scale scale;
-    // Eight times the worst rounding error, at least 2^-40 of the extent (2e-10 mm on an organ of 200 mm) so that the
-    // arithmetic of contacts has room, at most what can't be felt (god-object.md, "The skin"); 2.3e-16 is above eps.
+    // Eight times the maximum rounding error; at least 2^-40 of the extent (2e-10 mm for an organ of 200 mm), as a
+    // margin for contact arithmetic; at most the imperceptible limit (god-object.md, "The skin"). 2.3e-16 is above eps.
     scale.skin_mm = std::min(
         {std::max(8.0 * worst, std::ldexp(extent, -40)), 1e-4, std::max(1e-6 * extent, 8.0 * 2.3e-16 * coordinate)});
     scale.isSkinAboveRounding = 8.0 * worst <= scale.skin_mm;
-    // Of an equilateral triangle with the mean area: twice that by sin 60°, so 2 / sqrt(3) times.
+    // Edge length of an equilateral triangle of the mean area: doubled area divided by sin 60°, a factor of 2 /
+    // sqrt(3).
     scale.facetSize_mm = std::sqrt((front_mm2 + back_mm2) / static_cast<double>(count) * 1.1547);
     return scale;
 }
@@ -137,7 +139,7 @@ SurfaceIndex SurfaceBuilder::build()
     reorder(items, index);
     index.m_neighbours = findNeighbours(index.m_triangles, index.m_vertexCount, m_threads);
     std::vector<std::uint8_t> isClear;
-    // With a skin below the rounding of distances nothing could be promised.
+    // With a skin below the rounding error of distances, no triangle can be proven clear.
     if (scale.isSkinAboveRounding) {
         isClear = findClear({std::span(index.m_vertices).first(index.m_vertexCount), index.m_triangles,
                              index.m_neighbours, index.m_hierarchy, index.m_bounds, index.m_skin_mm},

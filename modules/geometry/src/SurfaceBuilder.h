@@ -5,21 +5,21 @@
 
 namespace palpate::geometry {
 
-/// Builds a SurfaceIndex, one thing after the other: each step takes what the steps before have finished.
+/// Builds a SurfaceIndex step by step.
 class SurfaceBuilder
 {
   public:
-    /// @param repaired  must outlive the builder; not empty, its box finite and within SurfaceIndex::kLargest_mm
+    /// @param repaired  must outlive the builder; not empty, with finite bounds within SurfaceIndex::kLargest_mm
     SurfaceBuilder(const RepairedMesh& repaired, unsigned threads)
         : m_repaired(repaired)
         , m_threads(threads)
     {
     }
-    /// @pre called once
+    /// @pre not called before
     [[nodiscard]] SurfaceIndex build();
 
   private:
-    /// The index's numbers that follow from all triangles.
+    /// Scalar properties of the index that depend on all triangles.
     struct Scale
     {
         double skin_mm = 0.0;
@@ -27,11 +27,11 @@ class SurfaceBuilder
         bool isSkinAboveRounding = false;
     };
 
-    /// @param items  becomes a box a triangle
+    /// @param items  output: the box of each triangle
     [[nodiscard]] Scale measure(const Box& bounds, core::LargeArray<BoxedItem>& items) const;
-    /// Puts triangles and vertices into the order of the leaves. @param items  as BoxHierarchy::build left them
+    /// Sorts triangles and vertices into leaf order. @param items  as sorted by BoxHierarchy::build
     void reorder(const core::LargeArray<BoxedItem>& items, SurfaceIndex& index) const;
-    /// Sets the index's flags.
+    /// Sets the flag bits of the index.
     void flag(const std::vector<std::uint8_t>& isClear, SurfaceIndex& index) const;
 
     const RepairedMesh& m_repaired;

@@ -25,14 +25,14 @@ bool shareVertex(const Triangle& a, const Triangle& b)
                        [&b](std::uint32_t v) { return std::find(b.begin(), b.end(), v) != b.end(); });
 }
 
-/// Six times the signed volume of the tetrahedron a b c d.
+/// Six times the signed volume of tetrahedron a b c d.
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     return (b - a).cross(c - a).dot(d - a);
 }
 
-/// @return true when the segment from p to q passes from one side of the triangle's plane to the other through the
-///         triangle, its edges included: surfaces made of voxels meet edge on edge
+/// @return true if the segment from p to q crosses the triangle from one side to the other; the triangle's edges are
+/// included, because voxel surfaces meet edge on edge
 bool passesThrough(const Vec3& p, const Vec3& q, const Corners& t)
 {
     const double from = volume(t[0], t[1], t[2], p);
@@ -48,7 +48,7 @@ bool passesThrough(const Vec3& p, const Vec3& q, const Corners& t)
 
 bool cross(const Corners& a, const Corners& b)
 {
-    // Two triangles cross in a segment, both of whose ends lie on an edge of one of them.
+    // The intersection of two triangles is a segment whose end points are each on an edge of one of the triangles.
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (passesThrough(a[k], a[next], b) || passesThrough(b[k], b[next], a)) {
@@ -86,7 +86,7 @@ void countCrossings(const SurfaceIndex& surface, std::size_t mostPairs, SurfaceE
     }
 }
 
-/// @return the share of the segment at which it first meets an opposite wall, else 1
+/// @return fraction of the segment at the first opposite wall, or 1
 double wallAlong(const SurfaceIndex& surface, const Triangle& own, const Vec3& from, const Vec3& to, const Vec3& n)
 {
     constexpr double kOpposite = -0.5; // cosine of 120° between the normals

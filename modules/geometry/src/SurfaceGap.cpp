@@ -13,7 +13,7 @@ namespace {
 
 using Triple = std::array<Vec3, 3>;
 
-/// Two points, one on each surface.
+/// Pair of closest points, one on each surface.
 struct NearPair
 {
     Vec3 p, q;
@@ -40,12 +40,12 @@ core::Box boxAround(const Triple& corners)
     return box;
 }
 
-/// Ericson, Real-Time Collision Detection (2005), 5.1.9.
+/// Closest points of two segments: Ericson, Real-Time Collision Detection (2005), 5.1.9.
 NearPair betweenSegments(const Vec3& p1, const Vec3& q1, const Vec3& p2, const Vec3& q2)
 {
     const Vec3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
     const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r), c = d1.dot(r), b = d1.dot(d2);
-    const double denominator = a * e - b * b; // 0 where they are parallel: any point of the first will do
+    const double denominator = a * e - b * b; // 0 for parallel segments: any point of the first will do
     double s = denominator > 0.0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
     double t = e > 0.0 ? (b * s + f) / e : 0.0;
     if (t < 0.0 || t > 1.0) {
@@ -55,7 +55,8 @@ NearPair betweenSegments(const Vec3& p1, const Vec3& q1, const Vec3& p2, const V
     return pairOf(p1 + s * d1, p2 + t * d2);
 }
 
-/// The point's foot on the triangle's plane, where that is within the triangle; else the segments have the nearest.
+/// Projection of the point onto the triangle's plane if inside the triangle; otherwise an edge contains the closest
+/// point.
 std::optional<NearPair> above(const Vec3& p, const Triple& t)
 {
     const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -72,7 +73,7 @@ std::optional<NearPair> above(const Vec3& p, const Triple& t)
     return pairOf(p, foot);
 }
 
-/// Where the segment passes through the triangle.
+/// Intersection of the segment with the triangle.
 std::optional<NearPair> through(const Vec3& p, const Vec3& q, const Triple& t)
 {
     const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -84,7 +85,7 @@ std::optional<NearPair> through(const Vec3& p, const Vec3& q, const Triple& t)
     return at ? std::optional(NearPair{at->p, at->p, 0.0}) : std::nullopt;
 }
 
-/// The least distance of two triangles is between edges, or a corner and a face; or they cross.
+/// Closest points of two triangles: between two edges, between a corner and a face, or at an intersection.
 NearPair between(const Triple& a, const Triple& b)
 {
     NearPair nearest = pairOf(a[0], b[0]);

@@ -9,23 +9,23 @@
 
 namespace palpate::geometry {
 
-/// One use of an edge by a triangle.
+/// Use of an edge by a triangle.
 struct EdgeUse
 {
-    std::uint32_t other;    ///< the edge's larger vertex; uses are grouped by the smaller one
-    std::uint32_t triangle; ///< that has the edge
+    std::uint32_t other;    ///< the larger vertex index of the edge; uses are grouped by the smaller index
+    std::uint32_t triangle; ///< triangle that contains the edge
     bool isForward;         ///< traversed from the smaller to the larger vertex
 };
 
-/// The triangles at every edge of a mesh, in O(n) memory and O(n log n) time. Read-only once
-/// built. Any number of triangles may share an edge.
+/// Edge-to-triangle adjacency of a mesh, built in O(n log n) time and O(n) memory, read-only afterwards. An edge may
+/// belong to any number of triangles.
 class EdgeTable
 {
   public:
     /// @pre every index of `mesh` is in range
     explicit EdgeTable(const TriangleMesh& mesh);
 
-    /// Calls `edge(const EdgeUse* uses, std::size_t count)` for every edge, its triangles in ascending order.
+    /// Calls `edge(const EdgeUse* uses, std::size_t count)` for every edge, with the triangles in ascending order.
     template<class F>
     void forEach(F&& edge) const
     {
@@ -42,7 +42,7 @@ class EdgeTable
     }
 
   private:
-    std::vector<std::uint32_t> m_first; ///< by smaller vertex, where its uses begin
+    std::vector<std::uint32_t> m_first; ///< start of the uses, indexed by the smaller vertex
     std::vector<EdgeUse> m_uses;
 };
 

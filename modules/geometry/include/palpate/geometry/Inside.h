@@ -5,17 +5,18 @@
 
 namespace palpate::geometry {
 
-/// @return how far along a ray it meets a triangle [mm], from either side; infinite when it does not. A ray through an
-/// edge meets both neighbours, so that none falls between them.
+/// Intersects a ray with a triangle, from either side. A ray through a shared edge hits both triangles, so no ray slips
+/// between neighbours.
+/// @return distance along the ray [mm]; infinite without an intersection
 /// @param d  unit direction
 /// @par Source Möller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 [[nodiscard]] double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, const Vec3& d);
 
-/// Tells whether a point is inside a closed surface: a ray from it leaves an odd number of times, as most of three rays
-/// say, so that one that grazes an edge decides nothing. A point beyond the surface's box is outside without a ray.
-/// Unspecified for a surface without an inside, and for a point within 1e-9 of the extent of the surface.
-/// @param p  in the frame of the surface [mm]
-/// @par Cost about log n a ray: microseconds on a million triangles. Any thread but the servo's.
+/// Point-in-solid test for a closed surface: ray parity, decided by the majority of three rays so that a ray that
+/// grazes an edge cannot decide alone. Points outside the bounding box are rejected without a ray. The result is
+/// unspecified for open surfaces and for points within 1e-9 of the surface's extent from the surface.
+/// @param p  point in the frame of the surface [mm]
+/// @par Cost About O(log n) for each ray: microseconds for a million triangles. Any thread except the servo thread.
 [[nodiscard]] bool isInside(const SurfaceIndex& surface, const Vec3& p);
 
 } // namespace palpate::geometry

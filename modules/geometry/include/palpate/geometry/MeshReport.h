@@ -9,7 +9,7 @@
 
 namespace palpate::geometry {
 
-/// Health of one structure's surface: what `repair` found and what it changed. All counts are of the structure alone.
+/// Mesh quality of one structure: defects found and changes made by `repair`. All counts refer to this structure only.
 struct MeshReport
 {
     std::size_t inputVertices = 0;
@@ -17,57 +17,58 @@ struct MeshReport
     std::size_t vertices = 0;  ///< after repair
     std::size_t triangles = 0; ///< after repair
 
-    std::size_t weldedVertices = 0;     ///< merged into another with exactly the same coordinates
-    std::size_t mixedValues = 0;        ///< values of arrays that differed by more than 10 % where vertices were welded
-    std::size_t zeroAreaTriangles = 0;  ///< dropped: no normal can be computed from their corners
-    std::size_t duplicateTriangles = 0; ///< dropped: same three vertices as another, whatever the winding
-    std::size_t inconsistentEdges = 0;  ///< two-triangle edges that both traverse in the same direction, before repair
-    std::size_t reorientedTriangles = 0; ///< turned round to make an orientable component consistent
+    std::size_t weldedVertices = 0;     ///< merged into another vertex with exactly the same coordinates
+    std::size_t mixedValues = 0;        ///< merged array values whose inputs differ by more than 10 %
+    std::size_t zeroAreaTriangles = 0;  ///< removed: the corners define no normal
+    std::size_t duplicateTriangles = 0; ///< removed: same three vertices as another triangle, in any winding
+    /// Edges of two triangles that both traverse in the same direction, before repair.
+    std::size_t inconsistentEdges = 0;
+    std::size_t reorientedTriangles = 0; ///< reversed to make an orientable component consistent
 
-    std::size_t components = 0;              ///< sets of triangles connected over edges
-    std::size_t openEdges = 0;               ///< edges with one triangle
-    std::size_t nonManifoldEdges = 0;        ///< edges with more than two triangles
-    std::size_t closedComponents = 0;        ///< have an inside: touched from their front only
-    std::size_t openComponents = 0;          ///< have no inside: touched from both sides
-    std::size_t nonOrientableComponents = 0; ///< of the open ones: no consistent orientation exists
-    std::size_t insideOutComponents = 0;     ///< closed, outermost, but with normals that point inwards
+    std::size_t components = 0;              ///< sets of triangles connected by edges
+    std::size_t openEdges = 0;               ///< edges of only one triangle
+    std::size_t nonManifoldEdges = 0;        ///< edges of more than two triangles
+    std::size_t closedComponents = 0;        ///< watertight: contact from the front side only
+    std::size_t openComponents = 0;          ///< not watertight: contact from both sides
+    std::size_t nonOrientableComponents = 0; ///< open components without a consistent orientation
+    std::size_t insideOutComponents = 0;     ///< closed outermost components whose normals point inwards
 
     Box bounds; ///< [mm]
     double area_mm2 = 0.0;
-    double volume_mm3 = 0.0; ///< signed, of the closed components
+    double volume_mm3 = 0.0; ///< signed volume of the closed components
 
-    /// Closed, one consistent surface everywhere.
+    /// True if every component is closed and consistently oriented.
     [[nodiscard]] bool isClosed() const noexcept { return components > 0 && openComponents == 0; }
-    /// Nothing was changed and nothing stands out.
+    /// True if nothing was changed and no defect was found.
     [[nodiscard]] bool isClean() const noexcept;
-    /// What was found, in words, one sentence an entry; empty when `isClean()`.
+    /// Lists the findings in English, one sentence for each entry; empty if `isClean()`.
     [[nodiscard]] std::vector<std::string> sentences() const;
 };
 
-/// A mesh that the index can rely on: every index in range, no two vertices equal, no zero-area and no duplicate
-/// triangle, each component consistently oriented where it can be.
+/// Mesh that fulfils the preconditions of SurfaceIndex: all indices in range, no duplicate vertices, no zero-area or
+/// duplicate triangles, and a consistent orientation of each orientable component.
 struct RepairedMesh
 {
     TriangleMesh mesh;
-    /// One entry a triangle: 1 where its component has no inside and is touched from both sides.
+    /// For each triangle: 1 if the component is open, so that contact is possible from both sides.
     std::vector<std::uint8_t> twoSided;
-    /// One entry a triangle: its index in the mesh that was given. Its corners are those of that triangle, in the same
-    /// order, so that a value at a corner there is one here, but for what `turned` says.
+    /// For each triangle: index in the input mesh. The corners keep their input order, so values at corners carry over
+    /// directly, except where `turned` is set.
     std::vector<std::uint32_t> source;
-    /// One entry a triangle: 1 where it was turned round and its second and third corner have changed places. Empty
-    /// when none was.
+    /// For each triangle: 1 if reversed, i.e. the second and third corner are swapped. Empty if no triangle is
+    /// reversed.
     std::vector<std::uint8_t> turned;
     MeshReport report;
 };
 
-/// Makes one structure's mesh fit for touching and reports what that took.
+/// Repairs one structure's mesh for haptic rendering and reports the changes.
 ///
-/// Arrays come along: a welded vertex has the mean of the values that are known there.
+/// Arrays are carried over: a welded vertex gets the mean of the known values.
 ///
-/// Welds vertices with equal coordinates, drops zero-area and duplicate triangles, and orients each component: a
-/// consistent one keeps its orientation, an inconsistent but orientable one is made consistent (outwards when closed).
-/// A component is closed when every edge is traversed equally often in both directions.
-/// @pre every index of `mesh` is in range and every coordinate is finite
+/// Welds vertices with equal coordinates, removes zero-area and duplicate triangles, and orients each component. A
+/// consistent component keeps its orientation; an inconsistent but orientable component is made consistent (outwards if
+/// closed). A component is closed if every edge is traversed equally often in both directions.
+/// @pre all indices of `mesh` are in range and all coordinates are finite
 /// @par Cost O(n log n). Any thread.
 [[nodiscard]] RepairedMesh repair(const TriangleMesh& mesh);
 

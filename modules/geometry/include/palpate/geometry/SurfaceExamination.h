@@ -8,35 +8,36 @@
 
 namespace palpate::geometry {
 
-/// How much `examine` may do; counted, so that the same surface gives the same answer everywhere.
+/// Work limits of `examine`, as counts rather than times, so that results are reproducible on every machine.
 struct ExaminationBounds
 {
-    std::size_t pairs = 20'000'000; ///< pairs of triangles that are tested for crossing, about 2 s
-    std::size_t samples = 4096;     ///< rays that measure the wall
+    std::size_t pairs = 20'000'000; ///< maximum number of triangle pairs tested for crossing, about 2 s
+    std::size_t samples = 4096;     ///< maximum number of wall thickness rays
 };
 
-/// What a surface says about itself beyond the counts of `MeshReport`, where its triangles lie in space.
+/// Quality measures of a surface that depend on the position of its triangles in space; complements `MeshReport`.
 struct SurfaceExamination
 {
-    /// Pairs of triangles without a common vertex that cross each other. Pairs that only touch, or that lie in one
-    /// plane, do not count.
+    /// Number of intersecting triangle pairs without a common vertex. Pairs that only touch or are coplanar do not
+    /// count.
     std::size_t crossingPairs = 0;
-    std::size_t examinedTriangles = 0; ///< that were held against all others: fewer than there are when a bound was hit
-    bool isCrossingBounded = false;    ///< the bound on pairs was hit: there may be more crossings
+    /// Triangles tested against all others; fewer than the total if the limit was reached.
+    std::size_t examinedTriangles = 0;
+    bool isCrossingBounded = false; ///< the pair limit was reached: more crossings are possible
 
-    /// Smallest distance from the surface through its inside to the surface opposite [mm], over `wallSamples` triangles
-    /// spread evenly: an upper limit of the true one. Nothing for a surface without an inside.
+    /// Smallest wall thickness, measured through the inside to the opposite surface [mm], over `wallSamples` evenly
+    /// spread triangles: an upper bound of the true minimum. Empty for an open surface.
     std::optional<double> thinnestWall_mm;
-    Vec3 thinnestAt = Vec3::Zero(); ///< where that was measured, world frame [mm]
-    std::size_t wallSamples = 0;    ///< rays that met an opposite wall
+    Vec3 thinnestAt = Vec3::Zero(); ///< position of the thinnest wall, world frame [mm]
+    std::size_t wallSamples = 0;    ///< rays that hit an opposite wall
 };
 
-/// Looks for crossings and measures the wall through the index that touching uses anyway.
+/// Detects self-intersections and measures the wall thickness with the existing haptic index.
 ///
-/// Two triangles cross when an edge of one passes through the other, whose own edges count in, from one side of it to
-/// the other (signs of five volumes). A wall is
-/// measured from the centroid of a triangle along its inward normal to the first triangle that shares no vertex with it
-/// and faces within 60° of the opposite way, so that the edge of a wedge is no wall.
+/// Two triangles cross if an edge of one passes through the other (edges included) from one side to the other, decided
+/// by the signs of five tetrahedron volumes. The wall thickness is measured from the centroid of a triangle along the
+/// inward normal to the first triangle without a shared vertex that faces within 60° of the opposite direction, so that
+/// the edge of a wedge does not count as a wall.
 /// @par Cost O(n) box queries, O(samples) segment queries, within `bounds`. Any thread.
 [[nodiscard]] SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationBounds& bounds = {});
 

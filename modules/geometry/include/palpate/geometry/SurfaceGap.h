@@ -8,20 +8,19 @@
 
 namespace palpate::geometry {
 
-/// Where two surfaces come near each other.
+/// Closest approach of two surfaces.
 struct SurfaceGap
 {
-    double distance_mm = 0.0; ///< least distance found; 0 where they touch or cross
-    Vec3 at = Vec3::Zero();   ///< middle between the two nearest points, world frame [mm]
-    bool isBounded = false;   ///< the bound on pairs was hit: they may be nearer elsewhere
+    double distance_mm = 0.0; ///< smallest distance found; 0 if they touch or cross
+    Vec3 at = Vec3::Zero();   ///< midpoint of the two closest points, world frame [mm]
+    bool isBounded = false;   ///< the pair limit was reached: a smaller distance is possible
 };
 
-/// Finds the least distance between two surfaces, where it is at most `within_mm`.
-/// @param touching_mm  ends the search: surfaces as near as that touch, and how near they come elsewhere is of no
-///                     interest
-/// @param pairs  of triangles that are measured at most; counted, so that the same surfaces give the same answer
-/// @return nothing where they stay farther apart
-/// @par Cost O(n log n) in the triangles near the other surface; 0.3 us a pair. Any thread.
+/// Finds the smallest distance between two surfaces if it is at most `within_mm`.
+/// @param touching_mm  distance at which the surfaces count as touching; ends the search
+/// @param pairs  maximum number of triangle pairs to measure; a count, so that results are reproducible
+/// @return std::nullopt if the surfaces are farther apart
+/// @par Cost O(n log n) in the triangles near the other surface; 0.3 us for each pair. Any thread.
 [[nodiscard]] std::optional<SurfaceGap> nearestWithin(const SurfaceIndex& a, const SurfaceIndex& b, double within_mm,
                                                       double touching_mm, std::size_t pairs = 5'000'000);
 

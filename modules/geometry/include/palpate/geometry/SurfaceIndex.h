@@ -14,23 +14,30 @@
 
 namespace palpate::geometry {
 
-/// The haptic copy of one structure's surface: vertices, triangles and a bounding-volume hierarchy. Read-only once
-/// built: any number of threads may query it.
+/// Haptic copy of one structure's surface: vertices, triangles and a bounding volume hierarchy. Read-only after
+/// construction: any number of threads may query the index.
 ///
-/// Triangles are stored in the order of the hierarchy's leaves and vertices in the order of their first use, so that
-/// what lies together on the surface lies together in memory.
+/// Triangles are stored in the order of the hierarchy's leaves, and vertices in the order of first use, so that
+/// neighbours on the surface are close in memory.
+///
+///     const SurfaceIndex index = SurfaceIndex::build(repair(mesh));
+///     if (index.status().isOk()) {
+///         const bool isInOrgan = isInside(index, p_W); // Inside.h
+///     }
 class SurfaceIndex
 {
   public:
-    /// Builds the index in O(n log n) on at most `threads` threads; the result does not depend on their number.
-    /// Never from the servo thread.
-    /// @param repaired  a mesh from `repair`, in the world frame [mm]; at most 2^29 triangles
-    /// @return without a triangle, and `status` says why, where the mesh is larger than kLargest_mm from its middle
+    /// Builds the index in O(n log n) on at most `threads` threads. The result does not depend on their number. Not for
+    /// the servo thread.
+    /// @param repaired  result of `repair`, in the world frame [mm]; at most 2^29 triangles
+    /// @return an index without triangles, with the reason in `status`, if the mesh extends more than kLargest_mm from
+    /// its centre
     [[nodiscard]] static SurfaceIndex build(const RepairedMesh& repaired, unsigned threads = core::coreCount());
 
-    /// Ok; or why nothing can be touched here.
+    /// Ok, or the reason why this surface cannot be touched.
     [[nodiscard]] const core::Status& status() const noexcept { return m_status; }
-    /// Sums and differences of a few coordinates must be finite as floats, which hold 3.4e38. [mm]
+    /// Largest half extent, so that sums and differences of a few coordinates remain finite as floats (up to 3.4e38).
+    /// [mm]
     static constexpr double kLargest_mm = 1e36;
 
     [[nodiscard]] std::uint32_t triangleCount() const noexcept
@@ -38,7 +45,7 @@ class SurfaceIndex
         return static_cast<std::uint32_t>(m_triangles.size());
     }
     [[nodiscard]] std::uint32_t vertexCount() const noexcept { return m_vertexCount; }
-    /// From each vertex four numbers can be read, as two or four lanes do; the fourth means nothing.
+    /// @return vertex `i`. Four doubles can be loaded from this address as SIMD lanes; the fourth value is undefined.
     [[nodiscard]] const Vec3& vertex(std::uint32_t i) const noexcept { return m_vertices[i]; }
     /// @param i  position in the index's own order
     [[nodiscard]] Triangle triangle(std::uint32_t i) const noexcept
@@ -46,34 +53,34 @@ class SurfaceIndex
         const Triangle& t = m_triangles[i];
         return {t[0] & kIndexMask, t[1] & kIndexMask, t[2]};
     }
-    /// True when the triangle belongs to a surface without an inside.
+    /// True if the triangle belongs to an open component.
     [[nodiscard]] bool isTwoSided(std::uint32_t i) const noexcept { return (m_triangles[i][0] & kFlagBit) != 0; }
-    /// @return the triangle's number in the repaired mesh that the index was built from: its corners are this one's, in
-    /// the same order, so that a value at a corner there is one here.
+    /// @return number of the triangle in the repaired mesh that the index was built from. The corners have the same
+    /// order there, so values at corners carry over directly.
     [[nodiscard]] std::uint32_t sourceTriangle(std::uint32_t i) const noexcept { return m_sources[i]; }
 
-    /// What lies beyond an edge of a triangle.
+    /// Triangle across an edge.
     struct Neighbour
     {
-        std::uint32_t triangle; ///< position in the index's own order; kNoNeighbour: none
-        std::uint32_t edge;     ///< the same edge's number there, 0 … 2
+        std::uint32_t triangle; ///< position in the index's own order, or kNoNeighbour
+        std::uint32_t edge;     ///< number of the shared edge in that triangle, 0 to 2
     };
     static constexpr std::uint32_t kNoNeighbour = 0x1fffffffu;
-    /// @param edge  0 … 2: from the first, second, third corner to the next
-    /// @return the one other triangle at that edge, if it is turned the same way; none at an open edge and where more
-    /// than two meet.
+    /// @param edge  0 to 2: from the first, second, third corner to the next
+    /// @return the other triangle at this edge if it is consistently oriented; kNoNeighbour at open and non-manifold
+    /// edges
     [[nodiscard]] Neighbour neighbour(std::uint32_t i, std::uint32_t edge) const noexcept
     {
         const std::uint32_t packed = m_neighbours[i][edge] & kIndexMask;
         return {packed >> 2, packed & 3u};
     }
 
-    /// True when a god-object that moves over this triangle can be blocked by its three neighbours alone: no other
-    /// triangle of this surface comes as near, and those three turn by at most 53 degrees. That holds on the sides that
-    /// are touched, up to kClearHeight skins above the triangle and from kClearOfCorners skins off its corners on.
-    /// False where it was not shown.
+    /// True if only the three neighbours can block a god-object that slides over this triangle: no other triangle of
+    /// this surface is as near, and the neighbours' normals turn by at most 53 degrees. Valid on the contact sides, up
+    /// to kClearHeight skins above the triangle and at least kClearOfCorners skins away from its corners. False if
+    /// unproven.
     [[nodiscard]] bool isClear(std::uint32_t i) const noexcept { return (m_triangles[i][1] & kFlagBit) != 0; }
-    /// @return true when all three neighbours are there and clear.
+    /// @return true if all three neighbours exist and are clear.
     [[nodiscard]] bool isClearAround(std::uint32_t i) const noexcept
     {
         const Triangle& n = m_neighbours[i];
@@ -81,10 +88,12 @@ class SurfaceIndex
     }
     static constexpr double kClearHeight = 2.0;
     static constexpr double kClearOfCorners = 65536.0;
-    static constexpr double kClearApart = 8.0;  ///< skins from a clear triangle to those that share no corner with it
-    static constexpr float kClearTurned = 0.6f; ///< cosine of the angle to its neighbours, at least
+    /// Distance from a clear triangle to triangles without a shared corner [skins].
+    static constexpr double kClearApart = 8.0;
+    /// Minimum cosine of the angle between a clear triangle's normal and its neighbours'.
+    static constexpr float kClearTurned = 0.6f;
 
-    /// Asks for what will be read soon, without waiting for it: a triangle, or the neighbours of one that is clear.
+    /// Prefetches a triangle, or the neighbours of a clear triangle, without waiting.
     void prefetchTriangles(std::uint32_t i) const noexcept { core::prefetch(&m_triangles[i]); }
     void prefetchNeighbours(std::uint32_t i) const noexcept
     {
@@ -95,15 +104,15 @@ class SurfaceIndex
         }
     }
 
-    /// The items of its leaves are positions of triangles.
+    /// Bounding volume hierarchy; its items are triangle positions in this index.
     [[nodiscard]] const BoxHierarchy& hierarchy() const noexcept { return m_hierarchy; }
     [[nodiscard]] const Box& bounds() const noexcept { return m_bounds; } ///< [mm]
-    /// Gap that a god-object keeps to this surface: above the rounding error of a plane distance, far below what can be
-    /// felt; see resources/docs/god-object.md. [mm]
+    /// Gap between the god-object and this surface: above the rounding error of a plane distance, far below the
+    /// perceptible range; see resources/docs/god-object.md. [mm]
     [[nodiscard]] double skin_mm() const noexcept { return m_skin_mm; }
-    /// Side of the equilateral triangle of mean area. [mm]
+    /// Edge length of the equilateral triangle with the mean facet area. [mm]
     [[nodiscard]] double facetSize_mm() const noexcept { return m_facetSize_mm; }
-    /// What touch costs: bytes held by the containers of this copy.
+    /// Memory of the haptic copy: bytes allocated by its containers.
     [[nodiscard]] std::size_t byteSize() const noexcept;
 
   private:
@@ -112,11 +121,13 @@ class SurfaceIndex
     static constexpr std::uint32_t kFlagBit = 0x80000000u;
     static constexpr std::uint32_t kIndexMask = ~kFlagBit;
 
-    core::LargeArray<Vec3> m_vertices; ///< and one more, so that four numbers can be read from the last
+    core::LargeArray<Vec3>
+        m_vertices; ///< with one extra element, so that four doubles can be loaded from the last vertex
     std::uint32_t m_vertexCount = 0;
-    core::LargeArray<Triangle> m_triangles; ///< flags the first index: two-sided; the second: clear
+    core::LargeArray<Triangle> m_triangles; ///< flag bit in the first index: two-sided; in the second: clear
     core::LargeArray<std::uint32_t> m_sources;
-    core::LargeArray<Triangle> m_neighbours; ///< by edge: triangle << 2 | its edge; flagged: clear
+    core::LargeArray<Triangle>
+        m_neighbours; ///< for each edge: triangle << 2 | shared edge there; flag bit: that neighbour is clear
     BoxHierarchy m_hierarchy;
     Box m_bounds;
     double m_skin_mm = 0.0;

@@ -13,30 +13,30 @@ namespace palpate::geometry {
 using core::Box;
 using core::Vec3;
 
-/// Three vertex indices, counter-clockwise seen from the side that the normal points to.
+/// Three vertex indices, counter-clockwise seen from the side of the normal.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Numbers that vary over a surface: one for each vertex, linear between, or one for each triangle.
+/// Scalar field on a surface: one value for each vertex, interpolated linearly, or one for each triangle.
 struct MeshArray
 {
     std::string name;
     bool isPerTriangle = false;
-    std::vector<float> values; ///< NaN: not known there
+    std::vector<float> values; ///< NaN: unknown
 };
 
-/// The surface of one structure: shared vertices [mm] and triangles. A value type without invariants; what comes from a
-/// file goes through `repair` before anything else relies on it.
+/// Surface of one structure: shared vertices [mm] and triangles. A value type without invariants; meshes from files
+/// must pass `repair` before further use.
 struct TriangleMesh
 {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
     std::vector<MeshArray> arrays{};
 
-    /// @return the box of all vertices [mm], empty without any.
+    /// @return bounding box of all vertices [mm]; empty without vertices.
     [[nodiscard]] Box bounds() const;
 };
 
-/// Turns every triangle round, so that inside and outside change places.
+/// Reverses the winding of every triangle, swapping inside and outside.
 void flip(TriangleMesh& mesh);
 
 } // namespace palpate::geometry

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// BoxHierarchy::visitSwept and visitAround, for a ball; see BoxHierarchyVisit.h.
+// Definitions of BoxHierarchy::visitSwept and visitAround (swept ball traversal); see BoxHierarchyVisit.h.
 
 #include "palpate/geometry/BoxHierarchy.h"
 #include "palpate/geometry/internal/BoxHierarchyVisit.h"
@@ -18,17 +18,17 @@ namespace palpate::geometry {
 
 namespace internal {
 
-/// Rounding of the float arithmetic on boxes: 17 ulp of the largest number in it, for sums of at most some ten terms.
-/// Factors next to 1 in this file (1.000001; 0.99999 where squares and quotients meet) do the same for products and
-/// roots, half an ulp (6e-8) each.
+/// Rounding error bound of the float arithmetic on boxes: 17 ulp of the largest operand, for sums of up to about ten
+/// terms. Factors near 1 in this file (1.000001; 0.99999 for squares and quotients) serve the same purpose for products
+/// and roots, with half an ulp (6e-8) each.
 inline constexpr float kBoxRounding = 2e-6f;
 
-/// A segment as floats against which boxes are ruled out, relative to a hierarchy's origin.
+/// Ball swept along a segment, in floats relative to a hierarchy's origin, for culling boxes.
 class SweptBall
 {
   public:
-    /// @param at    first end [mm]
-    /// @param along  to the other end [mm]
+    /// @param at    start of the segment [mm]
+    /// @param along  vector to the end of the segment [mm]
     SweptBall(const Vec3& at, const Vec3& along, double reach_mm) noexcept
         : m_at(at)
         , m_along(along)
@@ -38,7 +38,7 @@ class SweptBall
         clip(1.0);
     }
 
-    /// Only the first `share` of the segment is of interest from now on.
+    /// Restricts the segment to its first `share` (0 to 1).
     void clip(double share) noexcept
     {
         double half2 = 0.0;
@@ -49,14 +49,14 @@ class SweptBall
             half2 += h * h;
         }
         m_perHalf2 = core::splat4(half2 > 1e-30 ? static_cast<float>(1.0 / half2) : 0.0f);
-        // The direction to a box rounds, too, and the half of the segment multiplies that.
+        // The direction to a box also has a rounding error, which is multiplied by half the segment's length.
         const double rounding = kBoxRounding * m_largest * (1.0 + 2.0 * std::sqrt(half2) / m_reach_mm);
         const auto reach = static_cast<float>(1.000001 * (m_reach_mm + rounding));
         m_reach2 = core::splat4(reach * reach);
     }
 
     /// @param c,e  centres and half extents of four boxes [mm]
-    /// @return all ones where the ball may touch a box
+    /// @return mask of the boxes that the ball may touch
     [[nodiscard]] core::Mask4 touches(const core::Float4* c, const core::Float4* e) const noexcept
     {
         using core::Float4;
@@ -66,8 +66,9 @@ class SweptBall
             from[axis] = c[axis] - m_mid[axis];
             along += from[axis] * m_half[axis];
         }
-        // The place on the segment that is nearest to the box's centre, and the places that are nearest to any point of
-        // it; the distance of the box is convex along the segment and lies above its tangent there.
+        // Parameter of the segment point nearest to the box's centre, and the parameter range of the nearest points to
+        // anywhere in the box. The distance to the box is convex along the segment, so its tangent there is a lower
+        // bound.
         const Float4 place = along * m_perHalf2;
         Float4 width{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -87,7 +88,7 @@ class SweptBall
         return ~((least > zero) & (least * least > m_reach2 * distance2));
     }
 
-    /// The same for a segment that is a point.
+    /// As `touches`, for a segment of zero length.
     [[nodiscard]] core::Mask4 touchesAtStart(const core::Float4* c, const core::Float4* e) const noexcept
     {
         core::Float4 distance2{};
@@ -98,7 +99,7 @@ class SweptBall
         return distance2 <= m_reach2;
     }
 
-    /// @return all ones where a box doesn't lie wholly behind the plane through the start, across the segment
+    /// @return mask of the boxes that are not entirely behind the plane through the start, perpendicular to the segment
     [[nodiscard]] core::Mask4 isAhead(const core::Float4* c, const core::Float4* e) const noexcept
     {
         core::Float4 most{}, size{};
@@ -112,7 +113,7 @@ class SweptBall
     }
 
     /// @param u  unit vector along the segment
-    /// @return all ones where a place in a box, as seen from the start, can lie at that cosine to u or a greater one
+    /// @return mask of the boxes with a point whose direction from the start may have at least this cosine to u
     [[nodiscard]] core::Mask4 standsAgainst(const core::Float4* c, const core::Float4* e, const Vec3& u,
                                             double cosine) const noexcept
     {
@@ -125,13 +126,13 @@ class SweptBall
             size += core::absolute(v) + e[axis];
             distance2 += gap * gap;
         }
-        // Whatever rounding makes of it and of the distance.
+        // Adds the rounding error of this sum and of the distance.
         most += core::splat4(kBoxRounding) * (size + core::splat4(2.0f * m_largest));
         const auto least2 = static_cast<float>(0.99999 * cosine * cosine);
         return ~((most < core::Float4{}) | (most * most < core::splat4(least2) * distance2));
     }
 
-    /// @return how far the start is from the nearest of those boxes of four that are used, or less [mm]
+    /// @return lower bound of the distance from the start to the nearest used box [mm]
     [[nodiscard]] double distanceFromStart(const core::Float4* c, const core::Float4* e,
                                            core::Mask4 isUsed) const noexcept
     {
@@ -148,7 +149,7 @@ class SweptBall
         return 0.999999 * std::sqrt(least2) - 2.0 * kBoxRounding * m_largest;
     }
 
-    /// @return by what the nearer boxes come first
+    /// @return sort key of the boxes, ascending from near to far
     [[nodiscard]] core::Float4 order(const core::Float4* c) const noexcept
     {
         core::Float4 along{};
@@ -165,7 +166,8 @@ class SweptBall
     core::Float4 m_mid[3]{}, m_half[3]{}, m_perHalf2{}, m_reach2{};
 };
 
-/// Centres and half extents of a node's boxes, rounded outwards. @return all ones where a child is used
+/// Computes centres and half extents of a node's child boxes, rounded outwards.
+/// @return mask of the used children
 inline core::Mask4 boxesOf(const BoxHierarchy::Node& node, core::Float4* c, core::Float4* e) noexcept
 {
     using core::load4, core::splat4;
@@ -178,8 +180,8 @@ inline core::Mask4 boxesOf(const BoxHierarchy::Node& node, core::Float4* c, core
     return isUsed;
 }
 
-/// Cuts a segment to the part `first` … `last` of it that comes within `reach_mm` of the box around all of a node's.
-/// @return false where none does
+/// Clips a segment to the parameter range `first` to `last` that is within `reach_mm` of the union of a node's boxes.
+/// @return false if the range is empty
 inline bool clipToBoxes(const BoxHierarchy::Node& node, const Vec3& start, const Vec3& whole, double reach_mm,
                         double& first, double& last) noexcept
 {
@@ -216,8 +218,7 @@ std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& l
         return 0;
     }
     const internal::SweptBall ball(p - m_origin, Vec3::Zero(), reach_mm);
-    // In waves: nodes are asked for when they are found and looked at together, so that one wait for memory serves
-    // several.
+    // Batched traversal: nodes are prefetched when found and tested together, so that their cache misses overlap.
     std::uint32_t stack[kWave * kStack];
     std::uint32_t wave[kWave];
     std::uint32_t visited = 0;
@@ -258,7 +259,8 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
     if (m_nodes.empty()) {
         return kAll;
     }
-    // What lies outside of the root's box, a reach around it, meets nothing: floats are of the size of the rest.
+    // Clip the segment to the root's box, enlarged by the reach: no contact is possible outside, and all floats then
+    // have the magnitude of the model.
     double first = 0.0, last = interest.share;
     if (!internal::clipToBoxes(m_nodes[0], from - m_origin, to - from, reach_mm, first, last)) {
         return kAll;
@@ -269,7 +271,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
     std::uint32_t stack[kStack];
     int top = 0;
     std::uint32_t current = 0;
-    // How far the ball surely gets before it meets what is in the present node and on the stack.
+    // Lower bound of the free distance before contact with the current node and the nodes on the stack.
     const auto freeOfTheRest = [&] {
         double least = kAll;
         for (;; current = stack[--top]) {

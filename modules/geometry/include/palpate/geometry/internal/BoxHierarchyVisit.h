@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Traversals of BoxHierarchy, for the sources of Palpate that make one: templates, so that the visitor is inlined.
+// Internal traversal templates of BoxHierarchy, defined in a header so that visitors are inlined.
 
 #include "palpate/geometry/BoxHierarchy.h"
 
@@ -15,8 +15,8 @@ namespace palpate::geometry {
 
 namespace internal {
 
-/// Puts the children in `lanes` of a node on a stack, the one that comes last in `order` first, so that the first is
-/// taken next. @return the stack's new top
+/// Pushes the children in `lanes` of a node, the last in `order` first, so that the first is popped next.
+/// @return the new top of the stack
 [[gnu::always_inline]] inline int pushFarthestFirst(const BoxHierarchy::Node& node, std::uint32_t lanes,
                                                     core::Float4 order, std::uint32_t* stack, int top) noexcept
 {
@@ -34,12 +34,12 @@ namespace internal {
     return top;
 }
 
-/// A segment as floats against which boxes are ruled out, relative to a hierarchy's origin.
+/// Segment in floats relative to a hierarchy's origin, for culling boxes.
 class Segment4
 {
   public:
-    /// @param start  first end [mm]
-    /// @param whole  to the other end [mm]
+    /// @param start  start of the segment [mm]
+    /// @param whole  vector to the end of the segment [mm]
     Segment4(const Vec3& start, const Vec3& whole, double around_mm) noexcept
         : m_start(start)
         , m_whole(whole)
@@ -48,7 +48,7 @@ class Segment4
         clip(1.0);
     }
 
-    /// Only the first `share` of the segment is of interest from now on.
+    /// Restricts the segment to its first `share` (0 to 1).
     void clip(double share) noexcept
     {
         for (int axis = 0; axis < 3; ++axis) {
@@ -58,13 +58,13 @@ class Segment4
             m_half[axis] = core::splat4(static_cast<float>(h));
             m_reach[axis] = core::splat4(std::fabs(static_cast<float>(h)));
         }
-        // Rounding of the float arithmetic below: a few ulp of the largest number in it, so that boxes are kept rather
-        // than lost.
+        // Rounding error of the float arithmetic below: a few ulp of the largest operand, so that boxes are kept in
+        // doubt.
         m_slack = static_cast<float>(1.000001 * m_around_mm) +
                   8e-7f * static_cast<float>((m_start.cwiseAbs() + m_whole.cwiseAbs()).maxCoeff());
     }
 
-    /// @param c  becomes the centres of the node's boxes as seen from the middle of the segment [mm]
+    /// @param c  output: centres of the node's boxes relative to the middle of the segment [mm]
     /// @return bit i: the segment touches box i
     [[nodiscard]] std::uint32_t touched(const BoxHierarchy::Node& node, core::Float4* c) const noexcept
     {
@@ -84,7 +84,8 @@ class Segment4
         for (int axis = 0; axis < 3; ++axis) {
             const int j = (axis + 1) % 3, k = (axis + 2) % 3;
             const Float4 distance = absolute(c[j] * m_half[k] - c[k] * m_half[j]);
-            // The extents already carry the slack, times the segment's length: enough for this product's rounding.
+            // The extents already include the slack times the segment's length, which covers the rounding error of this
+            // product.
             const Float4 bound = e[j] * m_reach[k] + e[k] * m_reach[j] +
                                  (absolute(c[j]) * m_reach[k] + absolute(c[k]) * m_reach[j]) * splat4(4e-7f);
             touches &= distance <= bound;
@@ -112,8 +113,7 @@ void BoxHierarchy::visitBox(const Box& box, Leaf&& leaf) const noexcept
     const FloatBox query = FloatBox::around(box, m_origin);
     const Float4 low0 = splat(query.low[0]), low1 = splat(query.low[1]), low2 = splat(query.low[2]);
     const Float4 high0 = splat(query.high[0]), high1 = splat(query.high[1]), high2 = splat(query.high[2]);
-    // In waves: nodes are asked for when they are found and looked at together, so that one wait for memory serves
-    // several.
+    // Batched traversal: nodes are prefetched when found and tested together, so that their cache misses overlap.
     std::uint32_t stack[kWave * kStack];
     std::uint32_t wave[kWave];
     int top = 0, found = 1;
