@@ -27,7 +27,7 @@ fs::path folderOf(const fs::path& path)
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// @return the number of a descriptor of this process that a path stands for: 1 for /proc/self/fd/1.
+/// @return descriptor number if the path denotes a descriptor of this process: 1 for /proc/self/fd/1.
 std::optional<int> descriptorNamed(const fs::path& path)
 {
     std::error_code error;
@@ -38,17 +38,17 @@ std::optional<int> descriptorNamed(const fs::path& path)
     return isNumber && fs::equivalent(folderOf(path), "/proc/self/fd", error) ? std::optional(number) : std::nullopt;
 }
 
-/// Follows symbolic links to what is meant, which need not exist. @return 0 or the error number
+/// Resolves symbolic links; the final target need not exist. @return 0 or the error number
 int followLinks(fs::path& path)
 {
-    constexpr int kMost = 40; // as Linux
+    constexpr int kMost = 40; // limit of Linux
     for (int i = 0; i < kMost; ++i) {
         std::error_code error;
         const fs::path to = descriptorNamed(path) ? fs::path() : fs::read_symlink(path, error);
         if (to.empty()) {
             return 0;
         }
-        path = folderOf(path) / to; // `to` alone where it is absolute
+        path = folderOf(path) / to; // equals `to` if absolute
     }
     return ELOOP;
 }
@@ -72,13 +72,13 @@ struct AtomicFile::Private
     Status openFile(const fs::path& at, std::optional<unsigned> permissions);
     void flush();
 
-    fs::path path;                    ///< as it was given
-    std::string name;                 ///< in the folder of the scratch
-    std::unique_ptr<Scratch> scratch; ///< of a file
-    int device = -1;                  ///< of what is written straight to
+    fs::path path;                    ///< as given by the caller
+    std::string name;                 ///< final name in the folder of the scratch file
+    std::unique_ptr<Scratch> scratch; ///< only for regular files
+    int device = -1;                  ///< descriptor for direct output
     OldFile old = OldFile::Replace;
     std::string buffer;
-    int error = 0; ///< the first one
+    int error = 0; ///< first error
 };
 
 Status AtomicFile::Private::open(Onto onto)
@@ -120,10 +120,10 @@ Status AtomicFile::Private::openDevice(int opened)
     return device >= 0 ? Status() : cannotWrite(path, errno);
 }
 
-/// Begins beside the name. @param permissions  of the older file, where there is one
+/// Creates a scratch file next to the target. @param permissions  those of the existing file, if any
 Status AtomicFile::Private::openFile(const fs::path& at, std::optional<unsigned> permissions)
 {
-    // What others may not read they must not read while it is written either.
+    // The content must not be readable by others during writing if the final file is not.
     auto made = Scratch::create(at, Scratch::Kind::File, permissions ? 0600 : kNewFile);
     if (!made.isOk()) {
         return made.status();
@@ -179,7 +179,8 @@ Status AtomicFile::finish()
     Private& d = *m_d;
     d.flush();
     if (d.error == 0 && d.scratch != nullptr) {
-        if (::fsync(d.scratch->descriptor()) != 0 && errno != EINVAL) { // which some file systems have none of
+        if (::fsync(d.scratch->descriptor()) != 0 &&
+            errno != EINVAL) { // EINVAL: the file system does not support fsync
             d.error = errno;
         } else {
             d.error = giveName(d.scratch->folder(), d.scratch->name(), d.scratch->folder(), d.name.c_str(), d.old);
@@ -225,7 +226,7 @@ Result<fs::path> writeNew(const fs::path& path, std::string_view bytes)
             return free;
         }
         if (!fs::exists(fs::symlink_status(free, error))) {
-            break; // not the name is what is wrong
+            break; // the error has a cause other than the name
         }
     }
     return status;

@@ -45,7 +45,7 @@ Status wrong(std::string what)
     return {StatusCode::OutOfRange, std::move(what)};
 }
 
-/// @return what is wrong with a measured point by itself or after the one before it; empty: nothing.
+/// @return error of a measured point, by itself or relative to its predecessor; empty if valid.
 std::string pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* before)
 {
     const auto [depth_mm, force_N] = point;

@@ -8,7 +8,7 @@ namespace palpate::core {
 
 namespace {
 
-constexpr const char* kVerbatim = "%1"; // needs no entry in a catalogue
+constexpr const char* kVerbatim = "%1"; // needs no catalogue entry
 
 } // namespace
 

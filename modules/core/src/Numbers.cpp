@@ -15,7 +15,7 @@ std::optional<double> parseNumber(std::string_view text) noexcept
     }
     text = text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
-        text.remove_prefix(1); // from_chars takes no plus sign
+        text.remove_prefix(1); // from_chars does not accept a plus sign
     }
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -34,7 +34,7 @@ void appendNumber(std::string& out, double value)
 
 std::string shortNumber(double value, int digits)
 {
-    char text[40]; // 17 digits with sign, point and exponent are 24
+    char text[40]; // 17 digits with sign, point and exponent need 24
     const auto result =
         std::to_chars(text, text + sizeof text, value, std::chars_format::general, std::clamp(digits, 1, 17));
     return {text, result.ptr};

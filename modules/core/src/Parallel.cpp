@@ -11,7 +11,7 @@ namespace palpate::core {
 
 unsigned coreCount() noexcept
 {
-    return std::max(1U, std::thread::hardware_concurrency()); // 0 where it is not known
+    return std::max(1U, std::thread::hardware_concurrency()); // 0 if unknown
 }
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t, unsigned)>& work, unsigned threads)
@@ -27,7 +27,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t, unsign
         } catch (...) {
             const std::scoped_lock lock(mutex);
             failure = std::current_exception();
-            next = count; // the others stop, too
+            next = count; // stops the other threads
         }
     };
     std::vector<std::thread> others;
@@ -37,7 +37,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t, unsign
         for (unsigned thread = 1; thread < useful; ++thread) {
             others.emplace_back(run, thread);
         }
-    } catch (const std::exception&) { // as many as the system gives
+    } catch (const std::exception&) { // continue with the threads created so far
     }
     run(0);
     for (std::thread& other : others) {

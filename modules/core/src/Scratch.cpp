@@ -28,7 +28,7 @@ constexpr std::string_view kPrefix = ".palpate-";
 constexpr std::size_t kDigits = 16;
 using Name = std::array<char, kPrefix.size() + kDigits + 1>;
 
-/// A scratch of this process, for the signal handler. `owner` is 0 where the slot is free and -1 while it is filled.
+/// Scratch entry of this process for the signal handler. `owner` is 0 for a free slot and -1 while being filled.
 struct Slot
 {
     std::atomic<pid_t> owner{0};
@@ -37,7 +37,7 @@ struct Slot
 };
 static_assert(std::atomic<pid_t>::is_always_lock_free, "used in a signal handler");
 
-std::array<Slot, 64> slots; // more at once are removed when the next scratch is made, not by the handler
+std::array<Slot, 64> slots; // further entries are removed at the next creation of a scratch, not by the handler
 
 Slot* takeSlot(int folder, const Name& name) noexcept
 {
@@ -53,7 +53,7 @@ Slot* takeSlot(int folder, const Name& name) noexcept
     return nullptr;
 }
 
-/// Removes a file, or a folder and the files in it. Calls nothing that a signal handler may not.
+/// Removes a file, or a folder with its files. Async-signal-safe.
 void removeEntry(int folder, const char* name) noexcept
 {
     if (::unlinkat(folder, name, 0) == 0 || (errno != EISDIR && errno != EPERM)) {
@@ -64,7 +64,7 @@ void removeEntry(int folder, const char* name) noexcept
         return;
     }
     alignas(dirent64) std::array<char, 4096> buffer;
-    for (bool isAnyRemoved = true; isAnyRemoved;) { // removing may make the listing skip entries
+    for (bool isAnyRemoved = true; isAnyRemoved;) { // deletions may make the listing skip entries
         isAnyRemoved = false;
         (void)::lseek(inside, 0, SEEK_SET);
         for (ssize_t size = 0; (size = ::getdents64(inside, buffer.data(), buffer.size())) > 0;) {
@@ -85,14 +85,14 @@ bool isScratchName(std::string_view name)
            name.find_first_not_of("0123456789abcdef", kPrefix.size()) == std::string_view::npos;
 }
 
-/// Removes what a program that was killed left in a folder: it has our name, it is this user's, and nobody holds its
-/// lock.
+/// Removes leftovers of killed programs from a folder: entries with a scratch name that belong to this user and are not
+/// locked.
 void removeLeftovers(int folder)
 {
     const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR* const list = again < 0 ? nullptr : ::fdopendir(again);
     if (list == nullptr) {
-        return; // a folder that may be written and not listed
+        return; // folder with write but without read permission
     }
     while (const dirent* entry = ::readdir(list)) {
         if (!isScratchName(entry->d_name)) {
@@ -113,14 +113,14 @@ void removeLeftovers(int folder)
     (void)::closedir(list);
 }
 
-/// Takes the lock that tells other programs that this is in use. @return false when one of them removed it before that
+/// Locks the entry to mark it as in use. @return false if another program removed the entry before the lock
 bool isHeld(int file, int folder, const char* name)
 {
     while (::flock(file, LOCK_EX) != 0) {
         if (errno == EINTR) {
             continue;
         }
-        return true; // a file system without locks: nobody gets one to remove it either
+        return true; // a file system without locks: other programs cannot lock and remove the entry either
     }
     struct stat opened
     {
@@ -137,14 +137,14 @@ constexpr std::array kEnding{SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABR
 
 extern "C" void removeScratchAndEnd(int signal)
 {
-    const pid_t self = ::getpid(); // a child has its parent's slots
+    const pid_t self = ::getpid(); // a child process inherits its parent's slots
     for (const Slot& slot : slots) {
         if (slot.owner.load() == self) {
             removeEntry(slot.folder, slot.name.data());
         }
     }
     (void)std::signal(signal, SIG_DFL);
-    (void)::raise(signal); // comes when this returns
+    (void)::raise(signal); // delivered when the handler returns
 }
 
 } // namespace
@@ -208,7 +208,7 @@ Result<std::unique_ptr<Scratch>> Scratch::create(const std::filesystem::path& ou
         }
         (void)std::snprintf(d->name.data(), d->name.size(), "%s%016llx", kPrefix.data(),
                             static_cast<unsigned long long>(random));
-        d->slot = takeSlot(d->folder, d->name); // before there is something to remove
+        d->slot = takeSlot(d->folder, d->name); // before creation, so that a signal in between is handled
         d->descriptor = d->make(kind, mode);
         const int error = errno;
         if (d->descriptor >= 0 && isHeld(d->descriptor, d->folder, d->name.data())) {
@@ -257,7 +257,7 @@ int giveName(int fromFolder, const char* from, int toFolder, const char* to, Old
     if (errno != EINVAL && errno != ENOSYS) {
         return errno;
     }
-    // A file system that cannot do it in one step: an empty file of our own takes the name first.
+    // Fallback for file systems without RENAME_NOREPLACE: reserve the name with an empty file first.
     const int claim = ::openat(toFolder, to, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (claim < 0) {
         return errno;

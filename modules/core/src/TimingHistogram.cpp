@@ -11,7 +11,7 @@ namespace palpate::core {
 
 namespace {
 
-constexpr int kBits = 8; // bins in an octave: 2^8
+constexpr int kBits = 8; // 2^8 bins per octave
 constexpr std::uint64_t kPerOctave = 1U << kBits;
 constexpr std::uint64_t kLargest = 0xFFFFFFFF; // 4.3 s
 constexpr std::size_t kBins = kPerOctave * (32 - kBits + 1);
@@ -25,7 +25,7 @@ std::size_t binOf(std::uint64_t value) noexcept
     return kPerOctave * static_cast<std::size_t>(shift) + (value >> shift);
 }
 
-/// The largest value that falls into the bin.
+/// Upper limit of a bin.
 std::uint64_t topOf(std::size_t bin) noexcept
 {
     if (bin < 2 * kPerOctave) {
@@ -48,7 +48,7 @@ void TimingHistogram::add(std::int64_t duration_ns) noexcept PALPATE_NONBLOCKING
 {
     const std::int64_t duration = std::max<std::int64_t>(duration_ns, 0);
     std::atomic<std::uint64_t>& bin = m_bins[binOf(std::min(static_cast<std::uint64_t>(duration), kLargest))];
-    // The only writer: a load and a store, no read-modify-write.
+    // Single writer: separate load and store suffice, without a read-modify-write.
     bin.store(bin.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     if (duration > m_max.load(std::memory_order_relaxed)) {
         m_max.store(duration, std::memory_order_relaxed);
@@ -75,7 +75,7 @@ TimingSummary TimingHistogram::summary() const
     if (out.count == 0) {
         return out;
     }
-    // Rank of the q-th per mille: the smallest value that at least this share of all values do not exceed.
+    // Rank of a per mille quantile: number of values at or below the quantile, rounded up.
     const auto rank = [&](std::uint64_t perMille) { return (out.count * perMille + 999) / 1000; };
     const std::array<std::uint64_t, 3> ranks{rank(500), rank(990), rank(999)};
     const std::array<std::int64_t*, 3> values{&out.p50_ns, &out.p99_ns, &out.p999_ns};

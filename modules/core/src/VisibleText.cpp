@@ -9,7 +9,7 @@ namespace palpate::core {
 
 namespace {
 
-/// One character of UTF-8; a byte that starts none stands for itself.
+/// Decoded UTF-8 character; an invalid byte is returned as a character of its own.
 struct Character
 {
     char32_t code;
@@ -98,7 +98,7 @@ std::string visibleJson(std::string_view json)
 {
     return escaped(json, [](const Character& next, std::string& out) {
         if (!next.isValid || next.code < 0x20 || !isHidden(next.code)) {
-            return false; // JSON text has no control characters but the blanks between its parts
+            return false; // JSON text contains no control characters except whitespace between tokens
         }
         out += hexEscape("\\u%04x", next.code);
         return true;

@@ -10,7 +10,7 @@
 
 namespace palpate::core {
 
-/// Writes a file that appears under its name only when all of it is on the disk:
+/// Writes a file atomically: the complete content appears under its name only after it is on the disk.
 ///
 ///     auto file = AtomicFile::create("ticks.csv");
 ///     if (file.isOk()) {
@@ -18,33 +18,33 @@ namespace palpate::core {
 ///         const Status status = file.value().finish();
 ///     }
 ///
-/// It is written beside its name as a `Scratch`. Until `finish` succeeds, and after any error, an older file of that
-/// name is as it was. A new file gets the permissions that the umask leaves, a replaced one keeps those it had; of a
-/// symbolic link the target is written. A pipe, terminal or other device, and a descriptor of this process
-/// (/dev/stdout), is written straight to.
-/// @par Thread One at a time.
+/// The content is written to a `Scratch` in the same folder. Until `finish` succeeds, and after any error, an existing
+/// file of that name is unchanged. A new file gets permissions according to the umask; a replaced file keeps its
+/// permissions. A symbolic link is followed and its target replaced. Pipes, terminals, other devices and descriptors of
+/// this process (/dev/stdout) are written to directly.
+/// @par Thread One thread at a time.
 class AtomicFile
 {
   public:
-    /// What may have the name.
+    /// Permitted state of the target name.
     enum class Onto
     {
-        Anything, ///< a file, a device, or nothing
-        File,     ///< a file or nothing
-        Nothing   ///< nothing: also when it is finished
+        Anything, ///< existing file, device, or nothing
+        File,     ///< existing regular file or nothing
+        Nothing   ///< must not exist, neither now nor at `finish`
     };
 
-    /// @return an error that names `path`: NoSpace on a full disk or at a limit, NotFound when its folder does not
-    ///         exist, else Unreadable; so has `finish`
+    /// @return an error that names `path`: NoSpace for a full disk or a size limit, NotFound for a missing folder,
+    /// otherwise Unreadable. `finish` returns the same errors.
     [[nodiscard]] static Result<AtomicFile> create(const std::filesystem::path& path, Onto onto = Onto::Anything);
 
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
-    ~AtomicFile(); ///< without `finish` before: nothing was written
+    ~AtomicFile(); ///< discards the content unless `finish` was called
 
-    /// Appends. The first error is kept and returned by `finish`.
+    /// Appends. The first error is stored and returned by `finish`.
     void write(std::string_view bytes);
-    /// Waits until the disk has it, then gives it its name. Once.
+    /// Flushes the content to the disk, then renames the file to its final name. Call once.
     [[nodiscard]] Status finish();
 
   private:
@@ -53,16 +53,16 @@ class AtomicFile
     std::unique_ptr<Private> m_d;
 };
 
-/// Writes all of an AtomicFile at once.
+/// Writes a complete file atomically.
 [[nodiscard]] Status writeAtomically(const std::filesystem::path& path, std::string_view bytes,
                                      AtomicFile::Onto onto = AtomicFile::Onto::Anything);
 
-/// @return `path` for 1, else with the number before its extension: "2026-11-21 05.12.33 (2).png".
+/// @return `path` for number 1, otherwise with the number before the extension: "2026-11-21 05.12.33 (2).png".
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& path, int number);
 
-/// Writes a new file under the first numbered name that is free; another program may be looking for one at the same
+/// Writes a new file under the first free numbered name. Safe against other programs that choose a name at the same
 /// time.
-/// @return its path
+/// @return path of the file
 [[nodiscard]] Result<std::filesystem::path> writeNew(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace palpate::core

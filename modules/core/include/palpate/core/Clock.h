@@ -12,15 +12,15 @@ namespace palpate::core {
 /// @par Real-time Wait-free (vDSO).
 [[nodiscard]] std::int64_t monotonicNow_ns() noexcept PALPATE_NONBLOCKING;
 
-/// A duration as a tick's record holds it: 0 when it is negative, 2^32 - 1 when it is longer than that. [ns]
+/// Duration saturated to the 32 bits of a tick record: 0 if negative, 2^32 - 1 if longer. [ns]
 [[nodiscard]] constexpr std::uint32_t shortDuration_ns(std::int64_t duration_ns) noexcept
 {
     constexpr std::int64_t kMost_ns = std::numeric_limits<std::uint32_t>::max();
     return static_cast<std::uint32_t>(duration_ns < 0 ? 0 : duration_ns > kMost_ns ? kMost_ns : duration_ns);
 }
 
-/// Sleeps until `deadline_ns` of the monotonic clock; returns at once when it has passed. The only sleep of the servo
-/// thread: an absolute deadline, so that lateness never accumulates.
+/// Sleeps until `deadline_ns` on the monotonic clock; returns immediately if the deadline has passed. The servo thread
+/// sleeps only here, on absolute deadlines, so that lateness does not accumulate.
 void sleepUntil_ns(std::int64_t deadline_ns) noexcept;
 
 } // namespace palpate::core

@@ -6,15 +6,15 @@
 
 namespace palpate::core {
 
-/// @return true where a spreadsheet would compute a text instead of showing it: it begins with =, +, -, @, a tab or a
+/// @return true if a spreadsheet would evaluate the text as a formula: the first character is =, +, -, @, a tab or a
 /// line end
 [[nodiscard]] inline bool looksLikeFormula(std::string_view text)
 {
     return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;
 }
 
-/// @return a text as a cell of a CSV table: in quotes where it needs them, and with an apostrophe before what would be
-/// a formula
+/// @return the text as a CSV cell: quoted if necessary, and prefixed with an apostrophe if a spreadsheet would evaluate
+/// the text as a formula
 [[nodiscard]] inline std::string csvCell(std::string_view text)
 {
     std::string cell(looksLikeFormula(text) ? "'" : "");

@@ -11,26 +11,26 @@
 
 namespace palpate::core {
 
-/// The axes that a file's coordinates are along. The world's are LPS; each is a rotation to them, so that triangles
-/// stay wound as they were.
+/// Coordinate axes of a file. The world frame is LPS; every frame is related to LPS by a rotation, so the winding of
+/// triangles is preserved.
 enum class FileFrame : std::uint8_t
 {
-    Untagged, ///< nothing says it: taken as LPS
+    Untagged, ///< unspecified, interpreted as LPS
     Lps,      ///< x to the patient's left, y to the back, z to the head (DICOM, ITK)
     Ras,      ///< x to the right, y to the front, z to the head (NIfTI, older models of 3D Slicer)
     YUp,      ///< x to the left, y to the head, z to the front (glTF 2.0, section 3.4; modelling programs)
 };
 
-/// As scene files, recordings and the command line write them; nothing for `Untagged`.
+/// Names in scene files, in recordings and on the command line; empty for `Untagged`.
 inline constexpr std::array<std::string_view, 4> kFrameNames{"", "LPS", "RAS", "Y-up"};
 
-/// @return the axes' name, "LPS" also for what nothing says
+/// @return name of the axes; "LPS" for `Untagged`
 [[nodiscard]] constexpr std::string_view axesOf(FileFrame frame) noexcept
 {
     return kFrameNames[frame == FileFrame::Untagged ? 1 : static_cast<std::size_t>(frame)];
 }
 
-/// @return the frame of that name, one of `kFrameNames` but the empty one
+/// @return frame of this name, or std::nullopt if unknown or empty
 [[nodiscard]] constexpr std::optional<FileFrame> frameNamed(std::string_view name) noexcept
 {
     for (std::size_t i = 1; i < kFrameNames.size(); ++i) {
@@ -41,14 +41,14 @@ inline constexpr std::array<std::string_view, 4> kFrameNames{"", "LPS", "RAS", "
     return std::nullopt;
 }
 
-/// @param chosen  by a person, who knows better than a tag
-/// @param tag     what the file says
+/// @param chosen  choice of the user; overrides the tag
+/// @param tag     frame stated by the file
 [[nodiscard]] constexpr FileFrame takenFrame(FileFrame chosen, FileFrame tag) noexcept
 {
     return chosen == FileFrame::Untagged ? tag : chosen;
 }
 
-/// Turns a file's point, or direction, to LPS. Exact.
+/// Converts a point or direction from a file's frame to LPS. Exact.
 [[nodiscard]] inline Vec3 toLps(FileFrame frame, const Vec3& p) noexcept
 {
     switch (frame) {
@@ -63,7 +63,7 @@ inline constexpr std::array<std::string_view, 4> kFrameNames{"", "LPS", "RAS", "
     return p;
 }
 
-/// The same as a rotation.
+/// Rotation matrix of `toLps`.
 [[nodiscard]] inline Eigen::Matrix3d lpsRotation(FileFrame frame) noexcept
 {
     Eigen::Matrix3d R;

@@ -14,17 +14,17 @@
 
 namespace palpate::core {
 
-/// One of several layers that were felt in one place.
+/// Contribution of one layer where several overlapping layers were in contact.
 struct FeltLayer
 {
-    std::string structure{}; ///< its name
-    double force_N = 0.0;    ///< its share
-    double depth_mm = 0.0;   ///< to which it was pressed in
+    std::string structure{}; ///< name of the structure
+    double force_N = 0.0;    ///< share of the contact force
+    double depth_mm = 0.0;   ///< penetration depth
 
     friend bool operator==(const FeltLayer&, const FeltLayer&) = default;
 };
 
-/// What a person takes a finding for.
+/// Category of a finding, chosen by the user.
 enum class FindingType : std::uint8_t
 {
     Lump,
@@ -34,14 +34,14 @@ enum class FindingType : std::uint8_t
     KeepAway,
     Other
 };
-/// As files say them, in the order of the type.
+/// Names in files, in the order of FindingType.
 inline constexpr std::array<std::string_view, 6> kFindingTypeNames{"lump",     "hard area", "soft area",
                                                                    "landmark", "keep away", "other"};
 [[nodiscard]] constexpr std::string_view nameOf(FindingType type) noexcept
 {
     return kFindingTypeNames[static_cast<std::size_t>(type)];
 }
-/// @return nothing for a name that is none.
+/// @return std::nullopt for an unknown name.
 [[nodiscard]] constexpr std::optional<FindingType> findingType(std::string_view name) noexcept
 {
     for (std::size_t i = 0; i < kFindingTypeNames.size(); ++i) {
@@ -51,8 +51,8 @@ inline constexpr std::array<std::string_view, 6> kFindingTypeNames{"lump",     "
     }
     return std::nullopt;
 }
-/// The colour of each type, red, green, blue in 0 … 1, told apart by any eye: Okabe and Ito, "Color Universal Design",
-/// 2008. Each type has a shape of its own as well.
+/// Colour of each type as red, green, blue (0 to 1), distinguishable with colour vision deficiency: Okabe and Ito,
+/// "Color Universal Design", 2008. Each type also has a distinct marker shape.
 inline constexpr std::array<std::array<double, 3>, 6> kFindingColours{{{0.902, 0.624, 0.000},
                                                                        {0.835, 0.369, 0.000},
                                                                        {0.337, 0.706, 0.914},
@@ -60,42 +60,43 @@ inline constexpr std::array<std::array<double, 3>, 6> kFindingColours{{{0.902, 0
                                                                        {0.800, 0.475, 0.655},
                                                                        {0.941, 0.894, 0.259}}};
 
-/// The moment of a recording in which something was marked.
+/// Time in a recording at which a finding was marked.
 struct RecordedMoment
 {
-    std::string file{};    ///< path of the recording, in memory absolute
-    std::string sha256{};  ///< of the file when it was whole, 64 hex digits; empty: not known
-    std::int64_t tick = 0; ///< of the recording
-    double time_s = 0.0;   ///< since its first tick
+    std::string file{};    ///< path of the recording; absolute in memory
+    std::string sha256{};  ///< hash of the complete file, 64 hex digits; empty: unknown
+    std::int64_t tick = 0; ///< tick number in the recording
+    double time_s = 0.0;   ///< time since the first tick of the recording
 
     friend bool operator==(const RecordedMoment&, const RecordedMoment&) = default;
 };
 
-/// A place on tissue that a person marked, or a note without a place; scene files and recordings hold the same.
+/// Marked place on tissue, or a note without a place. Used in scene files and recordings.
 struct Finding
 {
     std::string name{};
-    Vec3 p_W = Vec3::Zero();          ///< god-object when it was marked [mm]; says nothing without `hasPlace`
-    std::string note{};               ///< what a person wrote about it
-    std::string structure{};          ///< name of the one that was touched there, may be empty
-    std::optional<double> force_N{};  ///< with which it was touched
-    std::optional<double> depth_mm{}; ///< to which
-    std::vector<FeltLayer> layers{};  ///< the outermost first, where more than one was felt
-    std::string extra{};              ///< fields of a scene file that this version does not know, as a JSON object
-    std::string id{};                 ///< stays the same when all else is edited; empty in older files
+    Vec3 p_W = Vec3::Zero();          ///< god-object position at the time of marking [mm]; unused without `hasPlace`
+    std::string note{};               ///< free text of the user
+    std::string structure{};          ///< name of the touched structure; may be empty
+    std::optional<double> force_N{};  ///< contact force
+    std::optional<double> depth_mm{}; ///< penetration depth
+    std::vector<FeltLayer> layers{}; ///< contributions of overlapping layers, outermost first; empty for a single layer
+    std::string extra{};             ///< unknown fields of a scene file as a JSON object, preserved for newer versions
+    std::string id{};                ///< persistent identifier, unchanged by edits; empty in older files
     FindingType type = FindingType::Other;
-    bool hasPlace = true;             ///< false: a note
-    std::optional<double> size_mm{};  ///< across, as a person judges it
-    std::optional<ViewPose> camera{}; ///< the view when it was marked
+    bool hasPlace = true;             ///< false: note only
+    std::optional<double> size_mm{};  ///< diameter estimated by the user
+    std::optional<ViewPose> camera{}; ///< camera at the time of marking
     std::optional<RecordedMoment> recording{};
-    std::string marked_utc{}; ///< "2026-11-23T00:24:54Z"; empty in older files
+    std::string marked_utc{}; ///< UTC time, "2026-11-23T00:24:54Z"; empty in older files
 
     friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-/// The least depth at which force over depth says something. [mm]
+/// Minimum depth for a meaningful quotient of force and depth. [mm]
 inline constexpr double kLeastFeltDepth_mm = 1.0;
-/// Force over depth when it was marked. [N/mm] @return nothing where one is not known, or less deep than 1 mm
+/// Computes the secant stiffness (force divided by depth) at the time of marking. [N/mm]
+/// @return std::nullopt if force or depth is unknown, or if the depth is below 1 mm
 [[nodiscard]] inline std::optional<double> felt_N_per_mm(const Finding& finding) noexcept
 {
     if (!finding.force_N || !finding.depth_mm || *finding.depth_mm < kLeastFeltDepth_mm) {

@@ -10,7 +10,7 @@
 
 namespace palpate::core {
 
-/// Four floats at once, by the compiler's portable vectors: the same bits on every machine. Comparisons give a Mask4.
+/// Four floats as a SIMD vector (compiler vector extension), bit-identical on every machine. Comparisons yield a Mask4.
 typedef float Float4 __attribute__((vector_size(16)));
 typedef std::int32_t Mask4 __attribute__((vector_size(16)));
 
@@ -45,7 +45,7 @@ inline Float4 greatest(Float4 a, Float4 b) noexcept
     return a > b ? a : b;
 }
 
-/// @return bit i set where lane i is all ones.
+/// @return bit i is set if lane i is all ones.
 inline std::uint32_t laneBits(Mask4 mask) noexcept
 {
 #if defined(__SSE2__)

@@ -4,8 +4,8 @@
 #include "palpate/core/Float4.h"
 #include "palpate/core/Realtime.h"
 
-/// For functions that work on eight lanes at once: compiled for the processors that have them, too, and chosen when the
-/// program starts. Not under the sanitizers, which cannot run that early.
+/// Function multiversioning for eight-lane functions: an additional AVX2 version, selected at program start. Disabled
+/// under the sanitizers, which are not yet initialised at that time.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&                           \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PALPATE_WIDE_LANES __attribute__((target_clones("avx2", "default")))
@@ -15,8 +15,8 @@
 
 namespace palpate::core {
 
-/// Eight floats at once, by the compiler's portable vectors. Comparisons give a Mask8. A scalar operand stands for
-/// eight of it: a function that spread it would be compiled for narrow lanes.
+/// Eight floats as a SIMD vector (compiler vector extension). Comparisons yield a Mask8. Use a scalar operand to
+/// broadcast: a broadcast function would be compiled for narrow lanes.
 typedef float Float8 __attribute__((vector_size(32)));
 typedef std::int32_t Mask8 __attribute__((vector_size(32)));
 
@@ -46,7 +46,7 @@ PALPATE_ALWAYS_INLINE Float8 greatest(Float8 a, Float8 b) noexcept
     return a > b ? a : b;
 }
 
-/// @return bit i set where lane i is all ones.
+/// @return bit i is set if lane i is all ones.
 PALPATE_ALWAYS_INLINE std::uint32_t laneBits(Mask8 mask) noexcept
 {
     Mask4 half[2];

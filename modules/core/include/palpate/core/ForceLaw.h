@@ -13,61 +13,63 @@
 
 namespace palpate::core {
 
-/// By what law the force rises with the depth. resources/docs/laws.md has the formulas and their sources.
+/// Shape of the force over the penetration depth. Formulas and sources: resources/docs/laws.md.
 enum class LawKind : std::uint8_t
 {
     Linear,      ///< stiffness times depth
-    Exponential, ///< after Fung: soft at first, ever stiffer
-    Hertz,       ///< a ball on a soft half-space
-    Layer,       ///< a ball on a soft layer on something rigid
+    Exponential, ///< after Fung: soft initially, increasingly stiff
+    Hertz,       ///< sphere on a soft half-space
+    Layer,       ///< sphere on a soft layer over a rigid base
     Click,       ///< rises, snaps through, rises again
-    Points,      ///< as measured
+    Points,      ///< interpolates measured points
 };
 
-/// A law and its numbers. A value: what is felt is a table made of it (haptics::ForceTable).
+/// Force law and its parameters. A value type; the servo thread evaluates a table computed from this law
+/// (haptics::ForceTable).
 struct ForceLaw
 {
     static constexpr std::size_t kMostNumbers = 5;
     static constexpr std::size_t kMostPoints = 64;
-    static constexpr double kMostSlope = 1000.0;    ///< of a law, up or down [N/mm]
-    static constexpr double kMostDepth_mm = 1000.0; ///< of a measured point
-    static constexpr double kLeastStep_mm = 1e-3;   ///< from one measured point to the next
+    static constexpr double kMostSlope = 1000.0;    ///< maximum absolute slope of a law [N/mm]
+    static constexpr double kMostDepth_mm = 1000.0; ///< maximum depth of a measured point
+    static constexpr double kLeastStep_mm = 1e-3;   ///< minimum depth difference of consecutive measured points
 
     /// Depth [mm] and force [N].
     using Point = std::array<double, 2>;
 
     LawKind kind = LawKind::Linear;
-    std::array<double, kMostNumbers> numbers{}; ///< by `lawTerms(kind)`; the others are 0
-    std::vector<Point> points;                  ///< of LawKind::Points alone, ascending, the first (0, 0)
+    std::array<double, kMostNumbers> numbers{}; ///< parameters in the order of `lawTerms(kind)`; unused ones are 0
+    std::vector<Point> points;                  ///< for LawKind::Points only; ascending, starting at (0, 0)
 
     friend bool operator==(const ForceLaw&, const ForceLaw&) = default;
 };
 
-/// One number of a law, as files and panels tell it.
+/// Metadata of a law parameter, for files and panels.
 struct LawTerm
 {
-    std::string_view key; ///< in scene files
+    std::string_view key; ///< key in scene files
     std::string_view name;
     std::string_view unit;
     double least, most;
-    double usual;          ///< where a file does not say it
-    bool isSwitch = false; ///< 0 or 1; true or false in files
+    double usual;          ///< default if missing in a file
+    bool isSwitch = false; ///< boolean parameter: 0 or 1; true or false in files
 };
 
-/// The name of a law in files: "linear".
+/// Name of a law in files, e.g. "linear".
 [[nodiscard]] std::string_view lawName(LawKind kind) noexcept;
-/// All laws, in the order in which a person chooses among them.
+/// All laws, in the order of the selection list.
 inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, LawKind::Hertz,
                                       LawKind::Layer,  LawKind::Click,       LawKind::Points};
-/// The numbers of a law, in the order of ForceLaw::numbers.
+/// Parameters of a law, in the order of ForceLaw::numbers.
 [[nodiscard]] std::span<const LawTerm> lawTerms(LawKind kind) noexcept;
-/// A law as it is where nothing else is said.
+/// Law with default parameters.
 [[nodiscard]] ForceLaw usualLaw(LawKind kind);
-/// @return what is wrong with a law, by number or point and value: one that is not finite or out of its range, numbers
-/// that contradict one another, points that do not ascend from (0, 0), fall below 0 or are too steep. Fine for linear.
+/// Validates a law. Linear is always valid.
+/// @return an error with parameter or point and value for: non-finite or out-of-range parameters, contradictory
+/// parameters, points that do not ascend from (0, 0), negative forces, slopes above kMostSlope
 [[nodiscard]] Status check(const ForceLaw& law);
 
-/// The first of measured points that makes them no law, from 0, and what is wrong; nothing wrong: an empty text.
+/// First invalid point (index from 0) with the reason; the text is empty if all points are valid.
 struct PointFault
 {
     std::size_t point = 0;

@@ -14,8 +14,8 @@
 
 namespace palpate::core {
 
-/// Memory that asks for huge pages where an array is as large as several: reads here and there in it wait for far fewer
-/// page walks, and filling it takes far fewer page faults.
+/// Allocator that requests huge pages for arrays spanning several of them: random access needs far fewer page walks,
+/// and filling the array far fewer page faults.
 template<class T>
 struct LargeAllocator
 {
@@ -30,7 +30,7 @@ struct LargeAllocator
     /// @throws std::bad_alloc
     [[nodiscard]] T* allocate(std::size_t n)
     {
-        const std::size_t bytes = n * sizeof(T); // vectors keep n below the largest that fits
+        const std::size_t bytes = n * sizeof(T); // no overflow: vectors limit n
         if (bytes < kLarge) {
             return static_cast<T*>(::operator new (bytes, std::align_val_t{alignof(T)}));
         }
@@ -39,7 +39,7 @@ struct LargeAllocator
             throw std::bad_alloc();
         }
 #if defined(__linux__)
-        (void)::madvise(p, bytes, MADV_HUGEPAGE); // may be refused: the array then is only slower
+        (void)::madvise(p, bytes, MADV_HUGEPAGE); // best effort: refusal only costs speed
 #endif
         return static_cast<T*>(p);
     }
@@ -56,7 +56,7 @@ struct LargeAllocator
     {
         return true;
     }
-    /// Elements that are given no value have none: `resize` does not touch memory.
+    /// Default-initialises elements, so that `resize` does not touch the memory of trivial types.
     template<class U>
     void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>)
     {
@@ -70,7 +70,8 @@ struct LargeAllocator
 
   private:
     static constexpr std::size_t kPage = std::size_t{2} << 20;
-    static constexpr std::size_t kLarge = 4 * kPage; // else rounding up would cost too much of it
+    static constexpr std::size_t kLarge =
+        4 * kPage; // below this size, rounding up to whole pages would waste too much memory
 };
 
 template<class T>

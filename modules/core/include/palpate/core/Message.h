@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
-/// Marks the English text of a message: `resources/translations/update.sh` collects it for the catalogues, and
-/// `core::Message` accepts no other text. Adjacent literals are allowed, expressions are not.
+/// Marks the English source text of a message. `resources/translations/update.sh` collects marked texts for the
+/// translation catalogues, and `core::Message` accepts only marked texts. The argument may consist of adjacent string
+/// literals, but not of expressions.
 #define PALPATE_TEXT(text) (::palpate::core::internal::MarkedText{text})
 
 namespace palpate::core {
@@ -27,12 +28,13 @@ struct MarkedText
     const char* text;
 };
 
-/// Refuses at compile time a text whose places are not exactly %1 to %N. Not constexpr: a call ends the evaluation.
+/// Rejects at compile time a text whose placeholders are not exactly %1 to %N. Not constexpr: a call aborts the
+/// constant evaluation.
 void placesOfTextDifferFromArguments();
 
 } // namespace internal
 
-/// A text with one place for each argument of a message, checked at compile time like a `std::format_string`.
+/// Message text with one placeholder for each argument, checked at compile time like a `std::format_string`.
 template<class... Arguments>
 class MessageText
 {
@@ -59,7 +61,7 @@ class MessageText
     std::string_view m_text;
 };
 
-/// A whole number that is written with a separator every three digits: "1,234,567".
+/// Whole number displayed with digit grouping: "1,234,567".
 struct Count
 {
     template<std::integral T>
@@ -73,14 +75,14 @@ struct Count
     bool isNegative;
 };
 
-/// Value at one place of a message.
+/// Argument of a message.
 struct MessageArgument
 {
     enum class Kind : std::uint8_t
     {
-        Name,   ///< shown unchanged in every language: a path, a name, a text of the operating system
-        Number, ///< written with the decimal point and the digit separators of the reader's language
-        Message ///< translated by itself
+        Name,   ///< not translated: a path, a name, a text of the operating system
+        Number, ///< formatted with the decimal point and digit grouping of the user's locale
+        Message ///< translated separately
     };
 
     MessageArgument(std::string name)
@@ -105,21 +107,21 @@ struct MessageArgument
         , kind(Kind::Number)
     {
     }
-    MessageArgument(double number); ///< with at most six significant digits, as `shortNumber` writes it
+    MessageArgument(double number); ///< formatted by `shortNumber` with at most six significant digits
     MessageArgument(Count count);
     MessageArgument(Message part);
 
-    std::string english; ///< as an English message shows it
+    std::string english; ///< English text
     Kind kind = Kind::Name;
-    std::shared_ptr<const Message> message; ///< for Kind::Message
+    std::shared_ptr<const Message> message; ///< only for Kind::Message
 };
 
-/// A sentence for a person as an English text and its arguments, which may be messages themselves. The engine and the
-/// command line print `english()`; the window translates the text and each argument (`ui::translated`).
+/// Translatable message for the user: an English text and its arguments, which may be messages themselves. The engine
+/// and the command line print `english()`; the window translates the text and each argument (`ui::translated`).
 ///
 ///     core::Message(PALPATE_TEXT("%1: found %2 triangles, expected at least 1"), path, 0)
 ///
-/// Thread: value type, no shared state. Allocates, so not for the servo thread.
+/// @par Thread Value type without shared state. Allocates memory, so not for the servo thread.
 class Message
 {
   public:
@@ -130,26 +132,26 @@ class Message
         , m_arguments{MessageArgument(arguments)...}
     {
     }
-    /// For a message that arrives from another process. Its text is translated if a catalogue has it.
+    /// Creates a message received from another process. The text is translated if a catalogue contains it.
     [[nodiscard]] static Message fromParts(std::string text, std::vector<MessageArgument> arguments);
-    /// For a sentence that is not ours, such as one of VTK or of a plugin. It is shown as it is in every language.
+    /// Creates a message from a foreign text, e.g. of VTK or of a plugin, which is shown unchanged in every language.
     [[nodiscard]] static Message untranslated(std::string sentence);
 
     [[nodiscard]] bool isEmpty() const noexcept { return m_text.empty(); }
     [[nodiscard]] const std::string& text() const noexcept { return m_text; }
     [[nodiscard]] const std::vector<MessageArgument>& arguments() const noexcept { return m_arguments; }
     [[nodiscard]] std::string english() const;
-    [[nodiscard]] bool isTranslatable() const noexcept; ///< not made by `untranslated`
+    [[nodiscard]] bool isTranslatable() const noexcept; ///< false for messages made by `untranslated`
 
   private:
     std::string m_text;
     std::vector<MessageArgument> m_arguments;
 };
 
-/// @return `text` with each place %1 to %9 replaced by the part of that number; other per cent signs stay
+/// @return `text` with each placeholder %1 to %9 replaced by the part of that number; other per cent signs are kept
 [[nodiscard]] std::string filled(std::string_view text, const std::vector<std::string>& parts);
 
-/// @return the messages in their order, joined by "; "
+/// @return the messages joined by "; "
 [[nodiscard]] Message joined(const std::vector<Message>& messages);
 
 } // namespace palpate::core

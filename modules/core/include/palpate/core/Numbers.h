@@ -7,14 +7,15 @@
 
 namespace palpate::core {
 
-/// Reads a decimal number that fills `text` but for blanks around it; the same under every locale.
-/// @return nothing when `text` is not such a number. "nan" and "inf" are numbers here: the caller checks finiteness.
+/// Parses a decimal number, independent of the locale. The whole text must be the number, apart from surrounding
+/// blanks.
+/// @return std::nullopt if `text` is not a number. Accepts "nan" and "inf": the caller checks finiteness.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text) noexcept;
 
-/// Writes with 17 significant digits, which give the same double back; the same under every locale.
+/// Appends a number with 17 significant digits (lossless round trip), independent of the locale.
 void appendNumber(std::string& out, double value);
 
-/// @return a number for a message, with so many significant digits; the same under every locale.
+/// @return the number with `digits` significant digits for a message, independent of the locale.
 [[nodiscard]] std::string shortNumber(double value, int digits = 6);
 
 } // namespace palpate::core

@@ -7,20 +7,20 @@
 
 namespace palpate::core {
 
-/// @return how many threads can run at once on this machine, at least 1.
+/// @return number of hardware threads, at least 1.
 [[nodiscard]] unsigned coreCount() noexcept;
 
-/// Calls `work(i, thread)` once for each i below `count`: on the calling thread, which is thread 0, and on as many more
-/// as there is work for. Calls begin in ascending order of i; which thread makes which one is not fixed, so a result
-/// that must not depend on the number of threads is kept by i, not by thread. A thread that the system refuses is done
-/// without. Never from the servo thread.
-/// @param threads  at most, the calling one included
-/// @throws what a call throws, one of them if several do, when all threads have ended; what had not begun is left out
+/// Calls `work(i, thread)` once for each i below `count`, on the calling thread (number 0) and on as many others as
+/// there is work for. Calls start in ascending order of i, but the assignment to threads varies: index results by i,
+/// not by thread, if they must not depend on the number of threads. Continues with fewer threads if the system refuses
+/// to create one. Not for the servo thread.
+/// @param threads  maximum number of threads, including the calling thread
+/// @throws one of the exceptions thrown by `work`, after all threads have ended; calls not yet started are skipped
 void parallelFor(std::size_t count, const std::function<void(std::size_t i, unsigned thread)>& work,
                  unsigned threads = coreCount());
 
-/// Calls `work(i)` for each i below `count`, by blocks of `block` neighbouring ones: for work so small that a block of
-/// it is worth a thread. As parallelFor in all else.
+/// Calls `work(i)` for each i below `count`, in blocks of `block` consecutive indices, for work too small to schedule
+/// one by one. Otherwise as parallelFor.
 template<class Work>
 void parallelForBlocks(std::size_t count, std::size_t block, Work&& work, unsigned threads = coreCount())
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Marks a function that the servo thread may call: no allocation, lock, file or console I/O, exception, Qt or VTK
-/// call. Compilers that can check it (clang >= 20, -fsanitize=realtime) do.
+/// Marks a function that is safe on the servo thread: no allocation, lock, file or console I/O, exception, Qt or VTK
+/// call. Verified by compilers with function effect analysis (clang >= 20, -fsanitize=realtime).
 #if defined(__has_cpp_attribute)
 #if __has_cpp_attribute(clang::nonblocking)
 #define PALPATE_NONBLOCKING [[clang::nonblocking]]
@@ -12,12 +12,12 @@
 #define PALPATE_NONBLOCKING
 #endif
 
-/// For the parts of a function that every tick runs: one function to a reader, one to the compiler.
+/// Forces inlining of helpers on the per-tick path, so that splitting a function for readability costs nothing.
 #define PALPATE_ALWAYS_INLINE inline __attribute__((always_inline))
 
 namespace palpate::core {
 
-/// Asks for the memory at `p` without waiting for it. Never changes a result; `p` need not be readable.
+/// Prefetches the memory at `p` without waiting. Never changes a result; `p` need not be readable.
 inline void prefetch(const void* p) noexcept PALPATE_NONBLOCKING
 {
 #if defined(__GNUC__)

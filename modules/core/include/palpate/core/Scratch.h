@@ -9,21 +9,21 @@
 
 namespace palpate::core {
 
-/// A temporary file or folder beside an output, under a name of its own (".palpate-" and 16 hexadecimal digits). It is
-/// created exclusively (links are never followed), and removed with this object. A signal that ends the process removes
-/// it as well, see `removeScratchOnSignals`. What SIGKILL or a power loss leaves is removed when the next one is
-/// created in the same folder: its lock tells that nobody uses it.
-/// @par Thread One at a time.
+/// Temporary file or folder next to an output file, with a unique name (".palpate-" and 16 hexadecimal digits). Created
+/// exclusively (links are never followed) and removed by the destructor, or by the signal handler if a signal ends the
+/// process, see `removeScratchOnSignals`. Leftovers after SIGKILL or a power loss are removed at the next creation in
+/// the same folder: an unlocked scratch file is known to be unused.
+/// @par Thread One thread at a time.
 class Scratch
 {
   public:
     enum class Kind
     {
         File,
-        Folder ///< for this user alone (mode 0700); may hold files, but no folders
+        Folder ///< private to the user (mode 0700); may contain files, but no folders
     };
 
-    /// @param output  the file that it is for; its folder must exist
+    /// @param output  final file; the folder must exist
     /// @param mode    permissions of a file, before the umask
     /// @return an error that names `output`, see `cannotWrite`
     [[nodiscard]] static Result<std::unique_ptr<Scratch>> create(const std::filesystem::path& output, Kind kind,
@@ -32,11 +32,11 @@ class Scratch
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 
-    /// Descriptor of the file, open for reading and writing, or of the folder.
+    /// Descriptor of the file (read and write), or of the folder.
     [[nodiscard]] int descriptor() const noexcept;
-    /// Descriptor of the folder that it is in, for the functions that end in `at`.
+    /// Descriptor of the parent folder, for the `*at` system calls.
     [[nodiscard]] int folder() const noexcept;
-    /// Its name in that folder.
+    /// Name in the parent folder.
     [[nodiscard]] const char* name() const noexcept;
     [[nodiscard]] std::filesystem::path path() const;
 
@@ -46,29 +46,29 @@ class Scratch
     std::unique_ptr<Private> m_d;
 };
 
-/// What may have the name that a file is given.
+/// Treatment of an existing file at the target name of a rename.
 enum class OldFile
 {
-    Replace, ///< a file or a link there is replaced
-    Refuse   ///< there must be none
+    Replace, ///< replace an existing file or link
+    Refuse   ///< fail if a file exists
 };
 
-/// Renames a file within one file system, in one step.
-/// @param fromFolder, toFolder  descriptors of folders
-/// @return 0 or the error number; EEXIST when there is a file that is to be refused
+/// Renames a file atomically within one file system.
+/// @param fromFolder, toFolder  descriptors of the folders
+/// @return 0 or the error number; EEXIST if `old` is Refuse and a file exists
 [[nodiscard]] int giveName(int fromFolder, const char* from, int toFolder, const char* to, OldFile old) noexcept;
 
-/// Waits until the disk has the names in a folder; file systems that cannot do it are taken as they are.
+/// Flushes the names in a folder to the disk. Errors of file systems without this feature are ignored.
 void syncFolder(int folder) noexcept;
 
-/// Lets each signal that would end this process remove what `Scratch` made first, then end it as before. A write beyond
-/// the limit of a file's size (SIGXFSZ) becomes an error instead of a signal. Signals that the parent process ignores
-/// stay ignored. Call it once, at the start of a program.
+/// Installs handlers for all signals that terminate the process: they remove the files of `Scratch` and then let the
+/// signal terminate the process as before. Exceeding the file size limit (SIGXFSZ) becomes a write error instead of a
+/// signal. Signals ignored by the parent process stay ignored. Call once, at program start.
 void removeScratchOnSignals();
 
-/// The error of a file that cannot be written: one line with its path, the reason and what to do.
-/// @param error  number of the system's error. NoSpace for a full disk, a quota and a limit of size, NotFound for a
-///               missing folder, else Unreadable
+/// Error for a file that cannot be written: one line with path, reason and remedy.
+/// @param error  errno value. Results in NoSpace for a full disk, a quota or a size limit, in NotFound for a missing
+/// folder, otherwise in Unreadable.
 [[nodiscard]] Status cannotWrite(const std::filesystem::path& path, int error);
 
 } // namespace palpate::core

@@ -12,8 +12,8 @@
 
 namespace palpate::core {
 
-/// Passes values in order from one thread to one other, wait-free. When it is full the value is dropped and counted:
-/// the producer never waits.
+/// Wait-free queue from one producer thread to one consumer thread. Values are dropped and counted if the queue is
+/// full: the producer never waits.
 template<class T>
 class SpscRing
 {
@@ -21,14 +21,14 @@ class SpscRing
     static_assert(std::atomic<std::size_t>::is_always_lock_free);
 
   public:
-    /// @param capacity  rounded up to a power of two; allocated here, once
+    /// @param capacity  rounded up to a power of two; the only allocation
     explicit SpscRing(std::size_t capacity)
         : m_mask(std::bit_ceil(capacity < 2 ? std::size_t{2} : capacity) - 1)
         , m_items(std::make_unique<T[]>(m_mask + 1))
     {
     }
 
-    /// Producer only. @return false when full: the value is dropped and counted.
+    /// Producer only. @return false if full; the value is dropped and counted.
     bool push(const T& item) noexcept PALPATE_NONBLOCKING
     {
         const std::size_t head = m_head.load(std::memory_order_relaxed);
@@ -44,7 +44,7 @@ class SpscRing
         return true;
     }
 
-    /// Consumer only. @return false when empty; `item` is then untouched.
+    /// Consumer only. @return false if empty; `item` is then unchanged.
     bool pop(T& item) noexcept PALPATE_NONBLOCKING
     {
         const std::size_t tail = m_tail.load(std::memory_order_relaxed);
@@ -59,7 +59,7 @@ class SpscRing
         return true;
     }
 
-    /// How many values were dropped since construction. Any thread.
+    /// Number of dropped values since construction. Any thread.
     [[nodiscard]] std::uint64_t dropped() const noexcept { return m_dropped.load(std::memory_order_relaxed); }
     [[nodiscard]] std::size_t capacity() const noexcept { return m_mask + 1; }
 
@@ -67,9 +67,9 @@ class SpscRing
     std::size_t m_mask;
     std::unique_ptr<T[]> m_items;
     alignas(64) std::atomic<std::size_t> m_head{0};
-    std::size_t m_tailSeen = 0; // producer's copy
+    std::size_t m_tailSeen = 0; // cached by the producer
     alignas(64) std::atomic<std::size_t> m_tail{0};
-    std::size_t m_headSeen = 0; // consumer's copy
+    std::size_t m_headSeen = 0; // cached by the consumer
     alignas(64) std::atomic<std::uint64_t> m_dropped{0};
 };
 

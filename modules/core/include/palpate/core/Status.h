@@ -11,27 +11,28 @@
 
 namespace palpate::core {
 
-/// One code per cause that a user can act on.
+/// Error category, one for each cause that requires a different reaction of the user.
 enum class StatusCode : std::uint8_t
 {
     Ok,
     BadCommandLine, ///< an argument is missing, unknown or out of range
     NotFound,       ///< the file, device or element does not exist
     Unreadable,     ///< the file exists but cannot be opened, read or written
-    BadFormat,      ///< the content is not what the format requires
+    BadFormat,      ///< the content violates the format
     NonFinite,      ///< a number is NaN or infinite
     OutOfRange,     ///< an index, count or coordinate exceeds its bounds
-    Empty,          ///< nothing usable: no triangle of positive area, no row
-    Mismatch,       ///< belongs to something else: another mesh, another version
-    Unsupported,    ///< valid, but not something Palpate can do
-    NoSpace,        ///< the disk is full, or the user's share of it
+    Empty,          ///< no usable content: no triangle of positive area, no row
+    Mismatch,       ///< belongs to another object: another mesh, another version
+    Unsupported,    ///< valid, but not supported by Palpate
+    NoSpace,        ///< the disk is full, or the user's quota is exceeded
     Cancelled,      ///< the user asked to stop
     DeviceLost,     ///< the device no longer answers
-    Internal,       ///< a promise of our own was broken
+    Internal,       ///< violated internal invariant
 };
 
-/// Result of an operation without a value: a code and one line for a person, naming file, place, what was found and
-/// what was expected. Thread: value type, no shared state.
+/// Result of an operation without a value: a code and a one-line message for the user that names the file, the
+/// position, the value found and the value expected.
+/// @par Thread Value type without shared state.
 class [[nodiscard]] Status
 {
   public:
@@ -42,7 +43,7 @@ class [[nodiscard]] Status
         , m_message(m_text.english())
     {
     }
-    /// `return {StatusCode::BadFormat, PALPATE_TEXT("found %1 corners, expected 3"), count};`
+    /// Example: `return {StatusCode::BadFormat, PALPATE_TEXT("found %1 corners, expected 3"), count};`
     template<class... Arguments>
     Status(StatusCode code, MessageText<std::type_identity_t<Arguments>...> text, const Arguments&... arguments)
         : Status(code, Message(text, arguments...))
@@ -55,11 +56,11 @@ class [[nodiscard]] Status
 
     [[nodiscard]] bool isOk() const noexcept { return m_code == StatusCode::Ok; }
     [[nodiscard]] StatusCode code() const noexcept { return m_code; }
-    /// In English.
+    /// English message.
     [[nodiscard]] const std::string& message() const noexcept { return m_message; }
-    /// For the window, which translates it.
+    /// Translatable message for the window.
     [[nodiscard]] const Message& text() const noexcept { return m_text; }
-    /// @return the same code with the place before the message: "liver.stl: the file is empty"; for success, success
+    /// Prefixes the message with a place: "liver.stl: the file is empty". Success is returned unchanged.
     [[nodiscard]] Status at(const MessageArgument& place) const
     {
         return isOk() ? Status() : Status(m_code, Message(PALPATE_TEXT("%1: %2"), place, m_text));
@@ -68,10 +69,16 @@ class [[nodiscard]] Status
   private:
     StatusCode m_code = StatusCode::Ok;
     Message m_text;
-    std::string m_message; ///< of m_text
+    std::string m_message; ///< English text of m_text
 };
 
-/// A value or the Status that says why there is none.
+/// A value, or the Status of the error.
+///
+///     const Result<std::filesystem::path> file = writeNew(path, bytes); // AtomicFile.h
+///     if (!file.isOk()) {
+///         return file.status();
+///     }
+///     show(file.value());
 template<class T>
 class [[nodiscard]] Result
 {

@@ -13,7 +13,7 @@ namespace internal {
 [[nodiscard]] std::string grouped(std::uint64_t magnitude, bool isNegative);
 }
 
-/// @return a whole number with a comma every three digits: "1,234,567"
+/// @return whole number with a comma every three digits: "1,234,567"
 template<std::integral T>
 [[nodiscard]] std::string grouped(T value)
 {
@@ -21,8 +21,8 @@ template<std::integral T>
     return std::cmp_less(value, 0) ? internal::grouped(std::uint64_t{0} - bits, true) : internal::grouped(bits, false);
 }
 
-/// @return `text` in quotes, fit for a message of one line: at most 40 bytes of it, whole characters of UTF-8, with "?"
-/// for control characters and "…" for what is left out
+/// @return `text` in quotes, safe for a one-line message: at most 40 bytes, cut at UTF-8 character boundaries, with "?"
+/// for control characters and "…" for omitted text
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 } // namespace palpate::core

@@ -9,29 +9,30 @@
 
 namespace palpate::core {
 
-/// What a histogram says. All times in ns; a percentile is at most 0.4 % above the true one, never below; max is exact.
+/// Statistics of a histogram. All times in ns. Percentiles are at most 0.4 % above the true value, never below; the
+/// maximum is exact.
 struct TimingSummary
 {
     std::uint64_t count = 0;
     std::int64_t p50_ns = 0;
     std::int64_t p99_ns = 0;
-    std::int64_t p999_ns = 0; ///< 99.9 %
+    std::int64_t p999_ns = 0; ///< 99.9th percentile
     std::int64_t max_ns = 0;
 };
 
-/// Counts durations in bins of 1 ns up to 256 ns and of 1/256 of an octave above, to 4.3 s.
-/// One thread adds, any thread may summarise meanwhile.
+/// Histogram of durations with bins of 1 ns up to 256 ns and of 1/256 octave above, up to 4.3 s. One thread adds; any
+/// thread may read a summary concurrently.
 class TimingHistogram
 {
   public:
     TimingHistogram();
 
-    /// @param duration_ns  negative counts as 0, longer than the range as its end (max stays exact)
+    /// @param duration_ns  clamped to the range of the histogram (the maximum stays exact)
     /// @par Real-time Wait-free.
     void add(std::int64_t duration_ns) noexcept PALPATE_NONBLOCKING;
-    /// Only while no other thread adds.
+    /// Clears the histogram. Not concurrently with `add`.
     void clear() noexcept;
-    /// Any thread; while values are added, a summary of about now.
+    /// Summarises the histogram. Any thread; approximate while values are being added.
     [[nodiscard]] TimingSummary summary() const;
 
   private:

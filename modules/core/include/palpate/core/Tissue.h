@@ -9,41 +9,41 @@
 
 namespace palpate::core {
 
-/// How a structure feels: the numbers of its force law, "as felt", no moduli of a material. One that is 0 is not there
-/// and costs nothing.
+/// Haptic properties of a structure: parameters of the contact force as perceived at the tip, not material moduli. A
+/// zero value disables a term at no cost. Stiffness of a liver: about 0.1 to 0.3 N/mm.
 struct Tissue
 {
-    double stiffness_N_per_mm = 0.5; ///< k: force for each mm pressed in
-    double damping_Ns_per_mm = 0.0;  ///< b: force against each mm/s of movement
-    /// Share of the normal force that holds the god-object, and that drags on it while it slides: Coulomb's, as in
-    /// resources/docs/friction.md. The second is at most the first.
+    double stiffness_N_per_mm = 0.5; ///< k: force per penetration depth
+    double damping_Ns_per_mm = 0.0;  ///< b: force per speed
+    /// Coulomb coefficients of static and dynamic friction, relative to the normal force; dynamic is at most static.
+    /// See resources/docs/friction.md.
     double friction_static = 0.0, friction_dynamic = 0.0;
-    double friction_drag_Ns_per_mm = 0.0; ///< force against each mm/s of sliding
-    /// Force by depth; linear: the stiffness alone. A map's absolute stiffness is told against `stiffness_N_per_mm`.
+    double friction_drag_Ns_per_mm = 0.0; ///< viscous friction: force per sliding speed
+    /// Force law; linear uses only the stiffness. Absolute stiffness maps are relative to `stiffness_N_per_mm`.
     ForceLaw law{};
 
     [[nodiscard]] bool hasFriction() const noexcept { return friction_static > 0.0 || friction_drag_Ns_per_mm > 0.0; }
     friend bool operator==(const Tissue&, const Tissue&) = default;
 };
 
-/// One number of a tissue, as files, recordings, the command line and panels tell it. At least 0.
+/// Metadata of a tissue property, for files, recordings, the command line and panels. All values are at least 0.
 struct TissueTerm
 {
-    std::string_view key;    ///< in events, and the column of a recording; in scene files where it has no group
-    std::string_view option; ///< on the command line; empty: none
+    std::string_view key;    ///< key in events and recording columns, and in scene files if `group` is empty
+    std::string_view option; ///< command-line option; empty: none
     double Tissue::*member;
-    std::string_view name;    ///< as a person reads it
-    std::string_view meaning; ///< in a sentence's part
+    std::string_view name;    ///< display name
+    std::string_view meaning; ///< description as part of a sentence
     std::string_view unit;
     std::string_view spokenUnit;
-    double most;              ///< that a file may hold, and a panel
-    int decimals;             ///< that a panel shows
-    double step;              ///< of a panel's field
-    std::string_view group{}; ///< object of a scene file that it stands in; empty: the structure itself
-    std::string_view field{}; ///< its name there
+    double most;              ///< maximum value in files and panels
+    int decimals;             ///< decimals in panels
+    double step;              ///< step of the panel's field
+    std::string_view group{}; ///< parent object in scene files; empty: the structure itself
+    std::string_view field{}; ///< key within `group`
 };
 
-/// All numbers of a tissue, in the order of a recording's columns: a new one comes last.
+/// All tissue properties, in the order of the recording columns. Append new ones at the end.
 inline constexpr std::array kTissueTerms{
     TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, "Stiffness",
                "force for each mm pressed in", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
@@ -58,7 +58,7 @@ inline constexpr std::array kTissueTerms{
                "friction", "drag_Ns_per_mm"},
 };
 
-/// @return what bounds no tissue.
+/// @return upper bounds that do not limit any tissue.
 [[nodiscard]] inline Tissue unbounded()
 {
     Tissue most;

@@ -9,7 +9,7 @@
 
 namespace palpate::core {
 
-/// What of a tissue a map says.
+/// Tissue property controlled by a map.
 enum class MappedQuantity : std::uint8_t
 {
     Stiffness,
@@ -17,30 +17,30 @@ enum class MappedQuantity : std::uint8_t
     Friction,
 };
 
-/// What a map's numbers are.
+/// Unit of a map's values.
 enum class MapUnit : std::uint8_t
 {
-    Scale,    ///< times the tissue's own [1]
-    NPerMm,   ///< stiffness as felt [N/mm]
-    NsPerMm,  ///< damping as felt [N·s/mm]
-    YoungKPa, ///< Young's modulus [kPa]; felt by a contact of a radius
-    ShearKPa, ///< shear modulus [kPa], a third of Young's; the same
+    Scale,    ///< factor on the tissue's own value [1]
+    NPerMm,   ///< contact stiffness [N/mm]
+    NsPerMm,  ///< contact damping [N·s/mm]
+    YoungKPa, ///< Young's modulus [kPa]; converted for a contact radius
+    ShearKPa, ///< shear modulus [kPa], a third of Young's modulus; converted likewise
 };
 
-/// An array of a mesh, or a volume, that says how a quantity varies over a surface.
+/// Spatial variation of a tissue property over a surface, from a mesh array or a volume.
 struct TissueMapping
 {
     MappedQuantity quantity = MappedQuantity::Stiffness;
     MapUnit unit = MapUnit::Scale;
-    std::string array;                            ///< name in the mesh file; empty: it is a volume
-    std::string file;                             ///< path of a volume; empty: it is an array
-    double contactRadius_mm = 5.0;                ///< for moduli
-    std::optional<std::array<double, 2>> clamp{}; ///< numbers of the array are taken as at least and at most these
+    std::string array;                            ///< array name in the mesh file; empty: use the volume
+    std::string file;                             ///< path of the volume; empty: use the array
+    double contactRadius_mm = 5.0;                ///< contact radius for moduli
+    std::optional<std::array<double, 2>> clamp{}; ///< minimum and maximum to which map values are clamped
 
     friend bool operator==(const TissueMapping&, const TissueMapping&) = default;
 
-    /// What a number of the array means to the tick: a scale [1], N/mm or N·s/mm.
-    /// @par Source a rigid punch of radius a on an incompressible half-space: k = 2aE / (1 - nu^2) = 8a mu (Sneddon,
+    /// Converts a map value to the unit of the servo loop: a scale [1], N/mm or N·s/mm.
+    /// @par Source Flat rigid punch of radius a on an incompressible half-space: k = 2aE / (1 - nu^2) = 8a mu (Sneddon,
     /// Int. J. Eng. Sci. 3 (1965) 47, doi:10.1016/0020-7225(65)90019-4; nu = 1/2).
     [[nodiscard]] double felt(double value) const noexcept
     {
@@ -56,11 +56,11 @@ struct TissueMapping
     }
 };
 
-/// A name in files for each quantity and unit.
+/// Names of quantities and units in files.
 inline constexpr std::array<std::string_view, 3> kQuantityNames{"stiffness", "damping", "friction"};
 inline constexpr std::array<std::string_view, 5> kMapUnitNames{"scale", "N_per_mm", "Ns_per_mm", "young_kPa",
                                                                "shear_kPa"};
-/// @return true where numbers in this unit can say the quantity.
+/// @return true if the unit is valid for the quantity.
 [[nodiscard]] constexpr bool fits(MappedQuantity quantity, MapUnit unit) noexcept
 {
     switch (quantity) {
@@ -74,7 +74,7 @@ inline constexpr std::array<std::string_view, 5> kMapUnitNames{"scale", "N_per_m
     return unit == MapUnit::Scale;
 }
 
-/// An array whose name says what it is: it is felt unless the scene says otherwise.
+/// Array recognised by name and applied automatically unless the scene overrides the mapping.
 struct KnownMap
 {
     std::string_view array;

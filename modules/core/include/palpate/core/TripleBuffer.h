@@ -10,8 +10,14 @@
 
 namespace palpate::core {
 
-/// Hands the newest value from one writer thread to one reader thread, wait-free on both sides. Values that the reader
-/// did not fetch in time are overwritten: use it for states, not for events.
+/// Passes the newest value from one writer thread to one reader thread, wait-free on both sides. Unfetched values are
+/// overwritten: use for states, not for events.
+///
+///     TripleBuffer<Pose> pose;     // Pose: trivially copyable
+///     pose.write(newest);          // writer thread
+///     if (pose.fetch()) {          // reader thread
+///         show(pose.value());
+///     }
 template<class T>
 class TripleBuffer
 {
@@ -31,7 +37,7 @@ class TripleBuffer
         m_back = m_middle.exchange(static_cast<std::uint8_t>(m_back | kFresh), std::memory_order_acq_rel) & kIndex;
     }
 
-    /// Reader only. @return true when a value newer than the last one fetched was taken.
+    /// Reader only. @return true if a newer value was fetched.
     bool fetch() noexcept PALPATE_NONBLOCKING
     {
         if ((m_middle.load(std::memory_order_relaxed) & kFresh) == 0) {
@@ -41,7 +47,7 @@ class TripleBuffer
         return true;
     }
 
-    /// Reader only: the value last fetched, the initial one before that.
+    /// Reader only: the last fetched value; before the first fetch, the initial value.
     [[nodiscard]] const T& value() const noexcept PALPATE_NONBLOCKING { return m_slots[m_front]; }
 
   private:
@@ -50,8 +56,8 @@ class TripleBuffer
 
     std::array<T, 3> m_slots;
     alignas(64) std::atomic<std::uint8_t> m_middle{1};
-    alignas(64) std::uint8_t m_back = 0;  // writer's
-    alignas(64) std::uint8_t m_front = 2; // reader's
+    alignas(64) std::uint8_t m_back = 0;  // writer only
+    alignas(64) std::uint8_t m_front = 2; // reader only
 };
 
 } // namespace palpate::core

@@ -5,7 +5,7 @@
 
 namespace palpate::core {
 
-/// Where a camera stands and what it looks at.
+/// Camera pose and focal point.
 struct ViewPose
 {
     Vec3 position_W = Vec3(0, -500, 0); ///< [mm]

@@ -6,12 +6,13 @@
 
 namespace palpate::core {
 
-/// @return `text` as it may go to a terminal or into one line of a message: control characters (C0, DEL, C1), line and
-/// paragraph separators, characters that change the direction of writing, and bytes that are not UTF-8 become escapes
-/// such as `\x1b` and `\u202e`; all else is kept. Names in files can hold any of them, to forge or hide output.
+/// Escapes text for a terminal or a one-line message: control characters (C0, DEL, C1), line and paragraph separators,
+/// bidirectional control characters and invalid UTF-8 become escapes such as `\x1b` and `\u202e`. Other characters are
+/// kept. Names in files could otherwise forge or hide output.
 [[nodiscard]] std::string visible(std::string_view text);
 
-/// The same for JSON text, which stays the same JSON: line ends are kept, and only what JSON can escape is.
+/// Escapes JSON text without changing the parsed value: line ends are kept, and only characters that JSON can escape
+/// are replaced.
 [[nodiscard]] std::string visibleJson(std::string_view json);
 
 } // namespace palpate::core
