@@ -69,7 +69,7 @@ HandScript::Motion HandScript::at(double time_s) const noexcept PALPATE_NONBLOCK
     const double h = b.time_s - a.time_s;
     const double s = (time_s - a.time_s) / h;
     const double r = 1.0 - s;
-    // Cubic Hermite basis, written about a so that equal ends give exactly that place.
+    // Cubic Hermite basis relative to a, so that equal end points reproduce that position exactly.
     const Vec3 d = b.p_W - a.p_W;
     Motion motion;
     motion.p_W = a.p_W + s * s * (3.0 - 2.0 * s) * d + h * s * r * (r * m_v_W[i] - s * m_v_W[i + 1]);

@@ -13,8 +13,8 @@ namespace {
 struct Known
 {
     std::string_view vendor;  ///< four hexadecimal digits; empty: any
-    std::string_view product; ///< the same
-    std::string_view stated;  ///< part of the manufacturer's or product's name; empty: any
+    std::string_view product; ///< four hexadecimal digits; empty: any
+    std::string_view stated;  ///< substring of the manufacturer or product name; empty: any
     std::string_view name;
     std::string_view needs;
 };
@@ -61,7 +61,7 @@ std::vector<OtherDevice> recogniseOtherDevices(const std::filesystem::path& usb)
     for (const std::filesystem::path& place : places) {
         const std::string vendor = firstLine(place / "idVendor");
         if (vendor.empty()) {
-            continue; // an interface or a hub's port
+            continue; // USB interface or hub port
         }
         const std::string product = firstLine(place / "idProduct");
         const std::string stated = firstLine(place / "manufacturer") + '\n' + firstLine(place / "product");

@@ -35,15 +35,15 @@ bool isPlainId(const std::string& id)
     return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
 }
 
-/// Says how others than root and the user could put code of theirs in the place of a file or folder.
-/// @param mayShare  others may write when the sticky bit keeps them from renaming what is not theirs, as in /tmp
+/// Describes how users other than root and the current user could replace a file or folder.
+/// @param mayShare  accept write access by others if the sticky bit prevents renaming of foreign files, as in /tmp
 std::optional<std::string> exposure(const std::filesystem::path& path, bool mayShare)
 {
     struct stat found
     {
     };
     if (::stat(path.c_str(), &found) != 0) {
-        return std::nullopt; // a broken link, for example: not loaded either
+        return std::nullopt; // e.g. a broken link, which cannot be loaded either
     }
     if (found.st_uid != 0 && found.st_uid != ::geteuid()) {
         return path.string() + " belongs to another user; expected it to belong to you or to root";
@@ -56,7 +56,7 @@ std::optional<std::string> exposure(const std::filesystem::path& path, bool mayS
     return std::nullopt;
 }
 
-/// The same for a plugin's file and each folder on its way. @param file  canonical
+/// As `exposure`, for a plugin file and all its parent folders. @param file  canonical
 std::optional<std::string> exposureOf(const std::filesystem::path& file)
 {
     std::optional<std::string> found = exposure(file, false);
@@ -82,7 +82,7 @@ PluginEntry readEntry(const std::filesystem::path& file)
     if (const auto exposed = exposureOf(error ? file : real)) {
         return refuse(StatusCode::Unsupported, *exposed);
     }
-    // Reads a section of the file; no code of it runs.
+    // Reads the metadata section without executing code.
     const QJsonObject all = QPluginLoader(QString::fromStdU16String(file.u16string())).metaData();
     if (all.isEmpty()) {
         return refuse(StatusCode::BadFormat, "it is no Qt plugin");
@@ -133,8 +133,8 @@ std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesyst
     if (toPath(user).is_absolute()) {
         folders.push_back(toPath(user) / "Palpate/plugins");
     }
-    folders.push_back(program / "plugins");                    // in a build, or where someone put them
-    folders.push_back(program / ".." / PALPATE_PLUGIN_FOLDER); // installed
+    folders.push_back(program / "plugins");                    // build tree, or manual installation
+    folders.push_back(program / ".." / PALPATE_PLUGIN_FOLDER); // regular installation
     return folders;
 }
 

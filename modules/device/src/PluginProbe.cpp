@@ -19,7 +19,7 @@ using core::StatusCode;
 
 core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file)
 {
-    std::error_code error; // the loader would look a relative name up in Qt's own folders
+    std::error_code error; // absolute, because the loader searches Qt's own folders for relative names
     QPluginLoader loader(QString::fromStdU16String(std::filesystem::absolute(file, error).u16string()));
     QObject* root = loader.instance();
     if (root == nullptr) {

@@ -5,11 +5,11 @@
 
 namespace palpate::device {
 
-/// Loads the file's code and gives its root object, which lives until the program ends.
+/// Loads a plugin and returns its root object, which exists until the program ends.
 [[nodiscard]] core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file);
 
-/// Runs `command` with `file` appended and waits for its end.
-/// @return ok when it answered as answerProbe does; else what it said was wrong, that it crashed, or that it hung
+/// Runs `command` with `file` as the last argument and waits for the process to end.
+/// @return ok if the process answered as in answerProbe; otherwise its error message, a crash, or a timeout
 [[nodiscard]] core::Status runProbe(const std::vector<std::string>& command, const std::filesystem::path& file,
                                     int timeout_ms);
 

@@ -53,7 +53,7 @@ DeviceState PointerDevice::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKIN
     }
     state.p_D += m_depth.at(now_ns) * pointer.d_D;
     if (!isDown && pointer.hover_mm > 0.0 && m_depth.isThere(now_ns)) {
-        m_isHandHere = false; // from the next tick on
+        m_isHandHere = false; // absent from the next tick on
     }
     return state;
 }

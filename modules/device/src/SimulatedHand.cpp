@@ -123,7 +123,7 @@ DeviceState SimulatedHand::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKIN
 
 void SimulatedHand::write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING
 {
-    // Motors saturate; a force that is not a number moves none.
+    // Motors saturate; a non-finite force is ignored.
     const double magnitude_N = f_D.norm();
     Vec3 f_W = Vec3::Zero();
     if (std::isfinite(magnitude_N)) {
@@ -133,7 +133,7 @@ void SimulatedHand::write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING
         m_f_W = f_W;
         return;
     }
-    // Written after the read of tick m_tick - 1: the force written delayTicks before acts now.
+    // Called after the read of tick m_tick - 1: the force written delayTicks earlier takes effect now.
     Vec3& slot = m_waiting[static_cast<std::size_t>(m_tick % m_options.delayTicks)];
     m_f_W = slot;
     slot = f_W;

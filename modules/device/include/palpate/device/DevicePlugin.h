@@ -13,40 +13,40 @@
 
 namespace palpate::device {
 
-/// Version of everything in this header and in HapticDevice.h, layouts included: it rises with every change of a field
-/// or a virtual function, for a plugin that was built before it would be misread. The compiler puts it into each
-/// plugin (PALPATE_DEVICE_PLUGIN_IID) and its author into the metadata; one with another is refused before its code
-/// is loaded.
+/// Version of the interface in this header and in HapticDevice.h, including layouts. Increment for every change of a
+/// field or virtual function, because older plugins would misread the data. The compiler embeds the version in each
+/// plugin (PALPATE_DEVICE_PLUGIN_IID) and the author states the version in the metadata; a plugin with a different
+/// version is rejected before its code is loaded.
 inline constexpr int kDeviceApiVersion = 2;
 
-/// What the program lends to a plugin; outlives everything the plugin makes.
+/// Services of the host program for a plugin; they outlive all objects of the plugin.
 struct PluginServices
 {
-    /// Held while a bus is listed and while a device is opened or closed: the libraries for that are shared between
-    /// plugins and not thread-safe. Never held while reading or writing.
+    /// Locked while listing a bus and while opening or closing a device, because the underlying libraries are shared
+    /// between plugins and not thread-safe. Never locked while reading or writing.
     std::mutex& bus;
-    /// Where the user's settings of devices are, most important first.
+    /// Folders with the user's device settings, highest priority first.
     std::vector<std::filesystem::path> settingsFolders;
 };
 
 /// One device on the bus.
 struct FoundDevice
 {
-    std::string name;    ///< for a person
-    std::string address; ///< for `make`; stable while it stays plugged in
-    std::string problem; ///< why it cannot be used now and what to do; empty: it can
+    std::string name;    ///< display name
+    std::string address; ///< argument for `make`; stable while the device is plugged in
+    std::string problem; ///< reason why the device is currently unusable, and the remedy; empty if usable
 };
 
-/// What a plugin's root object implements. All calls come from one thread, never the servo thread.
+/// Interface of a plugin's root object. All calls come from one thread, never from the servo thread.
 class DevicePlugin
 {
   public:
     virtual ~DevicePlugin() = default;
 
-    /// Lists the devices on the bus that this plugin drives.
+    /// Lists the connected devices supported by this plugin.
     virtual std::vector<FoundDevice> find(const PluginServices& services) = 0;
-    /// Makes the driver; nothing is opened before its `start`.
-    /// @param address  of a found device; empty: the first one there is when it starts
+    /// Creates the driver; the device is opened in `HapticDevice::start`.
+    /// @param address  address of a found device; empty: the first device present at start
     virtual core::Result<std::unique_ptr<HapticDevice>> make(const PluginServices& services,
                                                              const std::string& address) = 0;
 };

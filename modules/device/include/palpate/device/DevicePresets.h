@@ -8,25 +8,25 @@
 
 namespace palpate::device {
 
-/// The largest force that a device without motors is said to take [N]: it is not felt, but every force that is shown
-/// stays finite and bounded. The largest of the presets.
+/// Nominal force limit of devices without motors [N]: keeps displayed forces finite and bounded. Equal to the largest
+/// limit of the presets.
 inline constexpr double kShownForceLimit_N = 20.0;
 
-/// What a device's mechanics are like at the tip, without a hand. Little damping and friction is the hard case for
-/// stability, so where a maker states "at most", half of that is taken, and where nothing is stated, little.
+/// Mechanical properties of a device at the tip, without a hand. Low damping and friction are the critical case for
+/// stability, so half of a manufacturer's "at most" value is used, and a low value where nothing is specified.
 struct DeviceMechanics
 {
     double mass_kg = 0.0;
-    double damping_Ns_per_mm = 0.0; ///< viscous; a damper to the ground
-    double friction_N = 0.0;        ///< Coulomb
-    double resolution_mm = 0.0;     ///< step of the position sensor
+    double damping_Ns_per_mm = 0.0; ///< viscous damping to the ground
+    double friction_N = 0.0;        ///< Coulomb friction
+    double resolution_mm = 0.0;     ///< position sensor resolution
 };
 
-/// Published limits of a kind of device, for the simulated one and for advice about stiffness.
+/// Published limits of a device model, for the simulated device and for stiffness recommendations.
 struct DevicePreset
 {
-    std::string_view id;   ///< for command lines: "touch", "phantom-desktop", ...
-    std::string_view name; ///< for a person
+    std::string_view id;   ///< identifier on the command line: "touch", "phantom-desktop", ...
+    std::string_view name; ///< display name
     double maxForce_N = 0.0;
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
@@ -34,16 +34,16 @@ struct DevicePreset
     DeviceMechanics mechanics;
 };
 
-/// All presets. Where makers give a range (Touch), the smaller and so safer end.
-/// @par Source Limits: the device table of CHAI3D 3.3, src/devices; for WoodenHaptics the project's own figures; for
-/// PHANToM (1995) the 18 N of Zilles & Salisbury, IROS 1995, and all else from its successor, the Premium 1.5.
-/// Mechanics: resources/docs/stability.md says of each number whether its maker states it or it is assumed.
+/// All presets. Where manufacturers give a range (Touch), the lower and therefore safer value is used.
+/// @par Source Limits: device table of CHAI3D 3.3, src/devices; WoodenHaptics: figures of that project; PHANToM (1995):
+/// 18 N from Zilles & Salisbury, IROS 1995, all other values from its successor, the Premium 1.5. Mechanics:
+/// resources/docs/stability.md lists which values are specified by the manufacturer and which are assumed.
 [[nodiscard]] std::span<const DevicePreset> devicePresets() noexcept;
 
-/// @return the preset called `id`, or null.
+/// @return the preset with this id, or nullptr.
 [[nodiscard]] const DevicePreset* findDevicePreset(std::string_view id) noexcept;
 
-/// What a device of this kind says about itself: three sensed and driven axes, no buttons.
+/// Device description for a preset: three sensed and actuated axes, no buttons.
 [[nodiscard]] DeviceInfo deviceInfo(const DevicePreset& preset);
 
 } // namespace palpate::device

@@ -8,22 +8,21 @@
 
 namespace palpate::device {
 
-/// A number on its way to where it is to be: it sets out with the speed that it has, arrives at rest after a set time,
-/// and never goes beyond. A function of the tick's time alone, so that the same ticks give the same bits.
-/// @par Source A cubic with its slopes bounded so that it is monotone: Fritsch & Carlson (1980),
-///      doi:10.1137/0717021.
+/// Smooth transition of a scalar to a target: starts with the current speed, arrives at rest after a given time, and
+/// never overshoots. Depends only on the tick time, so identical ticks give bit-identical values.
+/// @par Source Monotone cubic with bounded slopes: Fritsch & Carlson (1980), doi:10.1137/0717021.
 /// @par Real-time Wait-free.
 class Ease
 {
   public:
-    /// At rest, at once.
+    /// Sets the value immediately, at rest.
     void rest(double at) noexcept PALPATE_NONBLOCKING
     {
         m_from = m_to = at;
         m_way = 0.0;
         m_over_s = 0.0;
     }
-    /// @param over_s  until it is there, at least 0
+    /// @param over_s  duration of the transition, at least 0
     void aim(double to, double over_s, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
     {
         const double from = at(now_ns);
@@ -31,7 +30,7 @@ class Ease
         const double speed =
             m_over_s > 0.0 ? (m_way * (1.0 - u) * (1.0 - 3.0 * u) + (m_to - m_from) * 6.0 * u * (1.0 - u)) / m_over_s
                            : 0.0;
-        const double steepest = 3.0 * (to - from); // beyond three times the mean, a cubic overshoots
+        const double steepest = 3.0 * (to - from); // above three times the mean slope, a cubic overshoots
         m_way = std::clamp(speed * over_s, std::min(0.0, steepest), std::max(0.0, steepest));
         m_from = from;
         m_to = to;
@@ -50,7 +49,7 @@ class Ease
     [[nodiscard]] bool isThere(std::int64_t now_ns) const noexcept PALPATE_NONBLOCKING { return share(now_ns) >= 1.0; }
 
   private:
-    /// Of the time, 0 … 1.
+    /// Elapsed fraction of the transition time, 0 to 1.
     [[nodiscard]] double share(std::int64_t now_ns) const noexcept PALPATE_NONBLOCKING
     {
         const double since_s = 1e-9 * static_cast<double>(now_ns - m_start_ns);
@@ -58,7 +57,7 @@ class Ease
     }
 
     double m_from = 0.0, m_to = 0.0;
-    double m_way = 0.0; ///< that it would go in all the time with the speed it set out with
+    double m_way = 0.0; ///< initial speed times the transition time
     double m_over_s = 0.0;
     std::int64_t m_start_ns = 0;
 };

@@ -10,22 +10,23 @@
 
 namespace palpate::device {
 
-/// Where a hand wants to be at a time.
+/// Target position of a hand at a given time.
 struct HandTarget
 {
     double time_s = 0.0;
     core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
 };
 
-/// A smooth path through targets: each coordinate is a cubic Hermite curve with continuous velocity that never swings
-/// beyond the targets on either side of it and stands still at the first, the last and every turning point.
+/// Smooth path through targets: each coordinate is a cubic Hermite curve with continuous velocity that does not
+/// overshoot between neighbouring targets. The velocity is zero at the first target, the last target and every turning
+/// point.
 /// @par Source Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984), doi:10.1137/0905021 (weighted harmonic mean of
 /// slopes).
 class HandScript
 {
   public:
     HandScript() = default;
-    /// @param targets  at least one; times ascend strictly; all numbers finite
+    /// @param targets  at least one; strictly ascending times; finite values
     static core::Result<HandScript> make(std::vector<HandTarget> targets);
 
     struct Motion
@@ -33,7 +34,7 @@ class HandScript
         core::Vec3 p_W = core::Vec3::Zero(); ///< [mm]
         core::Vec3 v_W = core::Vec3::Zero(); ///< [mm/s]
     };
-    /// Before the first and after the last target the path stands still there.
+    /// Evaluates the path. Before the first and after the last target the position is constant.
     /// @par Real-time Wait-free; a binary search over the targets.
     [[nodiscard]] Motion at(double time_s) const noexcept PALPATE_NONBLOCKING;
     /// Time of the last target [s].
@@ -41,7 +42,7 @@ class HandScript
 
   private:
     std::vector<HandTarget> m_targets;
-    std::vector<core::Vec3> m_v_W; // at each target [mm/s]
+    std::vector<core::Vec3> m_v_W; // velocity at each target [mm/s]
 };
 
 } // namespace palpate::device

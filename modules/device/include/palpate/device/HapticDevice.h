@@ -14,83 +14,85 @@ namespace palpate::device {
 
 using core::Vec3;
 
-/// What a device can sense and drive, and its limits.
+/// Capabilities and limits of a device.
 struct DeviceInfo
 {
-    std::string id;   ///< stable, for settings and recordings: "mouse", "simulated-hand", "playback"
-    std::string name; ///< for a person
+    std::string id;   ///< stable identifier for settings and recordings: "mouse", "simulated-hand", "playback"
+    std::string name; ///< display name
     bool sensesOrientation = false;
     int buttons = 0;
-    int actuatedAxes = 0;    ///< 0: feels nothing, the window shows the force instead
-    double maxForce_N = 0.0; ///< the safety gate bounds every force by it
+    int actuatedAxes = 0;    ///< 0: no force feedback, the window displays the force instead
+    double maxForce_N = 0.0; ///< force limit enforced by the safety gate
     double maxStiffness_N_per_mm = 0.0;
     double maxDamping_Ns_per_mm = 0.0;
-    double ownDamping_Ns_per_mm = 0.0; ///< viscous, of its mechanics without a hand; 0: not known
-    double resolution_mm = 0.0;        ///< a measured coordinate of the tip is off by at most half of it; 0: not known
-    double workspaceRadius_mm = 0.0;   ///< about the origin of D; 0: not limited, and D is the world frame
-    /// How D lies before the user, U: x to the right, y up, z towards the user; for mapping the device into the scene.
+    double ownDamping_Ns_per_mm = 0.0; ///< viscous damping of the mechanics without a hand; 0: unknown
+    double resolution_mm = 0.0;        ///< sensor resolution; tip positions are accurate to half of this; 0: unknown
+    double workspaceRadius_mm = 0.0;   ///< around the origin of D; 0: unlimited, and D is the world frame
+    /// Orientation of D relative to the user frame U (x right, y up, z towards the user), for mapping the device into
+    /// the scene.
     core::Quaternion q_UD = core::Quaternion::Identity();
-    double rate_Hz = 1000.0; ///< that the device itself works at
-    /// Its pose is a speed, integrated: it has no edge to run into, and `calibrate` makes where it is now its origin.
+    double rate_Hz = 1000.0; ///< internal update rate of the device
+    /// Rate control: the pose is an integrated velocity without workspace limits, and `calibrate` resets the origin to
+    /// the current pose.
     bool isRateControlled = false;
 };
 
-/// The newest state of a device.
+/// Latest state of a device.
 struct DeviceState
 {
-    Vec3 p_D = Vec3::Zero();                             ///< tip [mm]; for built-in devices D is the world frame
-    core::Quaternion q_D = core::Quaternion::Identity(); ///< orientation, unit
-    std::uint32_t buttons = 0;                           ///< a bit each
-    std::int64_t time_ns = 0; ///< monotonic, when it was measured; the safety gate fails it to zero force when stale
-    bool isPresent = false;   ///< false: nothing measured yet, the hand let go, or the device is lost
-    bool isLost = false;      ///< true: the device itself no longer answers (unplugged); latched as a fault
+    Vec3 p_D = Vec3::Zero(); ///< tip position [mm]; for built-in devices D is the world frame
+    core::Quaternion q_D = core::Quaternion::Identity(); ///< orientation, unit quaternion
+    std::uint32_t buttons = 0;                           ///< one bit per button
+    std::int64_t time_ns = 0; ///< monotonic time of the measurement; the safety gate sets the force to zero if stale
+    bool isPresent = false;   ///< false: no measurement yet, hand released, or device lost
+    bool isLost = false;      ///< true: the device no longer responds (unplugged); latched as a fault
 };
 static_assert(std::is_trivially_destructible_v<DeviceState>); // crosses threads in a PlainCopy
 
-/// Whether a started device can be felt with.
+/// Operating condition of a started device.
 enum class DeviceCondition : std::uint8_t
 {
     Working,
-    NeedsCalibration, ///< its sensors count, but not from a known pose; no hand is reported until `calibrate`
-    Lost,             ///< does not answer; works on by itself when it comes back
+    NeedsCalibration, ///< encoders count from an unknown pose; no hand is reported until `calibrate`
+    Lost,             ///< no response; recovers automatically on reconnection
 };
 
-/// How a device is doing, for a person.
+/// Device diagnostics for the user.
 struct DeviceReport
 {
     DeviceCondition condition = DeviceCondition::Working;
-    std::string text;            ///< one line: what is the matter and what to do; empty: nothing to tell
-    core::TimingSummary latency; ///< from a state received to the force that answers it written; count 0: not measured
-    std::uint64_t states = 0;    ///< received
-    std::uint64_t refused = 0;   ///< received, but not to be believed
-    std::uint64_t losses = 0;    ///< times that it was lost
+    std::string text;            ///< one line with problem and remedy; empty if there is no problem
+    core::TimingSummary latency; ///< time from receiving a state to sending the resulting force; count 0: not measured
+    std::uint64_t states = 0;    ///< number of received states
+    std::uint64_t refused = 0;   ///< number of received states rejected as implausible
+    std::uint64_t losses = 0;    ///< number of connection losses
 };
 
-/// A device that senses a hand and may push back. A driver whose I/O can block runs a thread of its own behind this
-/// interface and only exchanges its newest state and force here.
+/// Interface of a device that senses a hand and may apply forces. A driver with blocking I/O runs its own thread and
+/// only exchanges the newest state and force in `read` and `write`.
 class HapticDevice
 {
   public:
     virtual ~HapticDevice() = default;
 
     [[nodiscard]] virtual DeviceInfo info() const = 0;
-    /// Opens the device. Any thread but the servo thread, before the first tick.
+    /// Opens the device. Any thread except the servo thread, before the first tick.
     virtual core::Status start() = 0;
-    /// Lets go, with zero force. Any thread but the servo thread, after the last tick.
+    /// Sets zero force and closes the device. Any thread except the servo thread, after the last tick.
     virtual void stop() noexcept = 0;
 
-    /// Gives the newest state.
-    /// @param now_ns  monotonic time of this tick; scripted devices advance by the tick, never by this
-    /// @par Real-time Wait-free. Servo thread, once a tick.
+    /// Returns the newest state.
+    /// @param now_ns  monotonic time of this tick; scripted devices ignore the clock and advance once per call
+    /// @par Real-time Wait-free. Servo thread, once per tick.
     [[nodiscard]] virtual DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING = 0;
-    /// Takes the force on the hand in frame D, already bounded by the safety gate [N].
-    /// @par Real-time Wait-free. Servo thread, once a tick, after `read`.
+    /// Sends the force on the hand in frame D, already limited by the safety gate [N].
+    /// @par Real-time Wait-free. Servo thread, once per tick, after `read`.
     virtual void write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING = 0;
 
-    /// Tells how the device is doing. Any thread but the servo thread.
+    /// Returns diagnostics. Any thread except the servo thread.
     [[nodiscard]] virtual DeviceReport report() const { return {}; }
-    /// Takes the pose that the device is in now as its calibration pose. Any thread but the servo thread; returns at
-    /// once, `report` tells when it is done.
+    /// Starts a calibration at the current pose of the device and returns immediately; `report` shows the completion.
+    /// Any thread except the servo thread.
     virtual core::Status calibrate() { return {core::StatusCode::Unsupported, "This device needs no calibration."}; }
 
     HapticDevice() = default;

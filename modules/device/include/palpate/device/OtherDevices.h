@@ -7,16 +7,16 @@
 
 namespace palpate::device {
 
-/// A haptic device on the USB that Palpate knows and cannot drive.
+/// USB haptic device that is recognised but not supported.
 struct OtherDevice
 {
     std::string name;
-    std::string needs; ///< what it would take, one sentence
+    std::string needs; ///< requirements for support, one sentence
 };
 
-/// Recognises 3D Systems Touch, Novint Falcon, Haply Inverse3 and Force Dimension devices by vendor, product and the
-/// names that they state. Any thread but the servo thread.
-/// @param usb  folder of the kernel's list of USB devices; one that is not there holds none
+/// Recognises 3D Systems Touch, Novint Falcon, Haply Inverse3 and Force Dimension devices by USB vendor, product and
+/// name strings. Any thread except the servo thread.
+/// @param usb  sysfs folder with the USB devices; a missing folder gives an empty result
 [[nodiscard]] std::vector<OtherDevice> recogniseOtherDevices(const std::filesystem::path& usb = "/sys/bus/usb/devices");
 
 } // namespace palpate::device

@@ -7,15 +7,15 @@
 
 namespace palpate::device {
 
-/// Carries a T through SpscRing and TripleBuffer, which ask for trivially copyable types. Eigen 3.4 writes its vectors'
-/// copy constructors out, so that structs with a Vec3 are not, though copying their bytes is all that those do.
+/// Byte copy of a T for SpscRing and TripleBuffer, which require trivially copyable types. Eigen 3.4 vectors have
+/// user-provided copy constructors, so structs with a Vec3 do not qualify, although a byte copy is equivalent.
 template<class T>
 class PlainCopy
 {
     static_assert(std::is_trivially_destructible_v<T>, "owns something: its bytes are not all of it");
 
   public:
-    /// Holds a T{}; of a bare Eigen vector that is whatever was in memory, so give one a value.
+    /// Holds a T{}. A bare Eigen vector is then uninitialised, so pass a value for such types.
     PlainCopy() noexcept
         : PlainCopy(T{})
     {

@@ -7,56 +7,57 @@
 
 namespace palpate::device {
 
-/// What a plugin says about itself, read without loading its code.
+/// Plugin metadata, read without loading code.
 struct PluginInfo
 {
-    std::string id;   ///< for command lines and settings
-    std::string name; ///< for a person
+    std::string id;   ///< identifier for the command line and settings
+    std::string name; ///< display name
     std::string version;
     std::string license; ///< SPDX
-    std::string drives;  ///< which devices, in words
-    int apiVersion = 0;  ///< that its author states
+    std::string drives;  ///< description of the supported devices
+    int apiVersion = 0;  ///< interface version declared by the author
 };
 
-/// A file that was found where plugins are.
+/// File found in a plugin folder.
 struct PluginEntry
 {
     std::filesystem::path file;
-    PluginInfo info;     ///< as far as it could be read
-    core::Status status; ///< why it is skipped; ok: usable as far as is known
+    PluginInfo info;     ///< as far as readable
+    core::Status status; ///< reason why the plugin is skipped; ok if no problem is known
 };
 
-/// Where plugins are looked for, in this order: `named` (from the command line), the user's folder, beside the program.
-/// A user's folder that the environment gives as a relative path is ignored, as the XDG base directory specification
-/// asks: it would depend on the working folder.
+/// Plugin folders in search order: `named` (from the command line), the user's folder, the program's folder. A relative
+/// path in the environment variable of the user's folder is ignored, as required by the XDG base directory
+/// specification: the result would depend on the working folder.
 /// @param program  folder of the running program
 [[nodiscard]] std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesystem::path>& named,
                                                                const std::filesystem::path& program);
 
-/// Where the user's settings of devices are: the configuration folder's Palpate, then home; absolute paths alone.
+/// Folders with the user's device settings: Palpate's configuration folder, then the home folder; absolute paths only.
 [[nodiscard]] std::vector<std::filesystem::path> deviceSettingsFolders();
 
-/// Finds, checks and loads device plugins. A bad one never stops the program: it is named with the reason and skipped.
-/// Loaded code stays loaded until the program ends. One thread, not the servo thread; devices made by a plugin must be
-/// gone before the host.
+/// Finds, checks and loads device plugins. A faulty plugin never stops the program: the plugin is listed with the
+/// reason and skipped. Loaded code stays loaded until the program ends. Use from one thread, not the servo thread;
+/// destroy devices made by a plugin before the host.
 class PluginHost
 {
   public:
-    /// Reads the metadata of every file in `folders` whose name ends in .so; loads nothing. Of two plugins with the
-    /// same id the first one counts. A plugin is skipped when another user could replace it: the file, its folder and
-    /// the folders above must belong to root or to the user, and group and others may not write to the first two.
-    /// @param probe  command to which a plugin's file is appended, and that runs `answerProbe` on it in a process of
-    ///               its own before it is loaded here; empty: no trial, a plugin that crashes takes the program down
-    /// @param probeTimeout_ms  longer, and the plugin counts as hung; a healthy one takes a fraction of a second
+    /// Reads the metadata of every .so file in `folders` without loading code. The first of several plugins with the
+    /// same id wins. A plugin is skipped if another user could replace the file: the file, its folder and all parent
+    /// folders must belong to root or to the user, and the file and its folder must not be writable by group or others.
+    /// @param probe  command that runs `answerProbe` in a separate process on the plugin file, appended as the last
+    /// argument, before the plugin is loaded here; empty: no probe, so a crashing plugin crashes the program
+    /// @param probeTimeout_ms  time after which the plugin counts as hung; a healthy plugin takes a fraction of a
+    /// second
     explicit PluginHost(const std::vector<std::filesystem::path>& folders, std::vector<std::string> probe = {},
                         int probeTimeout_ms = 10'000);
     PluginHost(const PluginHost&) = delete;
     PluginHost& operator=(const PluginHost&) = delete;
 
     [[nodiscard]] const std::vector<PluginEntry>& plugins() const noexcept { return m_plugins; }
-    /// Devices on the bus that the plugin drives; loads it. A plugin that cannot be loaded is marked so in `plugins`.
+    /// Loads the plugin and lists its connected devices. If loading fails, `plugins` shows the reason.
     core::Result<std::vector<FoundDevice>> find(std::string_view id);
-    /// Makes the driver of a device; loads the plugin.
+    /// Loads the plugin and creates a device driver.
     core::Result<std::unique_ptr<HapticDevice>> make(std::string_view id, const std::string& address = {});
 
   private:
@@ -65,18 +66,18 @@ class PluginHost
     std::vector<std::string> m_probe;
     int m_probeTimeout_ms;
     std::vector<PluginEntry> m_plugins;
-    std::vector<DevicePlugin*> m_loaded; ///< of each entry; null: not loaded
+    std::vector<DevicePlugin*> m_loaded; ///< one for each entry; nullptr: not loaded
     std::mutex m_bus;
     PluginServices m_services;
 };
 
-/// Loads the plugin, asks it for its devices and returns; the trial that `PluginHost` runs in another process.
-/// @return what is wrong with the plugin, unless it ended the process
+/// Loads the plugin and lists its devices; `PluginHost` runs this probe in another process.
+/// @return error of the plugin, unless the plugin ended the process
 [[nodiscard]] core::Status probePlugin(const std::filesystem::path& file);
 
-/// Runs such a trial for `PluginHost` and answers it: reads a random word from standard input before any code of the
-/// plugin runs, and writes it to standard output when the plugin is fit. An exit code alone would prove nothing, as a
-/// plugin may end the process with any.
+/// Child process side of the probe: reads a random word from standard input before any code of the plugin runs, and
+/// writes the word to standard output if the plugin works. The exit code alone proves nothing, because the plugin may
+/// end the process with any code.
 /// @return as probePlugin
 [[nodiscard]] core::Status answerProbe(const std::filesystem::path& file);
 
