@@ -17,7 +17,7 @@ namespace palpate::buried {
 
 namespace {
 
-/// With each edge that is longer halved until it is short enough; numbers at the vertices follow linearly.
+/// Bisects edges longer than `longest_mm` until all are short enough; point data is interpolated linearly.
 vtkSmartPointer<vtkPolyData> subdivided(const vtkSmartPointer<vtkPolyData>& data, double longest_mm)
 {
     const vtkNew<vtkAdaptiveSubdivisionFilter> subdivision;

@@ -14,14 +14,14 @@ namespace palpate::buried {
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toVtk(const geometry::TriangleMesh& mesh);
 [[nodiscard]] geometry::TriangleMesh fromVtk(vtkPolyData* data);
 
-/// The same shape with about so many triangles.
+/// Decimates a mesh to about the given number of triangles.
 [[nodiscard]] geometry::TriangleMesh decimated(const geometry::TriangleMesh& mesh, std::size_t triangles);
 
-/// The same surface with no edge longer than so much: longer ones are halved until they are short enough. Vertices keep
-/// their number, new ones follow.
+/// Subdivides all edges longer than `longest_mm` by repeated bisection. Existing vertices keep their index; new ones
+/// are appended.
 [[nodiscard]] geometry::TriangleMesh refined(const geometry::TriangleMesh& mesh, double longest_mm);
-/// @param values  one for each vertex of `mesh`
-/// @return one for each vertex of the same `refined` surface, linear over each triangle of `mesh`
+/// @param values  one value for each vertex of `mesh`
+/// @return one value for each vertex of the `refined` surface, interpolated linearly over the triangles of `mesh`
 [[nodiscard]] std::vector<float> refinedValues(const geometry::TriangleMesh& mesh, double longest_mm,
                                                const std::vector<float>& values);
 

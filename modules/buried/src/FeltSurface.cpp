@@ -31,20 +31,20 @@ using core::StatusCode;
 using geometry::RepairedMesh;
 using geometry::SurfaceIndex;
 
-constexpr double kFinest = 0.5; ///< contact radii that an edge is long at most
+constexpr double kFinest = 0.5; ///< maximum edge length in contact radii
 
 bool hasInside(const geometry::MeshReport& report)
 {
     return report.isClosed() && report.insideOutComponents == 0 && report.volume_mm3 > 0.0;
 }
 
-/// A lump that is felt, with what is asked of it at each place.
+/// Lump with the data structures for evaluation at each vertex.
 struct Prepared
 {
-    std::size_t number; ///< in the list that was given
+    std::size_t number; ///< index in the input list
     LumpShape shape;
     SurfaceIndex index;
-    vtkNew<vtkStaticCellLocator> locator; ///< over all of its triangles
+    vtkNew<vtkStaticCellLocator> locator; ///< over all triangles of the lump
     bool overlaps = false;
 
     Prepared(std::size_t n, const RepairedMesh& surface)
@@ -94,10 +94,10 @@ Status checked(const FeltOptions& options)
     return {};
 }
 
-/// Whether the organ can be made as fine as the finger's contact asks for.
+/// Checks whether refining the organ for the contact radius stays below kMostRefined triangles.
 Status checkedFor(const RepairedMesh& organ, const std::string& name, double radius_mm)
 {
-    // A triangle with edges of length l has sqrt(3)/4 l^2.
+    // An equilateral triangle with edge length l has area sqrt(3)/4 l^2.
     const double least_mm = std::sqrt(4.0 / std::numbers::sqrt3 * organ.report.area_mm2 / kMostRefined) / kFinest;
     if (radius_mm >= least_mm) {
         return {};
@@ -112,7 +112,7 @@ bool isPossible(const RatioRange& ratio)
     return ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high && ratio.high <= kMostRatio;
 }
 
-/// The lumps that can be felt; notes say what was left out.
+/// Prepares the usable lumps; the reasons for skipped lumps are added to the notes.
 Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organName, const SurfaceIndex& organ,
                                                         const std::vector<BuriedLump>& lumps,
                                                         std::vector<std::string>& notes)
@@ -150,7 +150,7 @@ Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organ
     return made;
 }
 
-/// Outward normals of the vertices, and the area that each stands for.
+/// Outward vertex normals and vertex areas.
 struct Corners
 {
     std::vector<Vec3> normals;
@@ -175,7 +175,7 @@ struct Corners
     }
 };
 
-/// One run over the vertices of an organ.
+/// Evaluation of all vertices of an organ.
 class Run
 {
   public:
@@ -189,7 +189,7 @@ class Run
     {
     }
 
-    /// @return false when it was cancelled
+    /// @return false if cancelled
     bool go()
     {
         const std::size_t vertices = m_felt.surface.vertices.size();
@@ -226,7 +226,7 @@ class Run
     struct Found
     {
         FeltSurface::LumpPress told;
-        bool isReachedUnjudged = false; ///< its share is above 0 at a place where the model does not hold
+        bool isReachedUnjudged = false; ///< energy share above 0 at a place where the model is invalid
     };
     using Best = std::vector<std::vector<Found>>; ///< by lump and press
 
@@ -301,7 +301,7 @@ class Run
                 at.area_mm2[i] += m_corners.area_mm2[v];
             }
         }
-        // A lump as soft as its organ has a best place too: it is judged, and not felt there.
+        // A lump with the organ's modulus also gets a best place and a verdict, although its effect there is zero.
         if (lump.share > 0.0 && (!at.best.has_value() || change > changeOf(at.felt))) {
             at.best = v;
             at.share = lump.share;
@@ -309,7 +309,7 @@ class Run
         }
     }
 
-    /// Adds the blocks up in their order, so that the sums don't depend on which thread made which block.
+    /// Sums the blocks in a fixed order, so that the result does not depend on the assignment of blocks to threads.
     void gather()
     {
         for (std::size_t i = 0; i < m_lumps.size(); ++i) {
@@ -333,7 +333,7 @@ class Run
                 const auto verdictAt = [&](double ratio) {
                     if (sum.best.has_value()) {
                         return verdictOf(stiffening(sum.share, ratio).estimate);
-                    } // too deep for any place, or reached where the model does not hold alone
+                    } // too deep everywhere, or effective only where the model is invalid
                     return isReachedUnjudged ? Verdict::NotJudged : Verdict::NotByHand;
                 };
                 sum.verdict = sum.verdictAtLow = sum.verdictAtHigh = Verdict::NotKnown;
@@ -351,10 +351,10 @@ class Run
     const std::vector<std::unique_ptr<Prepared>>& m_lumps;
     const FeltOptions& m_options;
     Corners m_corners;
-    std::vector<Best> m_best; ///< by block
+    std::vector<Best> m_best; ///< one for each block
 };
 
-/// Fills in what is felt; nothing but missing verdicts where no lump's ratio is known.
+/// Computes the map and the verdicts; if no lump has a known ratio, only sets the verdicts to NotKnown.
 Status judgeAll(FeltSurface& felt, const RepairedMesh& fine, const SurfaceIndex& organ,
                 const std::vector<std::unique_ptr<Prepared>>& lumps, const FeltOptions& options)
 {
@@ -388,7 +388,7 @@ double leastCover(const Prepared& lump, const RepairedMesh& surface, const Surfa
     return least;
 }
 
-/// By how much what is felt on the organ's own triangles, linear over each, differs from what is felt in truth [1].
+/// Maximum error of the map when interpolated linearly over the organ's original triangles [1].
 double coarsenessOf(const geometry::TriangleMesh& organ, const FeltSurface& felt)
 {
     double worst = 0.0;
@@ -403,7 +403,7 @@ double coarsenessOf(const geometry::TriangleMesh& organ, const FeltSurface& felt
     return worst;
 }
 
-/// The organ with edges short enough for what a finger tells apart.
+/// Refines the organ to the edge length required for the contact radius.
 RepairedMesh fineEnough(const RepairedMesh& organ, double longest_mm)
 {
     double longest2 = 0.0;

@@ -25,19 +25,20 @@ namespace palpate::buried {
 
 namespace {
 
-/// Cosine between a patch and the place where the finger presses: around an edge, but not on the other side of it.
+/// Minimum cosine between the normals of a patch and the contact: includes patches around an edge, but not on the other
+/// side.
 constexpr double kTurnedAway = -0.5;
 
 } // namespace
 
-/// Pieces of the surface about a third of a finger wide: what a finger rests on costs a hundred of them, however fine
-/// the mesh is.
+/// Surface patches about a third of a contact radius wide: an evaluation needs about a hundred of them, independent of
+/// the mesh resolution.
 struct Ground::Patches
 {
     struct Patch
     {
         Vec3 middle = Vec3::Zero();
-        Vec3 area = Vec3::Zero(); ///< sum of the triangles' area normals [mm^2]
+        Vec3 area = Vec3::Zero(); ///< sum of the triangles' area vectors [mm^2]
     };
     std::vector<Patch> patches;
     vtkNew<vtkPolyData> points;
@@ -53,7 +54,7 @@ Ground::Ground(const geometry::RepairedMesh& organ, const geometry::SurfaceIndex
         Vec3 middle = Vec3::Zero(), area = Vec3::Zero();
         double size = 0.0;
     };
-    // By cell, and by where the triangle is turned to: the two sides of a thin edge are no one patch.
+    // Group by grid cell and normal direction, so that the two sides of a thin edge form separate patches.
     std::map<std::tuple<std::int64_t, std::int64_t, std::int64_t, int>, Gathered> cells;
     const double side = radius_mm / 3.0;
     for (const geometry::Triangle& t : organ.mesh.triangles) {
@@ -104,14 +105,14 @@ Ground::At Ground::at(const Vec3& p_W, const Vec3& n_W) const
             }
         }
     };
-    // The finger's pressure fades from its middle: so do the weights, which ends no sum at a step.
+    // The contact pressure decreases from the centre; the weights do likewise and end continuously at zero.
     patchesOf([&](const Patches::Patch& patch, double away2) {
         const double near = 1.0 - std::min(1.0, away2);
         sum += near * near * near * near * patch.area;
     });
     At at{sum.norm() > 0.0 ? Vec3(sum.normalized()) : n_W};
 
-    // z = A u^2 + B u v + C v^2 + D u + E v + F by least squares, over two radii around.
+    // Least-squares fit of z = A u^2 + B u v + C v^2 + D u + E v + F within two contact radii.
     const Vec3 u = at.n_W.unitOrthogonal(), v = at.n_W.cross(u);
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Identity() * 1e-12;
     Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
@@ -126,7 +127,7 @@ Ground::At Ground::at(const Vec3& p_W, const Vec3& n_W) const
     const Eigen::Matrix<double, 6, 1> fit = normal.ldlt().solve(right);
     const double d2 = 1.0 + fit[3] * fit[3] + fit[4] * fit[4];
     const double mean = fit[0] + fit[2], half = std::hypot(fit[0] - fit[2], fit[1]);
-    const double bend = (std::abs(mean) + half) / std::sqrt(d2) / reach; // 1/mm, the greater principal curvature
+    const double bend = (std::abs(mean) + half) / std::sqrt(d2) / reach; // [1/mm], the larger principal curvature
     at.isCurved = !(bend * kLeastRadii * m_radius_mm <= 1.0);
     at.isThin = isThin(p_W, at.n_W);
     return at;
@@ -140,7 +141,8 @@ bool Ground::isThin(const Vec3& p_W, const Vec3& n_W) const
         for (std::uint32_t i = first; i < first + count && !isMet; ++i) {
             const geometry::Triangle t = m_index.triangle(i);
             const Vec3 &a = m_index.vertex(t[0]), &b = m_index.vertex(t[1]), &c = m_index.vertex(t[2]);
-            if ((b - a).cross(c - a).dot(n_W) < 0.0) { // the far side; folds of the near one are behind the finger
+            if ((b - a).cross(c - a).dot(n_W) <
+                0.0) { // opposite side only; folds of the near side are behind the finger
                 isMet = geometry::distanceAlongRay(a, b, c, p_W, -n_W) < reach;
             }
         }

@@ -22,7 +22,7 @@ struct Solid
     Vec3 centroid = Vec3::Zero();
 };
 
-/// @param from  near it, for the digits
+/// @param from  reference point near the solid, for precision
 Solid solidOf(const std::vector<Vec3>& vertices, const std::vector<geometry::Triangle>& triangles, const Vec3& from)
 {
     double six = 0.0;
@@ -36,11 +36,13 @@ Solid solidOf(const std::vector<Vec3>& vertices, const std::vector<geometry::Tri
     return {six / 6.0, six != 0.0 ? Vec3(from + moment / (4.0 * six)) : from};
 }
 
-/// Sums the density over what triangles enclose, as an integral over the triangles.
+/// Integrates the energy density over the enclosed volume as a surface integral over triangles.
 class PressSum
 {
   public:
-    /// @param middle  of the pressure [mm]; @param inward  unit length; @param c  `bellOf` the radius
+    /// @param middle  centre of the pressure distribution [mm]
+    /// @param inward  unit length
+    /// @param c  `bellOf` the contact radius
     PressSum(const Vec3& middle, const Vec3& inward, double c)
         : m_middle(middle)
         , m_inward(inward)
@@ -48,20 +50,21 @@ class PressSum
     {
     }
 
-    /// What flows out through a small piece of surface at p: the density's integral from there outwards, by the solid
-    /// angle of the piece.
+    /// Flux through a small surface element at p: the density integrated from p outwards, weighted by the solid angle
+    /// of the element.
     [[nodiscard]] double through(const Vec3& p, const Vec3& area) const
     {
         const Vec3 x = p - m_middle;
         const double R2 = x.squaredNorm(), h = m_inward.dot(x);
         if (h <= 0.0) {
-            return 0.0; // above the surface, and so is all that lies beyond
+            return 0.0; // above the surface, as is the rest of the ray
         }
         const double integral = h < m_c ? h * h * h / 3.0 : m_c * (h * h - m_c * h + m_c * m_c / 3.0);
         return 6.0 / kPi * integral * x.dot(area) / (R2 * R2 * R2);
     }
 
-    /// The same of a triangle: exact where the integrand is quadratic; in four parts where it is wide for its distance.
+    /// Flux through a triangle with a rule of degree two; the triangle is split into four if wide relative to its
+    /// distance.
     [[nodiscard]] double through(const Vec3& a, const Vec3& b, const Vec3& c, int splits = 0) const
     {
         const Vec3 centroid = (a + b + c) / 3.0;
@@ -75,8 +78,8 @@ class PressSum
         return kCentroid * through(centroid, area) + kCorner * (through(a, area) + through(b, area) + through(c, area));
     }
 
-    static constexpr double kCentroid = 0.75, kCorner = 1.0 / 12.0; ///< weights of a rule of degree two
-    /// Square of a triangle's width by its distance: leaves an error of about 1e-4 of the share.
+    static constexpr double kCentroid = 0.75, kCorner = 1.0 / 12.0; ///< weights of a quadrature rule of degree two
+    /// Limit of (width / distance)^2 of a triangle; the resulting error of the share is about 1e-4.
     static constexpr double kWidest = 0.06;
 
   private:
@@ -86,7 +89,7 @@ class PressSum
     double m_c;
 };
 
-/// @return the solid angle of a triangle, positive where its front is turned away.
+/// @return solid angle of a triangle, positive if its front faces away.
 double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const double A = a.norm(), B = b.norm(), C = c.norm();
@@ -105,7 +108,7 @@ LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
     if (most > 0 && m_triangles.size() > most) {
         geometry::TriangleMesh coarse = decimated(surface.mesh, most);
         const Solid left = solidOf(coarse.vertices, coarse.triangles, m_middle);
-        if (left.volume_mm3 > 0.5 * whole.volume_mm3) { // else too thin to be made coarser
+        if (left.volume_mm3 > 0.5 * whole.volume_mm3) { // otherwise too thin for decimation
             const double by = std::cbrt(whole.volume_mm3 / left.volume_mm3);
             for (Vec3& v : coarse.vertices) {
                 v = whole.centroid + by * (v - left.centroid);
@@ -134,7 +137,7 @@ LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
 bool LumpShape::isFar(const PressPlace& place, double deepest_mm) const
 {
     const double c = bellOf(place.radius_mm);
-    // w <= (6 c / pi) / R^4, and a press brings the lump nearer by no more than itself.
+    // w <= (6 c / pi) / R^4, and a press reduces the distance to the lump by at most its depth.
     const double nearest = (m_middle - place.p_W).norm() - m_reach_mm - c - deepest_mm;
     return nearest > 0.0 && m_volume_mm3 * 6.0 * c / kPi < kLeastShare * nearest * nearest * nearest * nearest;
 }
@@ -184,7 +187,7 @@ void LumpShape::shares(const PressPlace& place, std::span<const double> presses_
                 out += sum.through(m_vertices[t[0]], m_vertices[t[1]], m_vertices[t[2]]);
             }
         }
-        // The rays that begin inside the lump enter it at the surface, where all of the density is still ahead.
+        // Rays that start inside the lump enter at their origin, with the complete integral of the density ahead.
         shares[press] = (isAround(from) ? 1.0 : 0.0) - out;
     }
 }

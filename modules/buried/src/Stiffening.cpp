@@ -10,7 +10,7 @@ namespace palpate::buried {
 
 namespace {
 
-/// Shares that differ from 0 … 1 do so by rounding, or by a mesh that crosses itself.
+/// Shares leave the range 0 to 1 only through rounding or self-intersecting meshes.
 double bounded(double share) noexcept
 {
     return std::clamp(share, 0.0, 1.0);
@@ -30,12 +30,12 @@ Stiffening stiffening(std::span<const LumpShare> lumps) noexcept
     for (const LumpShare& lump : lumps) {
         sum += bounded(lump.share);
     }
-    const double excess = std::max(1.0, sum); // lumps that overlap: never more than the whole press
+    const double excess = std::max(1.0, sum); // overlapping lumps: limit the total to the whole press
     double softened = 0.0, estimated = 0.0, stiffened = 0.0;
     for (const LumpShare& lump : lumps) {
         const double share = bounded(lump.share) / excess, by = lump.ratio - 1.0;
         if (share == 0.0) {
-            continue; // infinitely stiff, but not there
+            continue; // avoids 0 * infinity for a rigid lump without a share
         }
         softened += share * (1.0 - 1.0 / lump.ratio);
         stiffened += share * by;
@@ -77,7 +77,7 @@ double shareOfSphere(double sphereRadius_mm, double middleDepth_mm, double radiu
     if (bottom <= top) {
         return 0.0;
     }
-    // Of a disc at a depth: the integral of w over its radius is known.
+    // Share of a disc at depth z: the integral of w over the disc radius has a closed form.
     const auto disc = [&](double z) {
         const double h2 = (z + c) * (z + c), up = z - middleDepth_mm;
         const double rim2 = std::max(0.0, sphereRadius_mm * sphereRadius_mm - up * up) + h2;
@@ -95,7 +95,7 @@ double shareOfSphere(double sphereRadius_mm, double middleDepth_mm, double radiu
 double approach(double depth_mm, double press_mm, double radius_mm) noexcept
 {
     const double z = std::max(0.0, depth_mm), c = bellOf(radius_mm), h = z + c;
-    const double givesWay = c * (2.0 * z + c) / (h * h); // u/d of the bell on its axis
+    const double givesWay = c * (2.0 * z + c) / (h * h); // u/d of the bell-shaped pressure on its axis
     return std::min(z, press_mm * (1.0 - givesWay));
 }
 

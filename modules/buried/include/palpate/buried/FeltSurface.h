@@ -21,112 +21,111 @@ namespace palpate::buried {
 
 using core::Vec3;
 
-/// A lump in an organ.
+/// Lump embedded in an organ.
 struct BuriedLump
 {
     std::string name;
     std::shared_ptr<const geometry::RepairedMesh> surface; ///< world frame [mm]
-    /// rho: its modulus by the organ's, a malignant tumour of the liver: 4.4. Nothing: not known; then the lump changes
-    /// nothing and has no verdict.
+    /// Modulus ratio rho of lump and organ; malignant liver tumour: 4.4. Without a value the lump has no effect on the
+    /// map and gets no verdict.
     std::optional<RatioRange> ratio = RatioRange(4.4);
 };
 
 struct FeltOptions
 {
-    double radius_mm = 5.0;                           ///< of the finger's contact
-    std::vector<double> press_mm{0.0, 2.0, 4.0, 8.0}; ///< how deep the finger is pressed in, ascending
-    /// Told the share done, 0 … 1, on the calling thread; false cancels. May be empty.
+    double radius_mm = 5.0;                           ///< contact radius of the finger
+    std::vector<double> press_mm{0.0, 2.0, 4.0, 8.0}; ///< indentation depths of the finger, ascending
+    /// Progress callback (0 to 1), called on the calling thread. Return false to cancel. May be empty.
     std::function<bool(double)> progress;
-    unsigned threads = core::coreCount(); ///< at most, the calling one included
+    unsigned threads = core::coreCount(); ///< maximum number of threads, including the calling thread
 };
 inline constexpr double kMostRadius_mm = 30.0, kMostPress_mm = 30.0, kMostRatio = 1e4;
 inline constexpr std::size_t kMostPresses = 8;
-/// Triangles of a surface that is refined for the finger's contact: more would take minutes and gigabytes.
+/// Maximum triangle count of a surface refined for the contact radius: larger surfaces take minutes and gigabytes.
 inline constexpr double kMostRefined = 2e6;
 
-/// Changes of stiffness that hands tell: untrained 28 %, trained 14 %, and half of it, in 100.
+/// Detectable stiffness changes in percent: half the trained threshold, trained 14 %, untrained 28 %.
 /// @par Source resources/docs/felt.md
 inline constexpr std::array<double, 3> kTold_percent{7.0, 14.0, 28.0};
 
-/// Whether a hand finds a lump at its best place.
+/// Palpability of a lump at its best place.
 enum class Verdict : std::uint8_t
 {
-    NotByHand,     ///< below what a trained hand tells
+    NotByHand,     ///< below the threshold of a trained hand
     ByTrainedHand, ///< 14 % or more
     Plainly,       ///< 28 % or more
-    NotJudged,     ///< wherever it could be felt the model does not hold
-    NotKnown,      ///< how stiff the lump is, is not known
+    NotJudged,     ///< the model is invalid wherever the lump has an effect
+    NotKnown,      ///< the stiffness ratio of the lump is unknown
 };
 inline constexpr std::array<std::string_view, 5> kVerdictNames{"not by hand", "by a trained hand", "plainly",
                                                                "not judged", "stiffness ratio not known"};
-/// @param ratio  k/k0; of a soft place its inverse counts
+/// @param ratio  k/k0; for soft places the inverse is used
 [[nodiscard]] Verdict verdictOf(double ratio) noexcept;
 
-/// Why a place is not judged, as bits.
+/// Reasons why the model is invalid at a place, as bit flags.
 enum NotJudged : std::uint8_t
 {
-    kCurved = 1,      ///< the surface bends with less than Ground::kLeastRadii contact radii
-    kThin = 2,        ///< the organ is thinner than that
-    kOverlapping = 4, ///< lumps that reach into each other are felt here
+    kCurved = 1,      ///< the radius of curvature is below Ground::kLeastRadii contact radii
+    kThin = 2,        ///< the organ is thinner than Ground::kLeastRadii contact radii
+    kOverlapping = 4, ///< overlapping lumps contribute at this place
 };
 
-/// What can be felt from each vertex of an organ's surface.
+/// Palpability map over an organ's surface.
 struct FeltSurface
 {
-    /// k/k0 at each vertex for one press, all lumps together.
+    /// k/k0 at each vertex for one indentation depth, all lumps combined.
     struct Press
     {
         double press_mm = 0.0;
         std::vector<float> low, ratio, high;
     };
-    /// A lump alone, at one press.
+    /// Result of a single lump at one indentation depth.
     struct LumpPress
     {
-        std::optional<std::size_t> best;  ///< vertex where it is felt most; of those that are judged
-        double share = 0.0;               ///< S there, whatever the ratio
-        Stiffening felt;                  ///< there, for the typical ratio
-        std::array<double, 3> area_mm2{}; ///< that is judged, where it is felt by kTold_percent or more
+        std::optional<std::size_t> best;  ///< vertex with the largest effect among the valid places
+        double share = 0.0;               ///< energy share S at this vertex, independent of the ratio
+        Stiffening felt;                  ///< stiffness ratio at this vertex for the typical modulus ratio
+        std::array<double, 3> area_mm2{}; ///< valid area with a stiffness change of at least kTold_percent
         Verdict verdict = Verdict::NotByHand;
-        /// For the ends of the ratio's range; the same as `verdict` where one ratio is known.
+        /// Verdicts at both ends of the ratio's range; equal to `verdict` for a single ratio.
         Verdict verdictAtLow = Verdict::NotByHand, verdictAtHigh = Verdict::NotByHand;
     };
     struct Lump
     {
         std::string name;
-        std::size_t given = 0; ///< its number among the lumps that were given
+        std::size_t given = 0; ///< index in the list of input lumps
         std::optional<RatioRange> ratio;
-        double leastCover_mm = 0.0; ///< from the organ's vertices to the lump; 0 where it sticks out
+        double leastCover_mm = 0.0; ///< minimum depth of the lump below the organ's vertices; 0 if it protrudes
         std::vector<LumpPress> press;
     };
 
-    geometry::TriangleMesh surface; ///< the organ's, refined where its edges are longer than half a contact radius
-    std::size_t organVertices = 0;  ///< the first so many are the organ's own
-    /// By how much the maps at the organ's own vertices, linear over its triangles, differ from those of `surface` [1]:
-    /// so much more or less than is shown a hand feels at worst. 0 where the organ is fine enough.
+    geometry::TriangleMesh surface; ///< organ surface, refined to edges of at most half a contact radius
+    std::size_t organVertices = 0;  ///< the first organVertices vertices are those of the original organ
+    /// Maximum difference between `surface` and the maps at the organ's original vertices, interpolated over its
+    /// triangles [1]: worst-case error of a display on the original mesh. 0 if the organ is fine enough.
     double coarseness = 0.0;
     double radius_mm = 0.0;
     std::vector<Press> press;
     std::vector<Lump> lumps;
-    std::vector<float> cover_mm;         ///< to the lump that is felt most; NaN where none is
-    std::vector<std::uint8_t> lump;      ///< number + 1 of the one that is felt most at the deepest press; 0: none
-    std::vector<std::uint8_t> notJudged; ///< bits of NotJudged
-    std::vector<std::string> notes;      ///< what was left out and why, one sentence each
+    std::vector<float> cover_mm;    ///< depth of the lump with the largest effect; NaN without one
+    std::vector<std::uint8_t> lump; ///< index + 1 of the lump with the largest effect at the deepest press; 0: no lump
+    std::vector<std::uint8_t> notJudged; ///< bit flags of NotJudged
+    std::vector<std::string> notes;      ///< omitted items with the reason, one sentence each
 };
 
-/// @return the verdict and what it rests on: "by a trained hand", and where the ratio is a range and its ends decide
-/// otherwise "by a trained hand (at 1: not by hand; at 5.2: plainly)"
-/// @param ratio  of the lump
+/// Formats the verdict with its basis: "by a trained hand", or, if the ends of the ratio's range lead to different
+/// verdicts, "by a trained hand (at 1: not by hand; at 5.2: plainly)".
+/// @param ratio  modulus ratio of the lump
 [[nodiscard]] std::string verdictText(const FeltSurface::LumpPress& press, const std::optional<RatioRange>& ratio);
 
-/// Computes what can be felt of lumps through an organ's surface.
-/// Lumps are taken in their order; one whose ratio is not known has its cover and no verdict; one that is open, inside
-/// out, or wholly outside the organ is left out, with a note.
-/// @param name  the organ's, for messages
-/// @return OutOfRange for a radius, press or ratio out of range, and for a radius so small that the surface would need
-/// more than kMostRefined triangles; Unsupported where the organ has no sure inside; Empty
-/// without a lump; Cancelled.
-/// @par Cost about 20 ns for each vertex, triangle of a lump (at most LumpShape::kUsualTriangles) and press. All cores;
-/// the same bits on any number of them. Never from the servo thread.
+/// Computes the palpability of lumps through an organ's surface. Lumps are processed in order. A lump with an unknown
+/// ratio gets a cover depth but no verdict; open or inside-out lumps and lumps entirely outside the organ are skipped
+/// with a note.
+/// @param name  name of the organ, for messages
+/// @return OutOfRange for an invalid radius, press or ratio, or if the radius is so small that the surface would need
+/// more than kMostRefined triangles; Unsupported if the organ is not a closed surface; Empty without a lump; Cancelled.
+/// @par Cost About 20 ns for each combination of vertex, lump triangle (at most LumpShape::kUsualTriangles) and press.
+/// Uses all cores, with bit-identical results for any number of threads. Not for the servo thread.
 [[nodiscard]] core::Result<FeltSurface> feltSurface(const std::string& name, const geometry::RepairedMesh& organ,
                                                     const std::vector<BuriedLump>& lumps,
                                                     const FeltOptions& options = {});

@@ -10,30 +10,31 @@ namespace palpate::buried {
 
 using core::Vec3;
 
-/// An organ's surface as a finger of a size meets it: what is smaller than the finger is evened out.
+/// Organ surface at the scale of a finger contact: details smaller than the finger are averaged.
 class Ground
 {
   public:
-    /// In contact radii: a surface that is curved more, or an organ that is thinner, is no half-space.
+    /// Validity limit of the half-space model in contact radii: minimum radius of curvature and organ thickness.
     static constexpr double kLeastRadii = 4.0;
 
     struct At
     {
-        Vec3 n_W;              ///< mean outward normal of what the finger covers, unit length
-        bool isCurved = false; ///< the surface bends with a radius below kLeastRadii contact radii
-        bool isThin = false;   ///< the organ's other side is nearer than kLeastRadii contact radii
+        Vec3 n_W;              ///< mean outward normal of the contact area, unit length
+        bool isCurved = false; ///< the radius of curvature is below kLeastRadii contact radii
+        bool isThin = false;   ///< the opposite surface is nearer than kLeastRadii contact radii
     };
 
-    /// @param organ  repaired, world frame [mm], no edge longer than the finger's radius; kept by reference
-    /// @param index  made of `organ`; kept by reference
-    /// @param radius_mm  of the finger's contact, > 0
+    /// @param organ  repaired, world frame [mm], edges no longer than the contact radius; stored by reference
+    /// @param index  built from `organ`; stored by reference
+    /// @param radius_mm  contact radius of the finger, > 0
     Ground(const geometry::RepairedMesh& organ, const geometry::SurfaceIndex& index, double radius_mm);
     ~Ground();
     Ground(const Ground&) = delete;
     Ground& operator=(const Ground&) = delete;
 
-    /// @param p_W  on the surface [mm]; @param n_W  outward normal there
-    /// @par Cost microseconds. Any thread; the same bits on each.
+    /// @param p_W  point on the surface [mm]
+    /// @param n_W  outward normal at this point
+    /// @par Cost Microseconds. Any thread, with bit-identical results.
     [[nodiscard]] At at(const Vec3& p_W, const Vec3& n_W) const;
 
   private:

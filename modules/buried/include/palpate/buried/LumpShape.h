@@ -12,49 +12,49 @@ namespace palpate::buried {
 
 using core::Vec3;
 
-/// Where a finger presses.
+/// Contact of a pressing finger.
 struct PressPlace
 {
-    Vec3 p_W;               ///< on the organ's surface [mm]
-    Vec3 n_W;               ///< outward, unit length
-    double radius_mm = 5.0; ///< of the contact
+    Vec3 p_W;               ///< contact point on the organ's surface [mm]
+    Vec3 n_W;               ///< outward normal, unit length
+    double radius_mm = 5.0; ///< contact radius
 };
 
-/// A lump's surface made ready for many presses: its share of a press's energy as one sum over its triangles, without
-/// voxels and without asking what is inside. Seen from the middle of the model's pressure, which lies
-/// `bellOf(radius)` above the surface, the density can be integrated along each ray: from R outwards, with
-/// h = R cos(angle to the axis), to `(6 c / pi) (h^2 - c h + c^2 / 3) / R^3`; above the surface it stands still at
-/// `(2 / pi) (h / R)^3`. The share is the sum of what enters less what leaves, by solid angles `x . dA / R^3`.
+/// Lump surface prepared for many evaluations: computes the lump's share of a press's elastic energy as a sum over its
+/// triangles, without voxels or point-in-solid tests. In coordinates centred on the model's pressure distribution,
+/// `bellOf(radius)` above the surface, the energy density integrates along each ray from R outwards, with h = R
+/// cos(angle to the axis), to `(6 c / pi) (h^2 - c h + c^2 / 3) / R^3`; above the surface the integral is constant at
+/// `(2 / pi) (h / R)^3`. The share is the inflow minus the outflow through the triangles, weighted by their solid
+/// angles `x . dA / R^3`.
 /// @par Source resources/docs/felt.md
 class LumpShape
 {
   public:
     static constexpr std::size_t kUsualTriangles = 500;
-    /// A share below this is told as 0, where the lump's box alone shows it: far away.
+    /// Shares below this value are returned as 0 if the bounding sphere of the lump proves them (distant lumps).
     static constexpr double kLeastShare = 1e-3;
 
-    /// @param surface  closed, normals outwards, world frame [mm]
-    /// @param most  triangles that are used: a surface of more is decimated, and keeps its volume. 0: all.
+    /// @param surface  closed, outward normals, world frame [mm]
+    /// @param most  maximum number of triangles: larger surfaces are decimated with constant volume. 0: no limit.
     explicit LumpShape(const geometry::RepairedMesh& surface, std::size_t most = kUsualTriangles);
 
-    /// @param presses_mm  how deep the finger is pressed in, ascending; @param shares  S for each; 0 … 1 but for
-    /// rounding
-    /// @par Cost some 5 ns a triangle and press; more for the few that are wide for their distance. Any thread; the
-    /// same
-    ///      bits on each.
+    /// @param presses_mm  indentation depths, ascending
+    /// @param shares  output: S for each depth, 0 to 1 apart from rounding
+    /// @par Cost About 5 ns for each triangle and press; more for the few triangles that are wide relative to their
+    /// distance. Any thread, with bit-identical results.
     void shares(const PressPlace& place, std::span<const double> presses_mm, std::span<double> shares) const;
 
     [[nodiscard]] std::size_t triangleCount() const noexcept { return m_triangles.size(); }
 
-    /// @return a distance that the lump is not nearer than [mm]; negative near it.
+    /// @return lower bound of the distance to the lump [mm]; negative near the lump.
     [[nodiscard]] double atLeastAway(const Vec3& p_W) const { return (p_W - m_middle).norm() - m_reach_mm; }
 
   private:
     struct Face
     {
-        Vec3 centroid, area; ///< [mm], outward [mm^2]
+        Vec3 centroid, area; ///< [mm], outward area vector [mm^2]
     };
-    /// Seen from more than kAfar times its size a lump of so few triangles has the same share within a hundredth.
+    /// Coarse version: beyond kAfar times the lump's size, this many triangles give the share with an error below 1 %.
     static constexpr std::size_t kFromAfar = 64;
     static constexpr double kAfar = 2.0;
 
@@ -62,14 +62,14 @@ class LumpShape
     [[nodiscard]] bool isAround(const Vec3& p_W) const;
 
     std::vector<Vec3> m_vertices;
-    std::vector<Vec3> m_vertexAreas; ///< of all triangles around each
+    std::vector<Vec3> m_vertexAreas; ///< area vectors of all adjacent triangles, summed for each vertex
     std::vector<Face> m_faces;
-    double m_widest2_mm2 = 0.0; ///< square of the longest edge
+    double m_widest2_mm2 = 0.0; ///< squared length of the longest edge
     std::shared_ptr<const LumpShape> m_fromAfar;
     std::vector<geometry::Triangle> m_triangles;
     double m_volume_mm3 = 0.0;
     Vec3 m_middle = Vec3::Zero();
-    double m_reach_mm = 0.0; ///< of the farthest vertex from the middle
+    double m_reach_mm = 0.0; ///< distance of the farthest vertex from the middle
 };
 
 } // namespace palpate::buried
