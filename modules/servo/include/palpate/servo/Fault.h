@@ -5,29 +5,29 @@
 
 namespace palpate::servo {
 
-/// Why the force was taken away until the user re-arms.
+/// Reason why the force is off until the user re-arms.
 enum class FaultKind : std::uint8_t
 {
     None,
-    NonFiniteInput, ///< the device gave a position that is not a number
-    OutOfWorkspace, ///< positions far outside what the device can reach
-    InputJump,      ///< positions that no hand can have moved to
-    StaleInput,     ///< the device stopped giving new positions
-    DeviceLost,     ///< the device said that it no longer answers
-    NonFiniteForce, ///< the model gave a force that is not a number
-    OverrunRun,     ///< too many ticks in a row ended after their deadline
-    LoopFailed,     ///< the servo thread ended by an exception
+    NonFiniteInput, ///< the device returned a position that is NaN or infinite
+    OutOfWorkspace, ///< positions far outside the reachable workspace of the device
+    InputJump,      ///< position steps that are too large for a hand
+    StaleInput,     ///< the device stopped sending new positions
+    DeviceLost,     ///< the device reported a lost connection
+    NonFiniteForce, ///< the model returned a force that is NaN or infinite
+    OverrunRun,     ///< too many consecutive ticks missed their deadline
+    LoopFailed,     ///< an exception ended the servo thread
 };
 
-/// @return one line for a person: what happened and what to do; static storage.
+/// @return one line for the user with the cause and the remedy; static storage.
 [[nodiscard]] const char* text(FaultKind kind) noexcept;
 
 /// A latched fault.
 struct Fault
 {
     FaultKind kind = FaultKind::None;
-    std::int64_t tick = 0;    ///< in which it was raised
-    std::int64_t time_ns = 0; ///< monotonic
+    std::int64_t tick = 0;    ///< tick that raised the fault
+    std::int64_t time_ns = 0; ///< monotonic clock [ns]
 };
 
 } // namespace palpate::servo

@@ -13,49 +13,50 @@ namespace palpate::servo {
 
 using core::Vec3;
 
-/// How far a tip moves each tick, as far as a sensor that counts in steps can tell.
+/// Estimates the motion of the HIP per tick from a sensor of finite resolution.
 ///
-/// A slow tip gives rest, rest, a whole step, rest: differences of two ticks are then steps in one tick that never
-/// were. Here the velocity along each axis is that over the longest past in which a straight line stays within a step
-/// of every sample: many ticks while slow, one while fast or turning. With an exact sensor it is the difference of the
-/// last two samples, bit for bit.
+/// A slow motion on a quantized sensor yields rest, rest, a whole step, rest. Differences of two consecutive samples
+/// then show velocity spikes. This class takes the velocity of each axis over the longest window in which a straight
+/// line stays within one step of every sample: many ticks for slow motion, one tick for fast motion or a change of
+/// direction. With an exact sensor the result equals the difference of the last two samples, bit for bit.
 ///
-/// The error of a steady velocity is at most a step over kLongestSlope ticks along each axis (steps of 0.12 mm at
-/// 1 kHz: 1.9 mm/s). Under an acceleration a it lags behind by 2 sqrt(step a) at most, and never by more than half of
-/// kLongestSlope ticks: samples that are off by half a step, and a line within a step of each, leave a parabola by at
-/// most two steps, and such a chord of it is at most 4 sqrt(step / a) long.
+/// The error of a steady velocity is at most one step over kLongestSlope ticks along each axis (steps of 0.12 mm at
+/// 1 kHz: 1.9 mm/s). Under an acceleration a the lag is at most 2 sqrt(step a) and never exceeds half of
+/// kLongestSlope ticks: with samples that are off by half a step and a line within one step of each, the deviation
+/// from a parabola is at most two steps, and such a chord is at most 4 sqrt(step / a) long.
 ///
-/// For the energy that the motion takes up, a place is moved along by the velocity over at most kLongest ticks and kept
-/// within half a step of the sample, so that its moves add up to the tip's own and no drift gathers.
+/// For the energy balance, a tracked position advances by the velocity over at most kLongest ticks and is clamped to
+/// half a step around the sample. The sum of its moves therefore follows the HIP without drift.
 /// @par Source Janabi-Sharifi, Hayward & Chen, IEEE Trans. Control Systems Technology 8 (2000) 1003,
-/// doi:10.1109/87.880606 (first-order adaptive windowing, end-fit). Differs: the place that follows.
+/// doi:10.1109/87.880606 (first-order adaptive windowing, end-fit). Differs: the tracked position.
 /// @par Real-time Wait-free; at most 3 x kLongestSlope steps. One thread.
 class MotionTrack
 {
   public:
-    /// Longest past that is looked at for a move, in ticks.
+    /// Longest window for a move, in ticks.
     static constexpr std::size_t kLongest = 32;
-    /// The same for the velocity, which must hold still by itself: a move is added up, a velocity is felt.
+    /// Longest window for the velocity, in ticks. Longer than kLongest because noise averages out in summed moves, but
+    /// the user feels noise in the velocity directly.
     static constexpr std::size_t kLongestSlope = 64;
 
-    /// @param resolution_mm  an axis' sample is off by at most half of it, >= 0; 0: not known, then the sensor counts
-    /// as
-    ///                       exact until its samples show steps, see SensorGrid [mm]
+    /// @param resolution_mm  step size of the sensor, >= 0; a sample is off by at most half a step. 0: unknown; the
+    /// sensor
+    ///                       then counts as exact until the samples show steps (see SensorGrid) [mm]
     explicit MotionTrack(double resolution_mm) noexcept
         : m_resolution_mm(resolution_mm)
     {
     }
 
-    /// Takes the sample of a tick.
-    /// @return move since the tick before; none in the first [mm]
+    /// Processes the sample of a tick.
+    /// @return move since the previous tick; zero for the first sample [mm]
     Vec3 step(const Vec3& p) noexcept PALPATE_NONBLOCKING;
-    /// The last move, as `step` returned it [mm]
+    /// Last return value of `step` [mm]
     [[nodiscard]] const Vec3& moved() const noexcept { return m_moved; }
-    /// Velocity of the last sample; zero in the first [mm per tick]
+    /// Velocity at the last sample; zero for the first sample [mm per tick]
     [[nodiscard]] const Vec3& slope() const noexcept { return m_slope; }
-    /// Ticks that the last move's velocity was taken over along the axis that moved most, >= 1.
+    /// Window of the last velocity along the axis with the largest move, >= 1 [ticks]
     [[nodiscard]] double window() const noexcept { return m_window; }
-    /// The next sample is the first. What is known of the sensor's steps stays.
+    /// Discards all samples but keeps the detected sensor steps.
     void reset() noexcept PALPATE_NONBLOCKING;
 
   private:

@@ -8,16 +8,17 @@
 
 namespace palpate::servo {
 
-/// One thing that was asked of the operating system.
+/// Result of one request to the operating system.
 struct RealtimeItem
 {
     std::string name; ///< "real-time priority", "locked memory", ...
     bool isGranted = false;
-    std::string message; ///< what was granted, or why not
-    std::string remedy;  ///< shell command that permits it, with what to do after; empty when granted or none helps
+    std::string message; ///< the granted setting, or the reason for the refusal
+    std::string
+        remedy; ///< shell command that grants permission, with the next step; empty when granted or without remedy
 };
 
-/// What the servo thread got.
+/// Results of all requests for the servo thread.
 struct RealtimeReport
 {
     std::vector<RealtimeItem> items;
@@ -27,30 +28,30 @@ struct RealtimeReport
 
 struct RealtimeRequest
 {
-    bool askPriority = true; ///< SCHED_FIFO and locked memory; the rest needs no permission and is always asked for
-    int priority = 70;       ///< 1 to 99; lowered to what the user's limit allows
-    int cpu = -1;            ///< run on this one; -1: on any
+    bool askPriority = true; ///< request SCHED_FIFO and locked memory; all other requests need no permission
+    int priority = 70;       ///< 1 to 99; lowered to the user's limit
+    int cpu = -1;            ///< CPU to pin the thread to; -1: any
     const char* threadName = "palpate-servo"; ///< at most 15 characters
 };
 
-/// CPUs that the calling thread may run on, from 0: what taskset, a container or a cpuset leave of the machine's.
+/// Lists the CPUs available to the calling thread, from 0, within the limits of taskset, container and cpuset.
 [[nodiscard]] std::vector<int> allowedCpus();
 
-/// Says whether a thread may be asked to run on a CPU alone.
-/// @param cpu  -1: on any, always ok
-/// @return BadCommandLine: there is none, or it is not among `allowedCpus`
+/// Checks whether a thread can be pinned to a CPU.
+/// @param cpu  -1: any, always ok
+/// @return BadCommandLine when the CPU does not exist or is not in `allowedCpus`
 [[nodiscard]] core::Status checkCpu(int cpu);
 
-/// Makes the calling thread as regular as permitted: SCHED_FIFO, memory locked as it is touched, 1 ns timer slack, a
-/// name, a CPU, and the default floating-point environment.
+/// Configures the calling thread for real-time work as far as permitted: SCHED_FIFO, memory locked on first touch, 1 ns
+/// timer slack, a name, a CPU, and the default floating-point environment.
 ///
-/// Denormals are flushed by `feelTick` itself and not here: a replay runs it on another thread and must give the same
-/// bits, which FTZ and DAZ on the servo thread alone would change. The environment is set, not trusted, because a new
-/// thread inherits its creator's, and a library built for fast math changes that when it is loaded. Never fails: each
-/// item says what it got. Not for the ticks themselves (allocates, system calls).
+/// `feelTick` flushes denormals, not this function: a replay runs `feelTick` on another thread and must produce the
+/// same bits, but FTZ and DAZ on the servo thread alone would change them. The floating-point environment is set
+/// explicitly because a new thread inherits the creator's environment, which a library built with fast math changes on
+/// load. Never fails; each item reports the outcome. Do not call within a tick (allocates, makes system calls).
 [[nodiscard]] RealtimeReport makeThreadRealtime(const RealtimeRequest& request);
 
-/// Unlocks the process's memory when `makeThreadRealtime` locked it.
+/// Unlocks the process memory that `makeThreadRealtime` locked.
 void releaseRealtime(const RealtimeReport& report) noexcept;
 
 } // namespace palpate::servo
