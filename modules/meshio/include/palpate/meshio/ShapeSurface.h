@@ -12,40 +12,39 @@
 
 namespace palpate::meshio {
 
-/// What smoothing did to a surface.
+/// Result of smoothing a surface.
 struct SurfaceSmoothing
 {
-    double most_mm = 0.0;          ///< farthest that a vertex moved [mm]
-    double limit_mm = 0.0;         ///< farthest that one may move, along the voxel's longest edge [mm]
-    double volumeBefore_mm3 = 0.0; ///< enclosed, whichever way the normals point; 0 for an open surface [mm3]
+    double most_mm = 0.0;          ///< largest vertex displacement [mm]
+    double limit_mm = 0.0;         ///< displacement limit along the longest voxel edge [mm]
+    double volumeBefore_mm3 = 0.0; ///< enclosed volume regardless of orientation; 0 for an open surface [mm3]
     double volumeAfter_mm3 = 0.0;
 
     /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %"
     [[nodiscard]] std::string sentence() const;
 };
 
-/// A surface as it is drawn and felt, and what led to it.
+/// A surface for display and haptics, and the data of the processing steps.
 struct ShapedSurface
 {
     std::shared_ptr<const geometry::RepairedMesh> surface;
-    std::optional<geometry::Staircase> staircase; ///< of the surface that was given
+    std::optional<geometry::Staircase> staircase; ///< of the input surface
     std::optional<SurfaceSmoothing> smoothing;
 };
 
-/// Makes of a repaired surface what its description asks for: closed parts that are inside out are turned
-/// (`outwards`), and the surface is smoothed (`surface`, `smoothing`). The surface that was given is not changed, and
-/// is itself returned where nothing is asked for.
+/// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
+/// smooths (`surface`, `smoothing`). Does not change the input, and returns the input itself when no option applies.
 ///
 /// Smoothing is VTK's windowed sinc filter with the settings of 3D Slicer's closed surfaces: 20 iterations, pass band
-/// 10^(-4 smoothing), rims kept. No vertex moves by more than half a voxel along an edge of the voxels, so that the
-/// smoothed surface is one that the same mask could stand for; the corners of voxel faces, which are farther from it,
-/// by a whole one. Without a staircase the limit is half the mean length of an edge along each axis.
+/// 10^(-4 smoothing), boundary edges kept. No vertex moves by more than half a voxel along a voxel edge, so that the
+/// smoothed surface remains consistent with the mask; corners of voxel faces, which are farther from the true surface,
+/// move by up to one voxel. Without a staircase the limit is half the mean edge length along each axis.
 ///
-/// With the usual strength, masks of a ball of 30 mm in voxels of 1 x 1 x 3, 0.8 x 0.8 x 2.5 and 1 x 1 x 1 mm give a
-/// hand 5 mm deep the force of the true ball within 10 %, and its direction within 24°, from 18° off the poles on.
+/// At the usual strength, masks of a ball of 30 mm in voxels of 1 x 1 x 3, 0.8 x 0.8 x 2.5 and 1 x 1 x 1 mm give, at a
+/// depth of 5 mm, the force of the true ball within 10 % and the direction within 24°, from 18° off the poles on.
 /// @param asRead  from geometry::repair, world frame [mm]; not null
 /// @par Source Taubin, Zhang, Golub: Optimal Surface Smoothing as Filter Design (1996).
-/// @par Cost About 1 us a triangle and iteration where the surface is smoothed, else a few milliseconds. Any thread.
+/// @par Cost About 1 us per triangle and iteration with smoothing, otherwise a few milliseconds. Any thread.
 [[nodiscard]] ShapedSurface shapeSurface(std::shared_ptr<const geometry::RepairedMesh> asRead,
                                          const SceneStructure& description);
 

@@ -10,21 +10,21 @@
 
 namespace palpate::meshio {
 
-/// @return what the arrays of a mesh say by their names alone (core::kKnownMaps).
+/// @return the mappings implied by the array names of a mesh (core::kKnownMaps).
 [[nodiscard]] std::vector<core::TissueMapping> knownMappings(const geometry::TriangleMesh& mesh);
 
-/// Finds what varies over a structure: by the mappings of its description, else by the arrays whose names say it. Where
-/// several say one quantity the last counts.
-/// @param structure  with its surface; its `maps` are replaced
-/// @param warnings  gets a line for values that are missing
-/// @param losses  gets a line for each map that can't be had
-/// @param keepGoing  asked now and then while a volume is sampled, on the calling thread; false cancels: it is lost
+/// Resolves the maps that vary a structure's tissue: the mappings of the description, or else the arrays with known
+/// names. If several mappings set the same quantity, the last one applies.
+/// @param structure  with a surface; replaces `maps`
+/// @param warnings  receives a line for missing values
+/// @param losses  receives a line for each map that cannot be loaded
+/// @param keepGoing  polled on the calling thread while a volume is sampled; false cancels and drops the map
 /// @par Thread Any.
-/// @par Cost O(vertices) for an array; a volume is read and sampled, which can take seconds.
+/// @par Cost O(vertices) for an array; reading and sampling a volume can take seconds.
 void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
                  const std::function<bool()>& keepGoing = {});
 
-/// @return how many values of a map are not known: the structure's own is felt there.
+/// @return the number of missing values in a map, where the structure's own value applies.
 [[nodiscard]] std::size_t missingValues(const SurfaceMap& map) noexcept;
 
 } // namespace palpate::meshio
