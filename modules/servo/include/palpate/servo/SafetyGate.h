@@ -11,61 +11,63 @@ namespace palpate::servo {
 
 using core::Vec3;
 
-/// What to do with a HIP that moved farther than a hand can.
+/// Handling of a HIP step that is too large for a hand.
 enum class JumpRule : std::uint8_t
 {
-    Refuse, ///< keep the last good HIP; a fault when it goes on. For encoders, which never jump but by an error.
-    Follow, ///< go there at the speed of a hand. For pointers, which may be anywhere at the next event.
+    Refuse, ///< keep the last valid HIP; fault if it persists. For encoders, which jump only on an error.
+    Follow, ///< follow at hand speed. For pointers, which can be anywhere at the next event.
 };
 
-/// The limits of the safety gate, all of them data.
+/// Limits of the safety gate.
 struct GateLimits
 {
-    double maxForce_N = 0.0;                ///< of the device; 0: no force ever passes
-    double maxForceRate_N_per_s = 0.0;      ///< bound on the change of the force, but for first contact
-    double maxPower_Nmm_per_s = 0.0;        ///< bound on the power given to the hand, f . v
+    double maxForce_N = 0.0;                ///< force limit of the device; 0: no force passes
+    double maxForceRate_N_per_s = 0.0;      ///< bound on the force change per second, except at first contact
+    double maxPower_Nmm_per_s = 0.0;        ///< bound on the power delivered to the hand, f . v
     double maxHandSpeed_mm_per_s = 10000.0; ///< faster than a throw; 10 mm in a tick of 1 ms
     JumpRule jumpRule = JumpRule::Refuse;
-    std::uint32_t refusedRun = 5;  ///< refused HIPs in a row that make a fault
-    std::uint32_t overrunRun = 20; ///< overruns in a row that make a fault, as libfranka's lost packets; 0: never
-    double staleAfter_s = 0.005;   ///< age of a HIP that makes a fault
-    double easeIn_s = 0.5;         ///< at start, after a fault and when the hand comes back
-    double rampDown_s = 0.008; ///< to zero on stop and fault, by the clock of the ticks: below 10 ms with one to notice
-    double largestCoordinate_mm = 1e8; ///< beyond it the model's arithmetic has no digits left
-    double workspaceRadius_mm = 0.0;   ///< about the origin of D; farther away is refused; 0: not limited
+    std::uint32_t refusedRun = 5;  ///< consecutive refused HIPs that raise a fault
+    std::uint32_t overrunRun = 20; ///< consecutive overruns that raise a fault, like libfranka's lost packets; 0: never
+    double staleAfter_s = 0.005;   ///< HIP age that raises a fault
+    double easeIn_s = 0.5;         ///< easing time at start, after a fault and when the hand returns
+    double rampDown_s =
+        0.008; ///< ramp to zero on stop and fault, in tick time: below 10 ms including one tick of detection
+    double largestCoordinate_mm = 1e8; ///< larger coordinates exceed the model's numeric precision
+    double workspaceRadius_mm = 0.0;   ///< around the origin of D; positions outside are refused; 0: unlimited
 
-    /// Limits for a device: its force; its force within 5 ms; its force at 1 m/s; half again its workspace. A device
-    /// without motors cannot push, so its jumps are followed and overruns make no fault.
+    /// Limits for a device: the device's force, a rise to this force within 5 ms, the power of this force at 1 m/s,
+    /// and 1.5 times the workspace. A device without motors cannot push, so that jumps are followed and overruns raise
+    /// no fault.
     [[nodiscard]] static GateLimits forDevice(const device::DeviceInfo& info);
 };
 
-/// What the gate lets through to the model.
+/// Input for the model after the gate.
 struct GatedInput
 {
-    Vec3 p_D = Vec3::Zero(); ///< HIP, finite; the last good one when the measured one was refused [mm]
-    bool isPresent = false;  ///< false: no hand, solve nothing
+    Vec3 p_D = Vec3::Zero(); ///< HIP, finite; the last valid HIP when the measured HIP was refused [mm]
+    bool isPresent = false;  ///< false: no hand, nothing to solve
     bool isGated = false;    ///< the measured HIP was changed or refused
-    bool isFirst = false;    ///< the hand came, or the fault was re-armed: contacts begin anew here
+    bool isFirst = false;    ///< the hand arrived or the fault was re-armed: contacts restart here
 };
 
-/// The force that the model asks for.
+/// Force requested by the model.
 struct ForceRequest
 {
-    Vec3 f_D = Vec3::Zero(); ///< [N], of any value
+    Vec3 f_D = Vec3::Zero(); ///< any value, including non-finite [N]
     bool isInContact = false;
     bool isSceneChanged = false; ///< first tick on another scene: a contact that begins now is no first contact
 };
 
-/// Stands between device and model in both directions: each HIP and each force that it lets through is finite and
-/// bounded. Once a tick `admit`, then `release`; a pure state machine without a clock of its own.
+/// Bounds every HIP and every force between device and model, and ensures that both are finite. Call `admit`, then
+/// `release` once per tick; a pure state machine without a clock.
 ///
-/// The force that `release` gives is, in every tick:
-/// - finite, and no longer than `maxForce_N`;
-/// - within `maxForceRate_N_per_s` of the tick before, except in the tick in which contact begins from (nearly) no
-///   force on an unchanged scene: a wall must be felt in the tick it is hit;
-/// - within the power bound, which only ever takes force away and wins over the bound on change;
-/// - growing from zero over `easeIn_s` when the hand comes, at start and after `rearm`;
-/// - zero at once without a hand, and after `rampDown_s` on stop or fault, until re-armed.
+/// In every tick the force from `release` is:
+/// - finite, and at most `maxForce_N` long;
+/// - within `maxForceRate_N_per_s` of the previous tick, except in the tick in which contact begins from (nearly) zero
+///   force on an unchanged scene, so that a wall is rendered in the tick of impact;
+/// - within the power bound, which only reduces the force and takes precedence over the rate bound;
+/// - growing from zero over `easeIn_s` when the hand arrives, at start and after `rearm`;
+/// - zero immediately without a hand, and after `rampDown_s` on stop or fault, until re-armed.
 /// @par Real-time Wait-free, no allocation. One thread.
 class SafetyGate
 {
@@ -77,23 +79,22 @@ class SafetyGate
     /// @return force for the device in frame D [N]
     [[nodiscard]] Vec3 release(const ForceRequest& request) noexcept PALPATE_NONBLOCKING;
 
-    /// The model's force as `release` has it before it bounds change and power: eased in, and no longer than
-    /// the device can. [N]
+    /// Model force in `release` before the rate and power bounds: eased in and limited to the device's maximum [N].
     [[nodiscard]] Vec3 eased(const Vec3& f_D) const noexcept PALPATE_NONBLOCKING;
 
-    /// Counts ticks that ended late, once a tick.
+    /// Counts late ticks. Call once per tick.
     void noteOverrun(bool isOverrun) noexcept PALPATE_NONBLOCKING;
-    /// Latches `kind` unless another fault is; the force ramps to zero.
+    /// Latches `kind` unless another fault is latched; the force ramps to zero.
     void raise(FaultKind kind) noexcept PALPATE_NONBLOCKING;
-    /// Unlatches the fault; force is eased in anew, and the next HIP is taken as it comes.
+    /// Clears the fault. The force is eased in, and the next HIP is accepted at any position.
     void rearm() noexcept PALPATE_NONBLOCKING;
-    /// A clutch was let go: the coming force is eased in as at the start.
+    /// Eases the force in as at the start, after a clutch was released.
     void easeInAnew() noexcept PALPATE_NONBLOCKING;
-    /// Ramps the force to zero for good.
+    /// Ramps the force to zero permanently.
     void beginStop() noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] FaultKind fault() const noexcept { return m_fault; }
-    /// The force is zero and stays so until re-armed.
+    /// @return true when the force is zero and stays zero until re-armed.
     [[nodiscard]] bool isAtRest() const noexcept;
     [[nodiscard]] const GateLimits& limits() const noexcept { return m_limits; }
 

@@ -12,35 +12,34 @@
 
 namespace palpate::servo {
 
-/// Feels the tick whose record has `p_WH`, `v_WH` and `flags`: nothing when they have kNoHand, from anew when they have
-/// kReset. Puts in what was felt, the time of that one solver call, and kIterationLimit. The servo thread and every
-/// replay call this and nothing else, so that rows (p_WH, v_WH, flags) and the nominal period are all a replay needs.
-/// Where a row's `scene` differs from the one before, call `palpator.setScene` first. Numbers below the smallest normal
-/// one count as zero meanwhile, on whatever thread this runs: they would cost a hundred times the time, and a replay
-/// must give the same bits.
+/// Solves the tick described by `p_WH`, `v_WH` and `flags` of the record: no contact with kNoHand, a restart with
+/// kReset. Stores the result, the solver time and kIterationLimit in the record. The servo thread and every replay call
+/// only this function, so that a replay needs only the rows (p_WH, v_WH, flags) and the nominal period. When the
+/// `scene` of a row differs from the previous row, call `palpator.setScene` first. Flushes denormals during the call on
+/// any thread: denormals would be a hundred times slower, and a replay must produce the same bits.
 /// @param dt_s  nominal period, 1 / rate [s]
 /// @par Real-time Wait-free.
 void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING;
 
-/// What a servo loop that begins anew needs to go on where the one before it ended.
+/// State passed from a finished servo loop to the next one, which continues from there.
 struct ServoHand
 {
     haptics::PalpatorState palpator;
     WorkspaceMap map;
     Vec3 p_WH = Vec3::Zero(); ///< last HIP [mm]
-    double away_s = 0.0;      ///< in ticks without a hand since then [s]
-    bool hasBeenHere = false; ///< there was a hand at all
+    double away_s = 0.0;      ///< duration of ticks without a hand since then [s]
+    bool hasBeenHere = false; ///< a hand was present at least once
 };
 
-/// One servo tick without a thread, a clock or a device: safety gate in, workspace map, model, passivity controller,
-/// safety gate out. The gate and the controller work in the device's frame, where hand and motors are.
+/// One servo tick without thread, clock or device: safety gate in, workspace map, model, passivity controller, safety
+/// gate out. Gate and controller work in the device frame D.
 ///
-/// A hand that was away, or a device that was lost and is re-armed, keeps its god-objects when it comes back within 0.5
-/// s and Palpator::kNear_mm of where it was; then, and when a scene gives a contact back, the force is eased in. Time
-/// is counted in periods of ticks without a hand, not in those of a fault.
+/// A hand that returns, or a lost device that is re-armed, keeps the god-objects when it is back within 0.5 s and
+/// within Palpator::kNear_mm of the last position; the force is then eased in, as it is when a scene restores a
+/// contact. The time counts ticks without a hand, not ticks of a fault.
 ///
-/// The damper gets the nominal period, not the measured one: a late tick then feels a little more damping than it
-/// should, but the same rows give the same forces on every machine.
+/// The damper uses the nominal period instead of the measured period: a late tick gets slightly too much damping, but
+/// the same rows produce the same forces on every machine.
 /// @par Real-time Wait-free, no allocation. One thread.
 class ServoCore
 {
@@ -48,38 +47,39 @@ class ServoCore
     /// @param rate_Hz  > 0
     ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLimits& passivity = {.isOn = false}) noexcept;
 
-    /// Lets the coming ticks feel another scene.
-    /// @param scene  only read; must outlive its use here; null = nothing to touch
+    /// Sets the scene for the following ticks.
+    /// @param scene  read-only; must outlive the use in this class; null: empty scene
     void setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
 
-    /// From the next tick on.
+    /// Applies from the next tick on.
     void setMap(const MapSettings& settings) noexcept PALPATE_NONBLOCKING { m_map.set(settings); }
     [[nodiscard]] const WorkspaceMap& map() const noexcept { return m_map; }
 
-    /// How late the device's force acts, see PassivityController.
+    /// Sets the delay of the device force, see PassivityController.
     void setDelay(int ticks) noexcept PALPATE_NONBLOCKING { m_passivity.setDelay(ticks); }
 
-    /// @return the tick's record. kOverrun and kDroppedBefore are the caller's to add.
+    /// @return the record of the tick. The caller adds kOverrun and kDroppedBefore.
     [[nodiscard]] TickRecord tick(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
 
-    /// The force that the device is to be given, in its own frame D [N].
+    /// Force to send to the device, in the device frame D [N].
     [[nodiscard]] const Vec3& forceForDevice() const noexcept { return m_sent_D; }
 
-    /// Says whether the tick just done ended late.
+    /// Reports whether the last tick ended late.
     void noteOverrun(bool isOverrun, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
     void rearm() noexcept PALPATE_NONBLOCKING;
     void beginStop() noexcept PALPATE_NONBLOCKING { m_gate.beginStop(); }
 
     [[nodiscard]] const SafetyGate& gate() const noexcept { return m_gate; }
     [[nodiscard]] Fault fault() const noexcept { return m_fault; }
-    /// Number of the coming tick.
+    /// Number of the next tick.
     [[nodiscard]] std::int64_t nextTick() const noexcept { return m_tick; }
     [[nodiscard]] std::uint32_t sceneGeneration() const noexcept { return m_generation; }
-    /// For a core that goes on with this one's scene and device.
+    /// State for another core that continues with the same scene and device.
     [[nodiscard]] ServoHand hand() const noexcept;
-    /// @pre the scene is set, the one that the hand was on; no tick was done yet
+    /// Continues from the state of another core.
+    /// @pre the scene of that state is set, and no tick has run yet
     void resume(const ServoHand& hand) noexcept;
-    /// Everything that decides the coming ticks besides scene, HIP, velocity and flags.
+    /// Complete state that determines the following ticks, apart from scene, HIP, velocity and flags.
     [[nodiscard]] haptics::PalpatorState palpatorState() const noexcept { return m_palpator.state(); }
 
   private:

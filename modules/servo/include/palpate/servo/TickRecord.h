@@ -11,38 +11,37 @@ namespace palpate::servo {
 
 using core::Vec3;
 
-/// Why a tick is not an ordinary one; a bit each.
+/// Special conditions of a tick, one bit each.
 enum TickFlag : std::uint16_t
 {
     kOverrun = 1,        ///< the tick ended after its deadline
     kInputGated = 2,     ///< the safety gate changed or refused the HIP
     kOutputGated = 4,    ///< the safety gate changed the force
-    kIterationLimit = 8, ///< the solver stopped at its bound
-    kDroppedBefore = 16, ///< ticks before this one are missing: the ring was full
+    kIterationLimit = 8, ///< the solver reached the iteration limit
+    kDroppedBefore = 16, ///< ticks before this tick were dropped because the ring was full
     kSceneChanged = 32,  ///< first tick on another scene
-    kReset = 64,         ///< the god-object started anew at the HIP in this tick (the hand came or the device started)
-    kClutched = 256,     ///< the device moved without the HIP: nothing was to be felt
-    kNoHand = 128,       ///< the device gave no state: nothing was solved, the force is zero
-    kSlides = 512,       ///< friction lets the god-object of the reported layer slide
-    kHolds = 1024,       ///< friction holds it
+    kReset = 64,         ///< the god-object restarted at the HIP in this tick (new hand or device start)
+    kClutched = 256,     ///< the device moved without the HIP: no force
+    kNoHand = 128,       ///< the device returned no state: nothing was solved, the force is zero
+    kSlides = 512,       ///< the god-object of the reported layer slides (dynamic friction)
+    kHolds = 1024,       ///< the god-object of the reported layer sticks (static friction)
 };
 
-/// All of one servo tick. Goes through the ring to the recorder and, as a snapshot, to the window. What a recording
-/// keeps of it, and under which names, is listed in session/src/TickColumns.h.
+/// Complete data of one servo tick. Passed through the ring to the recorder and as a snapshot to the window. The
+/// recorded columns and their names are listed in session/src/TickColumns.h.
 struct TickRecord
 {
     std::int64_t tick = 0;    ///< since the servo started
     std::int64_t time_ns = 0; ///< monotonic
-    Vec3 p_WH = Vec3::Zero(); ///< HIP that was solved, after the safety gate [mm]
-    /// The hand's velocity as dampers were given it; zero in free space and where nothing has one [mm/s]
+    Vec3 p_WH = Vec3::Zero(); ///< HIP passed to the solver, after the safety gate [mm]
+    /// Hand velocity passed to the dampers; zero in free space and without dampers [mm/s]
     Vec3 v_WH = Vec3::Zero();
-    haptics::TickResult felt;       ///< god-object, contact and force of the model, not bounded by the device
-    Vec3 fSent_W = Vec3::Zero();    ///< force given to the device, after the safety gate, as seen in the scene [N]
-    Vec3 fDamping_W = Vec3::Zero(); ///< part of it that the passivity controller asked for; not recorded [N]
-    double energy_mJ = 0.0;    ///< that the hand put in since contact began and has not got back; < 0: it got more; not
-                               ///< recorded
-    std::uint32_t scene = 0;   ///< generation number of the scene that was felt, see ServoLoop::setScene
-    std::uint32_t buttons = 0; ///< of the device, a bit each
+    haptics::TickResult felt;       ///< god-object, contact and force of the model, before device limits
+    Vec3 fSent_W = Vec3::Zero();    ///< force sent to the device after the safety gate, in the world frame [N]
+    Vec3 fDamping_W = Vec3::Zero(); ///< part requested by the passivity controller; not recorded [N]
+    double energy_mJ = 0.0; ///< net energy from the hand since contact began; < 0: the hand received more; not recorded
+    std::uint32_t scene = 0;    ///< generation number of the solved scene, see ServoLoop::setScene
+    std::uint32_t buttons = 0;  ///< of the device, one bit each
     std::uint32_t solve_ns = 0; ///< time in the solver
     std::uint16_t flags = 0;    ///< TickFlag
 };

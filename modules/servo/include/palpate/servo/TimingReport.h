@@ -10,17 +10,17 @@ namespace palpate::servo {
 using core::TimingHistogram;
 using core::TimingSummary;
 
-/// How the servo loop kept time since it started.
+/// Timing statistics of the servo loop since the start.
 struct TimingReport
 {
     TimingSummary period;      ///< from wake to wake
     TimingSummary periodError; ///< |period - nominal|
-    TimingSummary lateness;    ///< wake after the deadline it slept for
+    TimingSummary lateness;    ///< wake-up delay after the deadline
     TimingSummary latency;     ///< age of the device's state when the force was written
-    TimingSummary solve;       ///< in the solver, ticks with a hand only
+    TimingSummary solve;       ///< solver time, only ticks with a hand
     std::uint64_t ticks = 0;
     std::uint64_t overruns = 0; ///< ticks that ended after their deadline
-    std::uint64_t skipped = 0;  ///< periods left out after overruns
+    std::uint64_t skipped = 0;  ///< periods skipped after overruns
 };
 
 } // namespace palpate::servo
