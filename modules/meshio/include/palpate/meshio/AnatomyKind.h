@@ -6,16 +6,16 @@
 
 namespace palpate::meshio {
 
-/// What a structure's name says that it is, as far as touch cares. In order of precedence: what a part is comes before
-/// the organ that it belongs to, so that a hepatic artery is a vessel and a kidney cyst a cyst.
+/// Anatomical kind of a structure by its name, as far as relevant for haptics. In order of precedence: the kind of a
+/// part precedes the organ, so that a hepatic artery is a vessel and a kidney cyst a cyst.
 enum class AnatomyKind : std::uint8_t
 {
-    Other,         ///< the name says nothing about touch
+    Other,         ///< no known word in the name
     Cyst,          ///< filled with fluid
     BenignLump,    ///< adenoma, haemangioma, fibroid
     MalignantLump, ///< carcinoma, metastasis
     FibroticArea,
-    Lump, ///< tumour, nodule, lesion, mass: benign or malignant is not said
+    Lump, ///< tumour, nodule, lesion, mass: not specified as benign or malignant
     Vessel,
     Nerve,
     Duct, ///< of bile, pancreas or urine
@@ -39,13 +39,13 @@ enum class AnatomyKind : std::uint8_t
     Skin
 };
 
-/// Finds the kind of a structure by the words of its name. Words end at anything that is no letter and before a capital
-/// that follows a small letter; case and a plural's s do not matter. The longest phrases are looked for first, and a
-/// word counts once: "caudate lobe" is of the liver, "caudate nucleus" of the brain. Sources of the words are named
-/// with the table.
+/// Finds the kind of a structure by the words of its name. Words end at any non-letter and before a capital that
+/// follows a lower-case letter; case and a plural s are ignored. The longest phrases match first, and each word counts
+/// once: "caudate lobe" belongs to the liver, "caudate nucleus" to the brain. For the sources of the words see the
+/// table.
 [[nodiscard]] AnatomyKind anatomyKind(std::string_view name);
 
-/// @return true for all kinds of lump, those of which more is known included.
+/// @return true for all kinds of lump, including the specific kinds.
 [[nodiscard]] constexpr bool isLump(AnatomyKind kind) noexcept
 {
     return kind >= AnatomyKind::Cyst && kind <= AnatomyKind::Lump;

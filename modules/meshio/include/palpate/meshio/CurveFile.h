@@ -9,8 +9,8 @@
 
 namespace palpate::meshio {
 
-/// Reads a measured curve: CSV whose header has `depth_mm` and `force_N`, then at most 64 rows that core::check takes;
-/// other columns and empty lines are passed over. An error names the line and the value: "curve.csv: line 4: …".
+/// Reads a measured force curve: CSV with the columns `depth_mm` and `force_N` and at most 64 rows that pass
+/// core::check. Ignores other columns and empty lines. An error names the line and the value: "curve.csv: line 4: …".
 [[nodiscard]] core::Result<std::vector<core::ForceLaw::Point>> readCurve(const std::filesystem::path& path);
 
 } // namespace palpate::meshio

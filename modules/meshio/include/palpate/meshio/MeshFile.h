@@ -23,50 +23,50 @@ struct MeshStructure
 {
     std::string name; ///< from the file, else the file's stem
     geometry::TriangleMesh mesh;
-    std::optional<std::array<double, 3>> colour; ///< red, green, blue in 0 … 1, where the file has one
+    std::optional<std::array<double, 3>> colour; ///< red, green, blue in 0 … 1, if present in the file
 };
 
-/// All of a mesh file, in LPS and mm. Every index is in range and every coordinate finite and within 1e7 mm; each
+/// Content of a mesh file, in LPS and mm. Every index is in range and every coordinate finite and within 1e7 mm; each
 /// structure has at least one triangle.
 struct MeshFile
 {
     std::filesystem::path path;
     std::string format;                    ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
-    FileFrame frame = FileFrame::Untagged; ///< its tag (`SPACE=` of 3D Slicer), whatever was asked for
-    double unit_mm = 1.0;                  ///< what one unit of the file was taken as [mm]
+    FileFrame frame = FileFrame::Untagged; ///< tag of the file (`SPACE=` of 3D Slicer), regardless of the options
+    double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
-    std::vector<std::string> notes; ///< what was ignored or assumed, one sentence an entry
-    std::string loss;               ///< what a file that was cut off has lost, one line with its count; see `isPartial`
+    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
+    std::string loss;               ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
 struct ReadOptions
 {
     double unit_mm = 1.0; ///< what one unit of the file's numbers is [mm]: 1000 for metres, 10 for cm
-    /// Told the share done, 0 … 1; return false to cancel. Called on the reading thread. May be empty.
+    /// Progress callback (0 to 1). Return false to cancel. Called on the reading thread. May be empty.
     std::function<bool(double)> progress;
-    /// Reads what is whole of an STL, OBJ or PLY that was cut off, instead of refusing it, and says in `loss` what is
-    /// not there. A VTP or VTK that was cut off is refused all the same.
+    /// Reads the complete elements of a truncated STL, OBJ or PLY instead of refusing the file, and reports the missing
+    /// part in `loss`. A truncated VTP or VTK is always refused.
     bool isPartial = false;
     /// The axes that the coordinates are along, whatever the file's tag says; Untagged: as the tag says, else LPS.
     FileFrame frame = FileFrame::Untagged;
-    /// Takes the unit from 3D Slicer's `SCALE=` in an STL header, where there is one and `unit_mm` is 1.
+    /// Uses the unit from 3D Slicer's `SCALE=` in an STL header, if present and `unit_mm` is 1.
     bool readsScale = true;
-    /// What `loadScene` does to every structure, whatever its scene says: turn closed parts that are inside out, and
-    /// smooth the surface (SurfaceKind::Smoothed).
+    /// Options of `loadScene` for every structure, overriding the scene: turn inverted closed parts, and smooth the
+    /// surface (SurfaceKind::Smoothed).
     bool turnsOutwards = false;
     bool isSmoothed = false;
 };
 
-/// Reads a mesh file of one of the formats of MeshFormats.h; which one is told from the content.
+/// Reads a mesh file in a format of MeshFormats.h, detected from the content.
 ///
-/// Polygons and strips are triangulated. OBJ groups and objects, and the `StructureId` cell array with
-/// `StructureNames` of a VTP, become structures. The numeric locale does not matter.
-/// @return one line that names the file, the place, what was found and what was expected, if it cannot be read whole
+/// Triangulates polygons and strips. OBJ groups and objects, and the `StructureId` cell array with `StructureNames` of
+/// a VTP, become structures. Independent of the numeric locale.
+/// @return on failure one line with the file, the place, the found and the expected value
 /// @par Thread Any; no shared state.
 [[nodiscard]] core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes VTP (with `StructureId`, `StructureNames` and `SPACE=LPS`) or binary STL (structures merged, `SPACE=LPS` in
-/// the header), by the extension. Atomic: a temporary file beside it, then a rename.
+/// the header), by the extension. Atomic: writes a temporary file in the same folder, then renames.
 [[nodiscard]] core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshStructure> structures);
 
 } // namespace palpate::meshio

@@ -19,12 +19,12 @@
 
 namespace palpate::meshio {
 
-/// What a structure's surface is made of.
+/// Surface model of a structure.
 enum class SurfaceKind : std::uint8_t
 {
     Facets,   ///< the triangles of the mesh as they are
-    Smooth,   ///< curved facets: reserved, drawn and felt as facets for now
-    Smoothed, ///< the mesh after a low-pass filter against the steps of voxels: see shapeSurface
+    Smooth,   ///< curved facets: reserved, currently treated as facets
+    Smoothed, ///< the mesh after a low-pass filter against voxel steps: see shapeSurface
 };
 inline constexpr std::array<std::string_view, 3> kSurfaceNames{"facets", "smooth", "smoothed"};
 /// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
@@ -34,9 +34,9 @@ inline constexpr double kUsualSmoothing = 0.7;
 struct SceneStructure
 {
     std::filesystem::path mesh; ///< in memory absolute, in the file relative to the scene file
-    std::string sha256;         ///< of the mesh file when the scene was saved, 64 hex digits; empty: not said
-    std::string part;           ///< name of the structure inside the mesh file; empty: all of the file
-    double unit_mm = 1.0;       ///< what one unit of the mesh file is [mm]
+    std::string sha256;         ///< of the mesh file when the scene was saved, 64 hex digits; empty: unknown
+    std::string part;           ///< name of the structure inside the mesh file; empty: the whole file
+    double unit_mm = 1.0;       ///< size of one unit of the mesh file [mm]
     core::FileFrame frame =
         core::FileFrame::Untagged; ///< chosen for the mesh file; Untagged: as its tag says, else LPS
     std::string name;
@@ -45,67 +45,67 @@ struct SceneStructure
     bool visible = true;
     bool palpable = true;
     bool flipped = false;  ///< turn the surface inside out on import
-    bool outwards = false; ///< turn closed parts that are inside out on import, after `flipped`
+    bool outwards = false; ///< turn inverted closed parts on import, after `flipped`
     SurfaceKind surface = SurfaceKind::Facets;
     double smoothing = kUsualSmoothing; ///< strength of SurfaceKind::Smoothed, 0 (nearly none) … 1
     core::Tissue tissue;
-    std::uint32_t layer = 0; ///< 0 is the outermost
-    std::string inside;      ///< name of the organ that this is a lump in; empty: not said, and then `layer` is 0
-    std::optional<double> young_ratio;            ///< of a lump: its modulus by the organ's; > 0
-    std::optional<double> young_kPa;              ///< Young's modulus [kPa], of a lump and of its organ
-    std::optional<double> felt_contact_radius_mm; ///< of an organ: of the finger that feels lumps in it [mm]
+    std::uint32_t layer = 0;           ///< 0 is the outermost
+    std::string inside;                ///< organ that contains this lump; empty: unspecified, and then `layer` is 0
+    std::optional<double> young_ratio; ///< Young's modulus of a lump relative to the organ; > 0
+    std::optional<double> young_kPa;   ///< Young's modulus [kPa], of a lump and of its organ
+    std::optional<double> felt_contact_radius_mm; ///< contact radius of the palpating finger on an organ [mm]
     /// How arrays or volumes vary the tissue over the surface; nothing: by the arrays whose names say it
     /// (core::kKnownMaps).
     std::optional<std::vector<core::TissueMapping>> maps{};
     core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
-    std::string extra; ///< fields of this structure that this version does not know, as a JSON object
+    std::string extra;                                  ///< unknown fields of this structure, as a JSON object
 };
 
-/// Where the view stands.
+/// Camera of the scene.
 struct SceneCamera : core::ViewPose
 {
-    std::string extra{}; ///< fields that this version does not know, as a JSON object
+    std::string extra{}; ///< unknown fields, as a JSON object
 };
 
-/// Numbers that a structure is coloured by.
+/// Values that colour a structure.
 struct ShownMap
 {
-    std::string structure; ///< its name
+    std::string structure; ///< name of the structure
     std::string numbers;   ///< "felt:stiffness", "felt:damping", "felt:friction", or "array:" and an array's name
     friend bool operator==(const ShownMap&, const ShownMap&) = default;
 };
 
-/// How what lies in an organ is felt.
+/// Haptic model of structures inside an organ.
 enum class BuriedTouch : std::uint8_t
 {
-    Layers, ///< by its own surface, once the hand has gone in so far
-    Felt,   ///< through the organ's surface, which it makes stiffer; its own is not touched
+    Layers, ///< contact with the lump's own surface once the HIP has reached that depth
+    Felt,   ///< transmitted through the organ's surface as increased stiffness; no contact with the lump's own surface
 };
 inline constexpr std::array<std::string_view, 2> kBuriedNames{"layers", "felt"};
 
-/// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by its field `version`; unknown fields are
-/// kept.
+/// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by the field `version`; unknown fields are
+/// preserved.
 struct SceneFile
 {
     static constexpr int kVersion = 1;
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
-    std::optional<ShownMap> shownMap; ///< nothing: each structure has its own colour
+    std::optional<ShownMap> shownMap; ///< empty: each structure has its own colour
     std::vector<core::Finding> findings;
     BuriedTouch buried = BuriedTouch::Layers;
     std::string sha256; ///< of the file's bytes when it was read, 64 hex digits; empty: of no file. Not written
     std::string extra;  ///< top-level fields that this version does not know, as a JSON object
 };
 
-/// @return true for a path that is named as a scene file (".json").
+/// @return true for a path with the extension of a scene file (".json").
 [[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
 
-/// Reads and checks a scene file. The meshes are not read. A wrong field is an error that names it by its path in the
-/// document: "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
+/// Reads and checks a scene file without the meshes. An error names the invalid field by its path in the document:
+/// "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
 [[nodiscard]] core::Result<SceneFile> readScene(const std::filesystem::path& path);
 
-/// @return the fields of a scene file that this version does not know, by their paths in the document:
-/// "structures[2].stifness_N_per_mm". They are kept and written back, but not used.
+/// @return the unknown fields of a scene file by their paths in the document: "structures[2].stifness_N_per_mm". They
+/// are preserved on writing, but not used.
 [[nodiscard]] std::vector<std::string> unknownFields(const SceneFile& scene);
 
 /// @return SHA-256 of a file's bytes as 64 hex digits; empty when it cannot be read.
