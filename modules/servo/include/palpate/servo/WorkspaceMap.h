@@ -11,48 +11,47 @@
 
 namespace palpate::servo {
 
-/// How a device's workspace lies in the scene; the window says it, any tick may bring a change.
+/// Mapping of a device workspace to the scene. Set by the window; may change in any tick.
 struct MapSettings
 {
-    /// D is the world frame, nothing is mapped: mouse, playback, simulated hand. The rest is then without meaning.
+    /// D equals the world frame, without mapping: mouse, playback, simulated hand. All other fields are then ignored.
     bool isDirect = true;
     core::Quaternion q_WD = core::Quaternion::Identity(); ///< orientation of D in the scene, unit
-    double scale = 1.0;                                   ///< mm of the scene a mm of the device, > 0
-    Vec3 centre_W = Vec3::Zero();                         ///< where the device's origin goes when it is centred [mm]
-    std::uint32_t centreRequest = 0; ///< another value than before: centre now, the hand jumps and begins anew
-    bool isClutched = false;         ///< by a key: the device moves, the HIP stays
-    std::uint32_t clutchButtons = 0; ///< while one of these is down: the same
-    /// Distance of the device from its origin beyond which it is clutched; it stays so until it is back within half of
-    /// that. A device that starts out there is not clutched before it has been inside once. 0: no such clutch. [mm]
+    double scale = 1.0;                                   ///< scene mm per device mm, > 0
+    Vec3 centre_W = Vec3::Zero();                         ///< target of the device origin on centring [mm]
+    std::uint32_t centreRequest = 0; ///< a changed value centres now: the HIP jumps and contacts restart
+    bool isClutched = false;         ///< clutched by a key: the device moves, the HIP stays
+    std::uint32_t clutchButtons = 0; ///< clutched while any of these buttons is down
+    /// Distance of the device from its origin at which the edge clutch engages; releases within half of this distance.
+    /// A device that starts outside is not clutched until it has been inside once. 0: no edge clutch [mm]
     double edge_mm = 0.0;
 };
 static_assert(std::is_trivially_destructible_v<MapSettings>); // crosses threads in a PlainCopy
 
-/// A tick's hand in the scene.
+/// Input of a tick in the scene.
 struct MappedInput
 {
     Vec3 p_W = Vec3::Zero(); ///< HIP [mm]
     bool isClutched = false; ///< the HIP stands still and nothing is to be felt
-    bool isAtEdge = false;   ///< clutched because the device is at its workspace's edge
-    bool isReleased = false; ///< the clutch was let go in this tick: force is to be eased in
-    bool isMoved = false;    ///< the HIP was put elsewhere: contacts begin anew here
+    bool isAtEdge = false;   ///< clutched because the device is at the edge of its workspace
+    bool isReleased = false; ///< the clutch was released in this tick: ease the force in
+    bool isMoved = false;    ///< the HIP was repositioned: contacts restart here
 };
 
-/// Carries the HIP from the device's frame D into the scene and forces back:
+/// Maps the HIP from the device frame D to the scene, and forces back:
 ///   p_W = a_W + s R (p_D - a_D),  f_D = R^T f_W.
-/// The anchor (a_D, a_W) is moved whenever s or R change or a clutch is let go, so that the HIP stays where it is and
-/// the god-object has nowhere to go: no change pulls it through a surface, and the spring between them keeps its
-/// length. Only centring moves the HIP; contacts then begin anew, as for a hand that comes.
+/// Each change of s or R and each clutch release moves the anchor (a_D, a_W) so that the HIP stays in place. No change
+/// can therefore pull the god-object through a surface, and the virtual coupling keeps its length. Only centring moves
+/// the HIP; contacts then restart, as for a new hand.
 ///
-/// Forces are not scaled: a tissue of k N/mm feels like k s N/mm at the device, and the loop must hold that stably.
+/// Forces are not scaled: a tissue of k N/mm has k s N/mm at the device, and the loop must be stable at this stiffness.
 /// @par Real-time Wait-free, no allocation. One thread.
 class WorkspaceMap
 {
   public:
-    /// From the next `map` on. Settings that are not finite, a scale outside 1e-6 to 1e6 or a rotation that is none
-    /// are ignored.
+    /// Applies from the next `map` on. Ignores non-finite settings, a scale outside 1e-6 to 1e6, and invalid rotations.
     void set(const MapSettings& settings) noexcept PALPATE_NONBLOCKING;
-    /// @param input  what the gate admitted, with a hand
+    /// @param input  output of the gate, with a hand
     [[nodiscard]] MappedInput map(const GatedInput& input, std::uint32_t buttons) noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] Vec3 toDevice(const Vec3& f_W) const noexcept PALPATE_NONBLOCKING;
@@ -75,11 +74,11 @@ class WorkspaceMap
     bool m_wasInside = false; // the edge, since it was centred: an arm that rests beyond it comes as it is mapped
 };
 
-/// The scale with which something of this size fills the part of a workspace that the edge leaves free.
+/// Scale at which an object of this size fills the workspace within the edge.
 /// @param edge_mm  as in MapSettings, > 0
 [[nodiscard]] double scaleToFill(double size_mm, double edge_mm) noexcept;
 
-/// Where the device's automatic clutch takes hold: nine tenths of its workspace. [mm]
+/// Distance of the automatic edge clutch: 90 % of the workspace [mm].
 [[nodiscard]] double edgeOf(const device::DeviceInfo& info) noexcept;
 
 } // namespace palpate::servo
