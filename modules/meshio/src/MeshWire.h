@@ -5,13 +5,13 @@
 
 namespace palpate::meshio::internal {
 
-/// Writes the outcome of a read into an empty memory file, and frees each structure as soon as it is written.
-/// @return false when the memory file does not take it
+/// Writes the outcome of a read to an empty memory file, and frees each structure once written.
+/// @return false when writing fails
 [[nodiscard]] bool writeOutcome(int descriptor, core::Result<MeshFile> outcome);
 
-/// Takes an outcome out of a memory file, whose pages are given back on the way, so that a large mesh is never in
-/// memory twice. Nothing is believed: every size, index, coordinate and text is checked.
-/// @param path     the file that was read; names it in messages
+/// Reads an outcome from a memory file and releases the file's pages on the way, so that a large mesh is never in
+/// memory twice. The content is untrusted: checks every size, index, coordinate and text.
+/// @param path     the mesh file, for messages
 [[nodiscard]] core::Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path);
 
 } // namespace palpate::meshio::internal

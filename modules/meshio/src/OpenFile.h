@@ -49,12 +49,12 @@ struct OpenFile
     std::size_t size = 0; ///< [bytes]
 };
 
-/// Opens `path`; a folder, a pipe and what else is no regular file is an error.
+/// Opens `path`; anything but a regular file (folder, pipe) is an error.
 [[nodiscard]] core::Result<OpenFile> openFile(const std::filesystem::path& path);
-/// The same for what is open already. @param file  its name in error messages
+/// Same for an open descriptor. @param file  name for error messages
 [[nodiscard]] core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file);
 
-/// @return an error that says `what`, and why by errno
+/// @return an error with the text `what` and the reason from errno
 [[nodiscard]] core::Status systemFault(std::string_view file, std::string_view what);
 
 } // namespace palpate::meshio::internal

@@ -7,8 +7,8 @@
 
 namespace palpate::meshio::internal {
 
-/// Makes a mesh of a file's bytes: a pure function of them, the file's name and the options, so that another process
-/// can do it as well.
+/// Decodes the bytes of a mesh file. A pure function of the bytes, the file name and the options, so that another
+/// process can run it.
 [[nodiscard]] core::Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path,
                                                 const ReadOptions& options);
 

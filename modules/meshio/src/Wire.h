@@ -16,7 +16,7 @@ namespace palpate::meshio::internal {
 // How an outcome crosses from the process that reads to the program: in a memory file, head size, head, then numbers
 // as they lie in memory. Both ends are one build on one machine.
 
-/// What stands at the front of an outcome: its status, names and counts.
+/// Head of an outcome: status, names and counts.
 class WireHead
 {
   public:
@@ -33,14 +33,14 @@ class WireHead
     /// Begins a head. An error is all of one.
     void put(const core::Status& status);
     [[nodiscard]] const std::string& bytes() const noexcept { return m_bytes; }
-    /// Writes its size and itself. @return false when the memory file does not take it
+    /// Writes the size and the head. @return false when writing fails
     [[nodiscard]] bool write(int descriptor) const;
 
   private:
     std::string m_bytes;
 };
 
-/// Takes values off a head; after the first that is not there all are zero and `isGood` is false.
+/// Reads values from a head. After the first missing value, `isGood` is false and all further values are zero.
 class WireHeadReader
 {
   public:
@@ -69,22 +69,22 @@ class WireHeadReader
     bool m_isGood = true;
 };
 
-/// An outcome as it was handed back, up to the numbers behind its head.
+/// An outcome after reading the head, before the numbers.
 struct WireOutcome
 {
-    std::string head;        ///< after its status, which was good
-    std::uint64_t begin = 0; ///< where the numbers begin [bytes]
+    std::string head;        ///< the rest of the head after a good status
+    std::uint64_t begin = 0; ///< offset of the numbers [bytes]
     std::uint64_t size = 0;  ///< of the memory file [bytes]
-    core::Status status;     ///< what the reader says, one line that names the file; or that it says nonsense
+    core::Status status;     ///< error of the reader, one line with the file name; or an error about an invalid head
 };
-/// @param file  its name in messages; @param expected  of an outcome, in them: "a checked mesh"
+/// @param file  name for messages; @param expected  expected content, for messages: "a checked mesh"
 [[nodiscard]] WireOutcome readHead(int descriptor, const std::string& file, std::string_view expected);
 
 [[nodiscard]] bool writeAll(int descriptor, const void* data, std::size_t size);
 [[nodiscard]] bool readAll(int descriptor, void* data, std::size_t size, std::uint64_t at);
 
-/// Moves `count` items from the memory file into `out`, a part at a time, each checked while it is near; the file's
-/// pages are given back on the way, so that they are never in memory twice.
+/// Reads `count` items from the memory file into `out` in blocks and checks each item while in cache. Releases the
+/// file's pages on the way, so that they are never in memory twice.
 template<class T, class Check>
 [[nodiscard]] bool moveItems(int descriptor, std::uint64_t& at, std::uint64_t count, std::vector<T>& out,
                              Check&& isGood)
