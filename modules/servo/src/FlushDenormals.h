@@ -11,9 +11,9 @@
 
 namespace palpate::servo {
 
-/// While it lives, this thread's arithmetic takes and gives zero for denormal numbers. On processors that are not known
-/// here it does nothing.
-/// @par Real-time Wait-free; some ten nanoseconds.
+/// Scope guard that makes the calling thread treat denormal inputs and results as zero. No effect on processors without
+/// support below.
+/// @par Real-time Wait-free; about ten nanoseconds.
 class FlushDenormals
 {
   public:

@@ -13,12 +13,12 @@ double positiveOrZero(double value) noexcept
     return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
-/// Shortens `v` to `length`; any finite v, however long.
+/// Limits `v` to `length`, for any finite `v`.
 Vec3 shortened(Vec3 v, double length) noexcept
 {
     const double largest = v.cwiseAbs().maxCoeff();
     if (largest > length) {
-        v *= length / largest; // keeps the norm below from overflowing
+        v *= length / largest; // prevents overflow of the norm below
     }
     const double norm = v.norm();
     return norm > length ? Vec3(v * (length / norm)) : v;
@@ -53,7 +53,7 @@ SafetyGate::SafetyGate(const GateLimits& limits, double dt_s) noexcept
 GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_ns) noexcept PALPATE_NONBLOCKING
 {
     GatedInput input;
-    // In doubles: a difference of arbitrary 64-bit times may not fit 64 bits, and 0.1 us does.
+    // In double: the difference of arbitrary 64-bit times may overflow, and a precision of 0.1 us is sufficient.
     m_passed_s = std::max(m_dt_s, (static_cast<double>(now_ns) - static_cast<double>(m_now_ns)) * 1e-9);
     m_now_ns = now_ns;
     m_isPresent = false;
@@ -72,13 +72,13 @@ GatedInput SafetyGate::admit(const device::DeviceState& state, std::int64_t now_
     bool isRefused = true;
     if (!p_D.allFinite()) {
         raise(FaultKind::NonFiniteInput);
-    } else if (!(std::abs(age_s) <= m_limits.staleAfter_s)) { // a time in the future is not by this clock
+    } else if (!(std::abs(age_s) <= m_limits.staleAfter_s)) { // a future time comes from another clock
         raise(FaultKind::StaleInput);
     } else if (p_D.cwiseAbs().maxCoeff() > m_limits.largestCoordinate_mm ||
                (m_limits.workspaceRadius_mm > 0.0 && p_D.norm() > m_limits.workspaceRadius_mm)) {
         refuse(FaultKind::OutOfWorkspace);
     } else if (m_hasHand) {
-        // A late tick or a slower device leaves the hand more time to move, though never more than makes it stale.
+        // A late tick or a slow device gives the hand more time to move, bounded by the age of a stale HIP.
         const double since_s = std::clamp((static_cast<double>(state.time_ns) - static_cast<double>(m_time_ns)) * 1e-9,
                                           m_dt_s, std::max(m_dt_s, m_limits.staleAfter_s));
         const double reach_mm = m_limits.maxHandSpeed_mm_per_s * since_s;
@@ -147,8 +147,8 @@ Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKI
     }
     Vec3 f_D = Vec3::Zero();
     if (m_fault != FaultKind::None || m_isStopping) {
-        // From what was sent last, so that it never grows again, whatever the power bound took meanwhile. By the
-        // clock: ticks that come late must not stretch it.
+        // Start from the last sent force, so that the ramp never rises after a reduction by the power bound. Use
+        // the tick time, so that late ticks do not prolong the ramp.
         constexpr double kRounding = 1.0 + 1e-9;
         if (m_rampLeft_s > kRounding * m_passed_s) {
             f_D = m_sent_D * (1.0 - m_passed_s / m_rampLeft_s);
@@ -166,13 +166,13 @@ Vec3 SafetyGate::release(const ForceRequest& request) noexcept PALPATE_NONBLOCKI
                 f_D = m_sent_D + change * (largestChange_N / change_N);
             }
         }
-        f_D = shortened(f_D, m_limits.maxForce_N); // again: rounding
+        f_D = shortened(f_D, m_limits.maxForce_N); // again, because of rounding
     }
     const double power = f_D.dot(m_v_D);
     if (power > m_limits.maxPower_Nmm_per_s) {
         f_D *= m_limits.maxPower_Nmm_per_s / power;
     }
-    m_sent_D = f_D.allFinite() ? f_D : Vec3(Vec3::Zero()); // the last check, whatever the limits were
+    m_sent_D = f_D.allFinite() ? f_D : Vec3(Vec3::Zero()); // final check, independent of the limits
     return m_sent_D;
 }
 

@@ -24,7 +24,7 @@ void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexce
     }
     tick.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - begin_ns);
     if (tick.felt.contactCount == 0) {
-        tick.v_WH.setZero(); // nothing was damped: nothing to record
+        tick.v_WH.setZero(); // no damping, so the velocity is not recorded
     }
     if (tick.felt.status == haptics::TickStatus::IterationLimit) {
         tick.flags |= kIterationLimit;
@@ -90,7 +90,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         }
     }
 
-    // Clutched, the device moves through nothing; the god-object stays where it is.
+    // While clutched, the device moves freely and the god-object stays in place.
     const bool isFelt = input.isPresent && !mapped.isClutched;
     if (!isFelt || mapped.isMoved || mapped.isReleased) {
         m_passivity.reset();
@@ -111,7 +111,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     request.isSceneChanged = m_isSceneChanged;
     if (isFelt) {
         request.f_D = m_map.toDevice(felt.f_W);
-        if (m_isSceneChanged) { // what the springs hold, in lengths of the device
+        if (m_isSceneChanged) { // energy stored in the springs, in device lengths
             m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - mapped.p_W) / m_map.scale());
         }
         const Vec3 damping_D = m_passivity.damping(m_gate.eased(request.f_D), request.isInContact);
@@ -131,13 +131,13 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     return record;
 }
 
-/// @return true when a hand that was away is where it was, so soon that it cannot have gone around what it touched. Of
-/// a surface without an inside only its side tells that it is touched, so that has no end; nor does a fault, in which
-/// the hand is held until someone re-arms.
+/// @return true when a hand returns to its last position too soon to have moved around the touched object. No time
+/// limit for an open surface, where only the side of the surface indicates contact, and none during a fault, in which
+/// the hand waits for re-arming.
 bool ServoCore::isBack(const Vec3& p_WH) const noexcept
 {
     constexpr double kLongest_s = 0.5;
-    constexpr double kRounding = 1.0 + 1e-9; // of a sum of periods
+    constexpr double kRounding = 1.0 + 1e-9; // tolerance for the rounding of a sum of periods
     return m_hasBeenHere && (p_WH - m_p_WH).norm() <= haptics::Palpator::kNear_mm &&
            (m_away_s <= kRounding * kLongest_s || m_palpator.isOnSheet());
 }

@@ -20,7 +20,7 @@ struct Loop
 
 std::mutex& mutex()
 {
-    static auto* const made = new std::mutex; // never destroyed: used while the program ends
+    static auto* const made = new std::mutex; // never destroyed, because it is used during program exit
     return *made;
 }
 
@@ -47,7 +47,7 @@ void stopAll()
     for (int i = 0; i < 100 && isAnyRunning(); ++i) {
         std::this_thread::sleep_for(1ms);
     }
-    std::this_thread::sleep_for(5ms); // a driver's own thread still has to send the zero
+    std::this_thread::sleep_for(5ms); // time for the driver's own thread to send the zero force
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSmallestScale = 1e-6;
 constexpr double kLargestScale = 1e6;
-constexpr double kReleaseShare = 0.5; // of the edge: so far back the automatic clutch lets go
+constexpr double kReleaseShare = 0.5; // fraction of the edge distance at which the edge clutch releases
 
 bool isUsable(const MapSettings& settings) noexcept
 {
@@ -42,7 +42,7 @@ MappedInput WorkspaceMap::map(const GatedInput& input, std::uint32_t buttons) no
         return out;
     }
     const bool isCentring = !m_isPlaced || m_used.isDirect || m_asked.centreRequest != m_used.centreRequest;
-    // A change of scale or orientation leaves the HIP of the tick before alone, if there was a hand.
+    // With a hand, a change of scale or orientation keeps the HIP of the previous tick.
     const bool isTurned = m_asked.scale != m_used.scale || m_asked.q_WD.coeffs() != m_used.q_WD.coeffs();
     if (isCentring) {
         m_used = m_asked;
