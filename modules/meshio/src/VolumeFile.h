@@ -14,38 +14,37 @@
 
 namespace palpate::meshio::internal {
 
-/// A volume of one number a voxel, in LPS.
+/// A volume with one number per voxel, in LPS.
 struct VoxelGrid
 {
     std::array<std::uint32_t, 3> size{};                   ///< voxels along each axis, each at least 1; x fastest
-    Eigen::Affine3d toVoxel = Eigen::Affine3d::Identity(); ///< from LPS [mm] to numbers of voxels; finite
-    std::vector<float> values; ///< one a voxel; what the file has as infinite or not a number stays that
+    Eigen::Affine3d toVoxel = Eigen::Affine3d::Identity(); ///< from LPS [mm] to voxel indices; finite
+    std::vector<float> values; ///< one per voxel; infinite values and NaN are kept from the file
 };
 
-/// The most voxels of a volume.
+/// Largest number of voxels in a volume.
 inline constexpr std::uint64_t kMostVoxels = std::uint64_t{1} << 30;
 
-/// @return what the file of a volume takes on the disk, with the file of its numbers where that is another one (`.mhd`,
-/// `.nhdr`) [bytes]
+/// @return the size of a volume on disk, including a separate data file (`.mhd`, `.nhdr`) [bytes]
 [[nodiscard]] std::uint64_t volumeBytes(const std::filesystem::path& path);
 
-/// Reads a volume (`.vti`, `.mha`, `.mhd`, `.nrrd`, `.nhdr`, `.nii`, `.nii.gz`; mm; NIfTI and what says RAS are turned
-/// to LPS) in a child process where there is an import server, else here.
-/// @param frame  the axes of a file that says none (`.vti`, NRRD without `space`)
-/// @param progress  told the share done, 0 … 1; return false to cancel. Called on this thread. May be empty
-/// @return one line that names the file, what was found and what was expected, if it can't be read whole
+/// Reads a volume (`.vti`, `.mha`, `.mhd`, `.nrrd`, `.nhdr`, `.nii`, `.nii.gz`; mm; NIfTI and RAS volumes are converted
+/// to LPS) in a child process with an import server, otherwise in this process.
+/// @param frame  axes for a file without a stated space (`.vti`, NRRD without `space`)
+/// @param progress  progress callback (0 to 1); return false to cancel. Called on this thread. May be empty
+/// @return on failure one line with the file, the found and the expected value
 /// @par Thread Any.
 [[nodiscard]] core::Result<VoxelGrid> readVolume(const std::filesystem::path& path, core::FileFrame frame,
                                                  const std::function<bool(double)>& progress);
 
-/// The same in this process, whatever VTK's readers do to it.
+/// Same in this process, without protection against crashes of VTK's readers.
 [[nodiscard]] core::Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFrame frame,
                                                      const std::function<bool(double)>& progress);
 
-/// Writes the outcome of a read into an empty memory file. @return false when that does not take it
+/// Writes the outcome of a read to an empty memory file. @return false when writing fails
 [[nodiscard]] bool writeVolume(int descriptor, core::Result<VoxelGrid> outcome);
-/// Takes an outcome out of a memory file. Nothing is believed: size, axes and counts are checked.
-/// @param path  the file that was read; names it in messages
+/// Reads an outcome from a memory file. The content is untrusted: checks size, axes and counts.
+/// @param path  the volume file, for messages
 [[nodiscard]] core::Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path);
 
 } // namespace palpate::meshio::internal

@@ -14,12 +14,12 @@ class vtkSmartPointer;
 
 namespace palpate::meshio::internal {
 
-/// A mesh format, all that the rest of meshio needs to know of it; each stands in a file of its own in this folder.
+/// Interface of a mesh format to the rest of meshio; one source file in this folder per format.
 struct MeshFormat
 {
-    std::string_view name;                        ///< as a person knows it, "STL"
+    std::string_view name;                        ///< for users, "STL"
     std::span<const std::string_view> extensions; ///< in lower case, ".stl"; the first is the usual one
-    /// Its content may leave open what it is: then the extension decides.
+    /// The extension decides when the content is ambiguous.
     bool isToldByExtension;
     /// @param bytes  of the whole file, not empty
     /// @return true when the content is this format's, valid or damaged
