@@ -220,7 +220,8 @@ class Rescue
         lose("metadata: " + lost + " cannot be read; set to their defaults");
         m_info = internal::fromMeta(good).value();
         if (!hasStart) {
-            --m_info.firstTick; // so that a replay knows: the state before the first tick is not known
+            // A replay then knows that the state before the first tick is not known. -1 is the least a reader accepts.
+            m_info.firstTick = std::max<std::int64_t>(m_info.firstTick - 1, -1);
         }
     }
 
