@@ -14,10 +14,10 @@ namespace palpate::view {
 
 using core::Vec3;
 
-/// The rim around a shape, so that it is seen on bright tissue.
+/// Colour of the dark rim around shapes, which keeps them visible on bright tissue.
 inline constexpr Colour kDarkRim{0.07, 0.08, 0.10};
 
-/// What a shape of constant size on screen needs to know of the view: its axes and how large a pixel is where.
+/// View parameters for shapes of constant size on screen: camera axes and the size of a pixel at each depth.
 struct ViewFrame
 {
     Vec3 eye_W = Vec3::Zero();
@@ -27,29 +27,30 @@ struct ViewFrame
     double width_px = 1.0, height_px = 1.0;
     double scale = 1.0; ///< perspective: height of the view at distance 1; parallel: height of the view [mm]
     bool isParallel = false;
-    double pixelRatio = 1.0; ///< device pixels of one logical pixel
+    double pixelRatio = 1.0; ///< device pixels per logical pixel
     TextStyle text{};
 
-    /// Reads the camera and size of a renderer. @param pixelRatio  of the screen it is shown on
+    /// Reads the camera and size of a renderer. @param pixelRatio  device pixels per logical pixel
     [[nodiscard]] static ViewFrame of(vtkRenderer& renderer, double pixelRatio);
-    /// Size of a logical pixel at a point. [mm]
+    /// Size of a logical pixel at `p_W`. [mm]
     [[nodiscard]] double mmPerPixel(const Vec3& p_W) const;
-    /// Where a point is seen: logical pixels from the middle of the view, x right, y up.
+    /// Projects a point: logical pixels from the centre of the view, x right, y up.
     [[nodiscard]] Eigen::Vector2d pixelOf(const Vec3& p_W) const;
-    /// From a point towards the viewer's eye, unit.
+    /// Unit vector from `p_W` towards the viewer's eye.
     [[nodiscard]] Vec3 towardsViewer(const Vec3& p_W) const;
 
     friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
 
-/// Turns an unlit flat shape made in pixels (x right, y up, z to the viewer) to the viewer at `p_W`.
+/// Turns an unlit flat shape to face the viewer at `p_W`. The shape is modelled in pixels: x right, y up, z to the
+/// viewer.
 void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame);
 
-/// Makes a flat ring for `placeBillboard`. @param lift_px  towards the viewer, so that rings of one place have an order
+/// Makes a flat ring for `placeBillboard`. @param lift_px  offset towards the viewer, which orders rings at one point
 [[nodiscard]] vtkSmartPointer<vtkActor> makeRing(double inner_px, double outer_px, const Colour& colour,
                                                  double lift_px);
 
-/// A straight line of constant width on screen that faces the viewer.
+/// Straight line of constant width on screen that faces the viewer.
 class BillboardLine
 {
   public:
@@ -62,7 +63,7 @@ class BillboardLine
     double m_width_px;
 };
 
-/// A circle of constant width on screen that faces the viewer, as large as is wanted.
+/// Circle of constant line width on screen and variable radius that faces the viewer.
 class BillboardCircle
 {
   public:

@@ -7,7 +7,7 @@
 
 namespace palpate::view {
 
-/// From where the patient is seen. World is LPS: x to the patient's left, y to the back, z to the head.
+/// Standard viewing directions. The world frame is LPS: x to the patient's left, y to the back, z to the head.
 enum class ViewFrom
 {
     Front,
@@ -19,18 +19,18 @@ enum class ViewFrom
     Oblique
 };
 
-/// Turns the camera to look at `bounds` from `from`, all of it in view, the patient's head (seen from the head or the
-/// feet: the patient's front) up.
+/// Points the camera at `bounds` from direction `from` and fits all of `bounds` into the view. The patient's head is
+/// up; when seen from the head or the feet, the patient's front is up.
 /// @param aspect  width over height of the view, > 0
 void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double aspect);
 
-/// Moves the camera along its own direction until all of `bounds` is in view.
+/// Moves the camera along its viewing direction until all of `bounds` is in view.
 void fit(vtkCamera& camera, const core::Box& bounds, double aspect);
 
-/// Goes round the focus, which stays in the middle. @param right_deg, up_deg  as the viewer goes
+/// Orbits the camera around its focal point. @param right_deg, up_deg  motion of the viewer
 void turn(vtkCamera& camera, double right_deg, double up_deg);
 
-/// Goes along the screen. @param right, up  of the view's height at the focus, as the viewer goes
+/// Pans the camera parallel to the screen. @param right, up  motion of the viewer, in view heights at the focal point
 void shift(vtkCamera& camera, double right, double up);
 
 } // namespace palpate::view

@@ -17,26 +17,26 @@
 
 namespace palpate::view {
 
-/// What the colours of a structure say: a bar of them at the left of the view with its name, unit and numbers. With
-/// marks it is wide, and stands in the corner where it hides less of the tissue.
+/// Colour legend of a structure: a colour bar at the left of the view with title, unit and numbers. A legend with
+/// marks is wider and is placed in the corner where it hides less tissue.
 class ColourLegend
 {
   public:
-    /// A number that means something, and what.
+    /// Labelled value beside the bar, for example a threshold.
     struct Mark
     {
         double value = 0.0;
         std::string text;
     };
     static constexpr std::size_t kMostMarks = 5;
-    /// What it says, UTF-8.
+    /// Contents of the legend; all texts are UTF-8.
     struct Content
     {
-        std::string title;   ///< what is coloured, by what and in which unit; lines
-        std::string unknown; ///< what grey means
+        std::string title;   ///< structure, quantity and unit; may have several lines
+        std::string unknown; ///< label of the grey box (values not known)
         ColourRange range;
-        std::string decimalPoint = "."; ///< of the numbers
-        /// Ascending, at most kMostMarks: they stand beside the bar in place of its numbers, and what is unknown is
+        std::string decimalPoint = "."; ///< decimal separator of the numbers
+        /// At most kMostMarks, ascending. Marks replace the numbers beside the bar, and the box for unknown values is
         /// hatched.
         std::vector<Mark> marks{};
     };
@@ -46,33 +46,34 @@ class ColourLegend
     void show(const Content& content);
     void hide();
     [[nodiscard]] bool isShown() const { return m_bar->GetVisibility() != 0; }
-    /// Its words from the top: title, largest, middle, least number, and what grey means where it is there.
+    /// Texts from top to bottom: title, maximum, middle and minimum number, and the label of the grey box if shown.
     [[nodiscard]] std::array<std::string, 5> texts() const;
-    /// The marks' words, from the lowest.
+    /// Texts of the marks, lowest value first.
     [[nodiscard]] std::vector<std::string> markTexts() const;
-    /// Where it may stand: at the left above the cube, or, with marks, at the right above the scale.
+    /// Position in the view: at the left above the orientation cube or, only with marks, at the right above the scale
+    /// bar.
     enum class Corner
     {
         UpperLeft,
         LowerRight
     };
     void setCorner(Corner corner) noexcept { m_corner = corner; }
-    /// Counts what was shown.
+    /// Number of content changes so far.
     [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
     [[nodiscard]] bool hasMarks() const noexcept { return !m_marks.empty(); }
-    /// What is below it in each corner ends there. [logical px]
+    /// Upper edges of the objects below the legend in each corner. [logical px]
     struct Below
     {
         double cube_px = 0.0, scale_px = 0.0;
     };
-    /// @param renderer  that it was added to
+    /// Lays out the legend. @param renderer  the renderer that contains the legend
     void place(vtkRenderer& renderer, const ViewFrame& frame, const Below& below);
-    /// Where it stands after `place`, for what is to stay clear of it; empty when it is not shown. Logical pixels from
-    /// the view's middle.
+    /// Bounding box after `place`, so that other labels can avoid the legend. Empty while hidden. Logical pixels from
+    /// the centre of the view.
     [[nodiscard]] Eigen::AlignedBox2d box() const { return isShown() ? m_box : Eigen::AlignedBox2d(); }
 
   private:
-    /// Where the bar and what is below it stand. [device px]
+    /// Layout of the bar and the grey box. [device px]
     struct Place
     {
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
@@ -83,7 +84,7 @@ class ColourLegend
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
 
-    vtkSmartPointer<vtkActor2D> m_back; ///< behind it all, so that it reads on bright tissue
+    vtkSmartPointer<vtkActor2D> m_back; ///< dark background, for contrast on bright tissue
     vtkSmartPointer<vtkActor2D> m_bar;
     vtkSmartPointer<vtkActor2D> m_grey;
     std::array<vtkSmartPointer<vtkTextActor>, 5> m_texts;
@@ -94,7 +95,7 @@ class ColourLegend
     ColourRange m_range;
     std::vector<Mark> m_marks;
     std::array<vtkSmartPointer<vtkTextActor>, kMostMarks> m_markTexts;
-    vtkSmartPointer<vtkActor2D> m_lines; ///< from the marks to their words, and the hatch
+    vtkSmartPointer<vtkActor2D> m_lines; ///< leader lines of the marks, and the hatching
 };
 
 } // namespace palpate::view

@@ -5,11 +5,12 @@
 
 namespace palpate::view {
 
-/// Red, green, blue, each 0 … 1.
+/// Red, green and blue, each 0 to 1.
 using Colour = std::array<double, 3>;
 
-/// The cividis map, which reads the same with and without red-green colour blindness.
-/// @param t  0 … 1, clamped; dark blue to yellow, lightness rising evenly
+/// Evaluates the cividis colour map, which looks nearly the same to people with and without red-green colour
+/// blindness.
+/// @param t  0 to 1, clamped; from dark blue to yellow with uniformly increasing lightness
 /// @par Source Nuñez, Anderton, Renslow 2018, doi:10.1371/journal.pone.0199239
 [[nodiscard]] Colour cividis(double t) noexcept;
 

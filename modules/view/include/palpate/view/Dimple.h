@@ -8,44 +8,49 @@
 
 namespace palpate::view {
 
-/// The dent under the fingertip as it is drawn: all tissue bends with it, and a fine grid that belongs to the tissue
-/// shows how. What is touched is not bent: the god-object stays on the surface as it was loaded.
+/// Dent under the fingertip, for display only: all tissue bends with the dent, and a fine grid fixed to the tissue
+/// shows the shape. Contact computation is not affected: the god-object stays on the surface at rest. The
+/// displacement is the field of the bell-shaped pressure F c / (2 pi (r² + c²)^(3/2)) on an incompressible
+/// half-space: Boussinesq's solution with the source moved up by c (Johnson, Contact Mechanics, 1985, chapter 3).
+/// With R² = r² + (z + c)²,
 ///
-/// Of a press with the bell-shaped pressure F c / (2 pi (r² + c²)^(3/2)) on an incompressible half-space (Boussinesq's
-/// solution with its source moved up by c; Johnson, Contact Mechanics, 1985, chapter 3): with R² = r² + (z + c)²,
-/// u = d c (e / R + z S / R³), where e points into the tissue, z is the depth below the surface and S leads from the
-/// source to the point. On the surface that is d c / sqrt(r² + c²) straight in and nothing sideways. c = a / pi.
-/// Beyond d = 27/8 c that folds below the surface, as linear elasticity does: from 3 c on, z counts in u as 3 c / d of
-/// it, so that a lump is pushed ahead of the surface that comes down on it.
+/// u = d c (e / R + z S / R³),
+///
+/// where e points into the tissue, z is the depth below the surface and S is the vector from the source to the point.
+/// On the surface, u = d c / sqrt(r² + c²) along e, without a tangential component. c = a / pi. Linear elasticity
+/// folds the tissue below the surface when d > 27/8 c. From d = 3 c on, z in u is therefore multiplied by 3 c / d, so
+/// that the descending surface pushes a lump ahead.
 struct Dimple
 {
-    static constexpr double kPointRadius_mm = 5.0;      ///< a of a hand that is a point: a fingertip's
-    static constexpr double kRigid_N_per_mm = 2.0;      ///< stiffer is drawn as bone is: not bent
-    static constexpr double kUnfolded = 3.0;            ///< depth up to which z counts in full, in c
-    static constexpr double kFadeFrom = 6.0, kTo = 8.0; ///< no tissue moves beyond `kTo` a from the contact
+    static constexpr double kPointRadius_mm = 5.0; ///< a of a point-like hand: radius of a fingertip
+    static constexpr double kRigid_N_per_mm = 2.0; ///< stiffer structures are drawn rigid, like bone
+    static constexpr double kUnfolded = 3.0;       ///< depth up to which z is not reduced, in units of c
+    /// Fade-out range, in units of a from the contact: full displacement up to `kFadeFrom`, zero beyond `kTo`.
+    static constexpr double kFadeFrom = 6.0, kTo = 8.0;
 
-    Vec3 p_W = Vec3::Zero();  ///< contact on the surface at rest [mm]
-    Vec3 n_W = Vec3::UnitZ(); ///< unit normal there, outwards
-    double depth_mm = 0.0;    ///< d of the finger below it; 0: nothing is bent
-    double radius_mm = 0.0;   ///< a
+    Vec3 p_W = Vec3::Zero();  ///< contact point on the surface at rest [mm]
+    Vec3 n_W = Vec3::UnitZ(); ///< outward unit normal at `p_W`
+    double depth_mm = 0.0;    ///< penetration depth d of the finger [mm]; 0: no dent
+    double radius_mm = 0.0;   ///< contact radius a [mm]
 
-    /// @return nothing bent where there is no contact, no normal or `state.bends` is off
+    /// Makes the dent of a touch state.
+    /// @return a dent of depth 0 without contact, without a normal, or when `state.bends` is false
     [[nodiscard]] static Dimple of(const TouchState& state);
 
-    /// How far tissue that lies at `rest_W` moves, without the fading. [mm]
-    /// @param rest_W  world frame [mm]; above the surface it counts as on it
+    /// Displacement of tissue at rest position `rest_W`, before fading. [mm]
+    /// @param rest_W  world frame [mm]; points above the surface are treated as on the surface
     [[nodiscard]] Vec3 displacement_W(const Vec3& rest_W) const;
-    /// Whether anything in a box may move.
+    /// Returns whether any point inside `box` may move.
     [[nodiscard]] bool reaches(const core::Box& box) const;
 };
 
-/// Puts the dent into an actor's shaders, which keep its colours and lines: it costs a tenth of a frame where the
-/// processor draws, so only while it is pressed near there.
-/// @param actor  mapped by a vtkPolyDataMapper, with normals at its points and without a matrix of its own
+/// Adds the dent to an actor's shaders; colours and lines stay. With software rendering a bent actor costs a tenth of
+/// a frame, so only actors near the contact are bent.
+/// @param actor  mapped by a vtkPolyDataMapper, with point normals and without a user matrix
 void startBending(vtkActor& actor);
 void stopBending(vtkActor& actor);
 
-/// Draws an actor that has started to bend with this dent. @param frame  of the picture that follows
+/// Updates the dent of an actor prepared by `startBending`. @param frame  view parameters of the next frame
 void bend(vtkActor& actor, const Dimple& dimple, const ViewFrame& frame);
 
 } // namespace palpate::view

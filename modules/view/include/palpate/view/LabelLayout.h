@@ -8,40 +8,42 @@
 
 namespace palpate::view {
 
-/// A text beside a disc on screen. Logical pixels from the view's middle, x right, y up.
+/// Text beside a disc on screen. Logical pixels from the centre of the view, x right, y up.
 struct DiscLabel
 {
     Eigen::Vector2d disc_px = Eigen::Vector2d::Zero();
     Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
-    /// From the disc's centre to the text's: in, where it was the last time (zero: nowhere yet); out, where it is.
+    /// From the centre of the disc to the centre of the text. In: the previous offset (zero: none yet). Out: the new
+    /// offset.
     Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();
-    /// It is not at its usual place, up and right of the disc, so that a line must say whose it is.
+    /// The text is not at the default place (up and right of the disc) and needs a leader line.
     bool isMoved = false;
 };
 
-/// Places labels so that none covers another, nor a disc, nor what is taken: each, in order, at its usual place, else
-/// where it was, so that it doesn't jump while the view turns, else at the nearest free place about the disc, whose
-/// line crosses no other's if there is such a one. Without a free place it takes the usual one.
+/// Places labels without overlaps with each other, with discs or with `taken`. Labels are placed in order. Each label
+/// takes the first free candidate: the default place, the previous place (so that labels do not jump while the view
+/// turns), then the nearest place around the disc, preferably with a leader line that crosses no other. If no place
+/// is free, the label takes the default place.
 ///
-/// Each tries at most 146 places against its neighbours on screen.
-/// @param taken  boxes that labels stay clear of besides, logical pixels from the view's middle; a few
+/// Each label tries at most 146 places and tests them against its neighbours on screen only.
+/// @param taken  a few additional boxes to avoid, logical pixels from the centre of the view
 void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px,
                  const std::vector<Eigen::AlignedBox2d>& taken = {});
 
-/// A text beside a point on screen, at one of a number of places about it.
+/// Text beside a point on screen, at one of a fixed set of candidate places.
 struct PointLabel
 {
     Eigen::Vector2d point_px = Eigen::Vector2d::Zero();
     Eigen::Vector2d size_px = Eigen::Vector2d::Zero();
-    Eigen::Vector2d towards = Eigen::Vector2d::UnitX(); ///< where it had best be
-    int place = -1;                                     ///< the one of the last time, -1: none yet
+    Eigen::Vector2d towards = Eigen::Vector2d::UnitX(); ///< preferred direction
+    int place = -1;                                     ///< index of the previous place, -1: none yet
 };
 
-/// Finds where a text reads best: inside the view and off what it must not cover, nearest to its point, and in the
-/// direction that it had best be; where it was, as long as that is free, so that it doesn't jump. Without a free place
-/// it still is inside the view.
-/// @param taken  boxes that it must not cover; @param view  box of the view; all in logical pixels
-/// @return the text's centre. It tries at most 192 places against all.
+/// Finds the best place for a text: inside the view, clear of `taken`, close to the point and in the preferred
+/// direction. The previous place is kept while free, so that the text does not jump. If no place is free, the text
+/// overlaps `taken` but stays inside the view.
+/// @param taken  boxes to avoid; @param view  box of the view; all in logical pixels
+/// @return the centre of the text. @par Cost At most 192 places, each tested against all of `taken`.
 [[nodiscard]] Eigen::Vector2d placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken,
                                           const Eigen::AlignedBox2d& view);
 

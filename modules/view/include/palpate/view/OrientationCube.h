@@ -13,20 +13,20 @@
 
 namespace palpate::view {
 
-/// A cube in the lower left of the view that turns with it and names the patient's sides: R L A P S I, each with a
-/// question mark while it is not known whether they are right.
+/// Orientation cube in the lower left of the view. Faces are labelled R, L, A, P, S, I, each with a question mark
+/// while the orientation of the meshes is not known for certain.
 class OrientationCube
 {
   public:
     OrientationCube();
     [[nodiscard]] vtkRenderer* renderer() const noexcept { return m_renderer; }
-    /// @param isKnown  false: the meshes do not say how they lie, "A?"
+    /// Sets the labels. @param isKnown  false: the orientation is not known and labels get a question mark, "A?"
     void setSidesKnown(bool isKnown);
-    /// The patient's left as the cube names it: "L" or "L?".
+    /// Label of the patient's left: "L" or "L?".
     [[nodiscard]] std::string left() const;
-    /// @param main  the view's camera; @param size_px  of the whole window, device pixels
+    /// Updates the cube. @param main  camera of the main view; @param size_px  size of the window, device pixels
     void place(vtkCamera& main, const int size_px[2], const ViewFrame& frame);
-    /// Where it ends above, as placed last. [logical px]
+    /// Upper edge as last placed. [logical px]
     [[nodiscard]] double top_px() const noexcept { return m_top_px; }
 
   private:

@@ -11,21 +11,22 @@
 
 namespace palpate::view {
 
-/// A ring on a surface that marks one place to press on, as large as the finger's contact. Tissue does not hide it.
+/// Ring on a surface that marks a place to press, with the size of the finger's contact area. Tissue does not hide
+/// the ring.
 /// @par Thread The view's.
 class PlaceRing
 {
   public:
     PlaceRing();
-    /// @param overlay  drawn over the tissue; must outlive this
+    /// Adds the actors. @param overlay  drawn over the tissue; must outlive this
     void addTo(vtkRenderer& overlay);
-    /// @param p_W  middle [mm]; @param n_W  outward normal, length 1; @param radius_mm  of the ring, > 0
+    /// Shows the ring. @param p_W  centre [mm]; @param n_W  outward unit normal; @param radius_mm  > 0
     void show(const core::Vec3& p_W, const core::Vec3& n_W, double radius_mm);
     void hide();
     [[nodiscard]] bool isShown() const;
 
   private:
-    std::array<vtkSmartPointer<vtkActor>, 2> m_rings; ///< a dark one, and a bright one on it
+    std::array<vtkSmartPointer<vtkActor>, 2> m_rings; ///< dark rim, and a bright ring on top
 };
 
 } // namespace palpate::view

@@ -10,18 +10,18 @@
 
 namespace palpate::view {
 
-/// Length of a scale bar: 1, 2 or 5 times a power of ten, the longest that is no longer than `longest_mm`. [mm]
+/// Length of a scale bar: the greatest 1, 2 or 5 times a power of ten that is at most `longest_mm`. [mm]
 [[nodiscard]] double roundScaleLength(double longest_mm);
 
-/// A bar in the lower right of the view with its length in mm, true at the depth of the camera's focus.
+/// Scale bar in the lower right of the view, labelled in mm. Exact at the depth of the camera's focal point.
 class ScaleBar
 {
   public:
     ScaleBar();
     void addTo(vtkRenderer& renderer);
-    /// @param focus_W  where the bar's length holds
+    /// Updates the bar. @param focus_W  point at which the length is exact [mm]
     void place(const Vec3& focus_W, const ViewFrame& frame, int width_px);
-    /// Where it ends after `place`. [device px above the view's lower edge]
+    /// Upper edge after `place`. [device px above the lower edge of the view]
     [[nodiscard]] double top() const noexcept { return m_top; }
     [[nodiscard]] const std::string& text() const noexcept { return m_caption; }
     void setColour(const Colour& colour);

@@ -19,23 +19,32 @@
 
 namespace palpate::view {
 
-/// A structure of the view: what is drawn, and what the pointer can find.
+/// A displayed structure, and the surface used for picking.
 struct ViewStructure
 {
     StructureActor picture;
-    std::shared_ptr<const geometry::SurfaceIndex> touchable; ///< null: the pointer passes through it
+    std::shared_ptr<const geometry::SurfaceIndex> touchable; ///< null: the pointer passes through
 };
 
-/// What a ray meets first.
+/// First intersection of a ray with the scene.
 struct ScenePick
 {
-    std::size_t structure = 0; ///< number in the view
+    std::size_t structure = 0; ///< index of the structure in the view
     RayHit hit;
 };
 
-/// The picture: tissue under a three-point light that moves with the camera, the cursor over it, the patient's axes,
-/// a scale and a legend of colours. It draws into a render window that its caller owns and renders.
-/// @par Thread One, that of the render window.
+/// 3D view: tissue under a three-point light fixed to the camera, the touch cursor, the orientation cube, a scale bar
+/// and a colour legend. Draws into a render window that the caller owns and renders.
+///
+/// @code
+/// SceneView view;
+/// view.attach(window);
+/// view.setStructures(std::move(structures));
+/// view.fitAll();
+/// view.prepareFrame(1.0);
+/// window.Render();
+/// @endcode
+/// @par Thread The thread of the render window only.
 class SceneView
 {
   public:
@@ -44,32 +53,32 @@ class SceneView
     SceneView(const SceneView&) = delete;
     SceneView& operator=(const SceneView&) = delete;
 
-    /// Adds the view's renderers. @param window  must outlive the view or `detach`
+    /// Adds the renderers to a window. @param window  must outlive the view, or be detached first
     void attach(vtkRenderWindow& window);
     void detach();
 
     void setStructures(std::vector<ViewStructure> structures);
-    /// Shows more structures, numbered after those that are there.
+    /// Appends structures; indices of existing structures stay valid.
     void addStructures(std::vector<ViewStructure> structures);
-    /// Makes structures stand out by a light of their own, and no others.
+    /// Highlights the given structures and removes the highlight from all others.
     void highlight(const std::vector<int>& structures);
     [[nodiscard]] std::size_t structureCount() const noexcept { return m_structures.size(); }
     [[nodiscard]] const ViewStructure& structure(std::size_t i) const { return m_structures[i]; }
     void setAppearance(std::size_t i, const Appearance& appearance);
-    /// Shows the same surface with other colours: see `coloured`. What they say is the legend's to tell.
+    /// Replaces the colours of a structure: see `coloured`. The caller updates the legend.
     void setPicture(std::size_t i, vtkPolyData* surface) { m_structures[i].picture.setPicture(surface); }
-    /// Replaces a structure's surface: what is drawn, how it looks, and what the pointer can find.
+    /// Replaces a structure: surface, appearance and picking surface.
     void setStructure(std::size_t i, ViewStructure structure);
     void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
-    /// Of all texts, from the next frame on.
+    /// Sets the style of all texts, from the next frame on.
     void setTextStyle(const TextStyle& style) { m_text = style; }
     [[nodiscard]] const TextStyle& textStyle() const noexcept { return m_text; }
 
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
-    /// Hidden with new structures.
+    /// The ring is hidden when structures are replaced.
     [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
@@ -78,28 +87,29 @@ class SceneView
 
     void look(ViewFrom from);
     void fitAll();
-    /// Moves focus and camera alike, so that `p_W` is in the middle.
+    /// Moves focal point and camera together so that `p_W` is in the centre of the view.
     void centreOn(const Vec3& p_W);
 
-    /// @param x,y  device pixels from the lower left of the view
+    /// Returns the viewing ray through a pixel. @param x,y  device pixels from the lower left of the view
     [[nodiscard]] Ray rayThrough(double x, double y);
-    /// The nearest structure that is shown and touchable.
+    /// Returns the nearest hit on a visible structure with a picking surface.
     [[nodiscard]] std::optional<ScenePick> pick(const Ray& ray) const;
 
-    /// Box of the structures shown [mm]; of all when none is.
+    /// Bounding box of the visible structures [mm]; of all structures when none is visible.
     [[nodiscard]] core::Box bounds() const;
 
-    /// Fits clipping, cursor, scale and cube to the camera. Before each frame.
-    /// @param pixelRatio  device pixels of one logical pixel
+    /// Fits clipping range, cursor, markers, scale bar and cube to the camera. Call before each frame.
+    /// @param pixelRatio  device pixels per logical pixel
     void prepareFrame(double pixelRatio);
-    /// Draws the tissue with a dent under the hand, where the touch says that it bends: see `Dimple`.
+    /// Draws the dent under the hand where the touch state allows: see `Dimple`.
     void setBending(bool isOn) { m_bends = isOn; }
-    /// Smooth edges; cheap on a graphics card, felt on none.
+    /// Turns antialiasing (FXAA) on. Cheap on a graphics card, expensive with software rendering.
     void setSmoothEdges(bool isOn) { m_solid->SetUseFXAA(isOn); }
-    /// Sorts translucent surfaces by depth peeling; else a single translucent structure is drawn once, which takes half
-    /// the time and has the same colours but where it folds over itself. Several are always sorted.
+    /// Sorts translucent surfaces by depth peeling. When off, a single translucent structure is drawn without
+    /// sorting: half the time and the same colours except where the surface folds over itself. Several structures are
+    /// always sorted.
     void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
-    /// Darkens what lies in folds. For graphics cards: it costs many times the frame without it.
+    /// Turns ambient occlusion on. For graphics cards only: a frame takes many times longer.
     void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
 
   private:
@@ -117,7 +127,7 @@ class SceneView
     PlaceRing m_placeRing;
     TouchCursor m_cursor;
     FindingMarkers m_findings;
-    /// What the hidden findings were found for.
+    /// Inputs of the last visibility test of the findings.
     struct Seen
     {
         ViewFrame frame;
@@ -126,7 +136,7 @@ class SceneView
         friend bool operator==(const Seen&, const Seen&) = default;
     };
     std::optional<Seen> m_seen;
-    /// What the legend's corner was chosen for: while the view is turned it stays.
+    /// Inputs of the last choice of the legend's corner, which does not change while the view is turned.
     struct LegendSeen
     {
         std::size_t legend = 0, looks = 0;
@@ -134,8 +144,8 @@ class SceneView
         friend bool operator==(const LegendSeen&, const LegendSeen&) = default;
     };
     LegendSeen m_legendSeen;
-    std::size_t m_looks = 0;          ///< counts what put all of the scene into the view
-    std::size_t m_tissueRevision = 0; ///< counts changes of what can hide a finding
+    std::size_t m_looks = 0;          ///< number of times that the whole scene was fitted into the view
+    std::size_t m_tissueRevision = 0; ///< number of changes that may hide or reveal a finding
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
     TextStyle m_text;

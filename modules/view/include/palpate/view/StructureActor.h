@@ -11,34 +11,35 @@
 
 namespace palpate::view {
 
-/// How a structure looks.
+/// Appearance of a structure.
 struct Appearance
 {
     Colour colour{0.85, 0.6, 0.5};
-    double opacity = 1.0; ///< 0 … 1; below 1 what lies behind shows
+    double opacity = 1.0; ///< 0 to 1; translucent below 1
     bool isVisible = true;
 };
 
-/// One structure in the view: soft specular on smooth shading, its inner side a little darker. A translucent one shows
-/// only the side towards the viewer when it is closed: its far wall would cost twice the time and hide what is inside.
-/// @par Thread Make it anywhere; once it is in a view, the view's thread only.
+/// Actor of one structure: smooth shading with soft highlights; back faces are slightly darker. Back faces of closed
+/// translucent structures are culled, because they would double the rendering time and hide inner structures.
+/// @par Thread Construct in any thread; use in the view's thread only once added to a view.
 class StructureActor
 {
   public:
+    /// Makes the actor.
     /// @param surface  from `makeSurface`
-    /// @param isClosed  it has no open edges and its normals are outwards
+    /// @param isClosed  true: the mesh has no open edges, and normals point outwards
     explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {}, bool isClosed = false);
 
     void setAppearance(const Appearance& appearance);
-    /// Shows the same surface with other colours: those that `coloured` or `feltColoured` gave it, where it has some,
-    /// instead of the structure's own.
+    /// Replaces the picture of the same surface. Colours from `coloured` or `feltColoured`, if any, replace the
+    /// structure's own.
     void setPicture(vtkPolyData* surface);
-    /// Draws it bent from the next frame on, where the dent reaches it.
+    /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.
     void bend(const Dimple& dimple, const ViewFrame& frame);
-    /// Lights the structure up a little, in its own colour.
+    /// Brightens the structure slightly, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
-    /// Where its surface's vertices are drawn without a dent, world frame [mm].
+    /// Positions of the vertices without a dent, world frame [mm].
     [[nodiscard]] vtkPoints& points() const;
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 

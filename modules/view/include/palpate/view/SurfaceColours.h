@@ -12,29 +12,30 @@
 
 namespace palpate::view {
 
-/// Of what the colours do not tell.
+/// Colour of unknown values.
 inline constexpr Colour kUnknownColour{0.88, 0.88, 0.88};
 
-/// The colour of a number: cividis, lightened so that the shape of a surface still reads where it is dark.
-/// @param t  0 … 1, clamped
+/// Maps a value to a colour: cividis, lightened so that shading remains visible on the dark end.
+/// @param t  0 to 1, clamped
 [[nodiscard]] Colour surfaceColour(double t) noexcept;
 
-/// The numbers at the ends of a colour map.
+/// Value range of a colour map.
 struct ColourRange
 {
     double low = 0.0, high = 1.0;
-    bool isLowCut = false, isHighCut = false; ///< some numbers lie beyond: they have the end's colour
-    bool hasUnknown = false;                  ///< some are not known (NaN)
+    bool isLowCut = false, isHighCut = false; ///< values beyond the range exist and are clamped to the end colours
+    bool hasUnknown = false;                  ///< unknown values (NaN) exist
 };
 
-/// @return from the 2nd to the 98th percentile of the known numbers: a few wild ones do not take all the colours. Where
-/// these are one number, from the least to the largest; {0, 1} without any number.
+/// Computes the range of a colour map, robust against outliers.
+/// @return the 2nd to the 98th percentile of the finite values; minimum to maximum where these percentiles are equal;
+/// {0, 1} without finite values
 [[nodiscard]] ColourRange colourRange(std::span<const float> values);
 
-/// Colours a picture by numbers, with `surfaceColour`; unknown ones are light grey.
-/// @param picture  made of `surface` by `makeSurface`; its points and triangles are shared, not copied
-/// @param values  one for each vertex of the surface, or each triangle; else the colours are left out
-/// @return a picture with colours at its points or triangles. @par Cost O(triangles). @par Thread Any.
+/// Colours a picture with `surfaceColour`; unknown values are light grey.
+/// @param picture  made from `surface` by `makeSurface`; points and triangles are shared, not copied
+/// @param values  one per vertex or one per triangle of the surface; with any other size the result has no colours
+/// @return a picture with colours at points or triangles. @par Cost O(triangles). @par Thread Any.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface,
                                                     std::span<const float> values, bool isPerTriangle,
                                                     const ColourRange& range);

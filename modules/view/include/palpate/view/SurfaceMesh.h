@@ -8,12 +8,14 @@
 
 namespace palpate::view {
 
-/// Edges whose faces meet at more than this stay sharp. [degrees]
+/// Feature angle: edges between faces that meet at a greater angle are shaded sharp. [degrees]
 inline constexpr double kFeatureAngle_deg = 60.0;
 
-/// Makes the picture of a surface: points in float, triangles, and smooth point normals that keep feature edges.
+/// Converts a surface to VTK: single-precision points, triangles, and smooth point normals that preserve feature
+/// edges.
 /// @param surface  world frame [mm]
-/// @par Thread Any; it touches no graphics context. The result belongs to the caller.
+/// @return data owned by the caller
+/// @par Thread Any; uses no graphics context.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> makeSurface(const geometry::RepairedMesh& surface);
 
 } // namespace palpate::view

@@ -12,29 +12,30 @@ namespace palpate::view {
 
 using core::Vec3;
 
-/// A half line from the viewer into the scene.
+/// Viewing ray.
 struct Ray
 {
-    Vec3 p_W = Vec3::Zero();  ///< start [mm]
+    Vec3 p_W = Vec3::Zero();  ///< origin [mm]
     Vec3 d_W = Vec3::UnitZ(); ///< unit direction
 };
 
-/// Where a ray first meets a surface.
+/// Intersection of a ray with a surface.
 struct RayHit
 {
     double distance_mm = 0.0;   ///< along the ray
     Vec3 p_W = Vec3::Zero();    ///< [mm]
-    Vec3 n_W = Vec3::UnitZ();   ///< unit normal of the triangle, turned towards the ray's start
-    std::uint32_t triangle = 0; ///< position in the index, or in the mesh
+    Vec3 n_W = Vec3::UnitZ();   ///< unit normal of the triangle, facing the ray's origin
+    std::uint32_t triangle = 0; ///< index of the triangle in the `SurfaceIndex` or in the mesh
 };
 
-/// Finds the first triangle that a ray meets, from either side, over the hierarchy of the haptic copy: what the pointer
-/// shows is exactly what the hand will touch. About log n: microseconds on a million triangles.
+/// Finds the first triangle that a ray hits, from either side. Uses the hierarchy of the haptic surface, so the
+/// pointer hits exactly the surface that the hand touches.
 /// @return nothing when the ray misses
+/// @par Cost About log n: microseconds on a million triangles.
 [[nodiscard]] std::optional<RayHit> firstHit(const geometry::SurfaceIndex& surface, const Ray& ray);
 
-/// The same for a surface that nothing can touch, and that has no hierarchy.
-/// @param bounds  of the mesh. @par Cost O(triangles) when the ray meets them, a few ns each.
+/// Same for a mesh without hierarchy, which cannot be touched.
+/// @param bounds  bounding box of the mesh. @par Cost O(triangles) when the ray hits `bounds`, a few ns per triangle.
 [[nodiscard]] std::optional<RayHit> firstHit(const geometry::TriangleMesh& mesh, const core::Box& bounds,
                                              const Ray& ray);
 

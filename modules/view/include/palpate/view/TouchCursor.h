@@ -12,70 +12,72 @@
 
 namespace palpate::view {
 
-/// What the cursor shows of one tick.
+/// State of one servo tick as shown by the cursor.
 struct TouchState
 {
     Vec3 p_WH = Vec3::Zero();  ///< HIP [mm]
     Vec3 p_WG = Vec3::Zero();  ///< god-object [mm]
-    Vec3 n_W = Vec3::Zero();   ///< unit normal of the surface at the contact; zero: not known
+    Vec3 n_W = Vec3::Zero();   ///< unit normal of the surface at the contact; zero: unknown
     Vec3 f_W = Vec3::Zero();   ///< force on the hand [N]
-    double fingertip_mm = 0.0; ///< radius of the ball that touches, 0 = a point
+    double fingertip_mm = 0.0; ///< radius of the contact ball [mm], 0: a point
     bool isInContact = false;
-    bool isPresent = false;    ///< false: no hand, nothing is drawn
-    bool hasCrosshair = false; ///< the hand is moved by keys: no pointer shows where it is
-    bool bends = false;        ///< the tissue is drawn with a dent under the hand: it is none of bone's kind
+    bool isPresent = false;    ///< false: no hand; nothing is drawn
+    bool hasCrosshair = false; ///< shows a crosshair, because the hand is moved by keys without a pointer
+    bool bends = false;        ///< draws the tissue with a dent under the hand; false for rigid structures
 
-    /// Where friction holds the god-object: a disc about where it would stand without.
+    /// Disc on the surface within which friction holds the god-object, around its position without friction.
     struct FrictionDisc
     {
         Vec3 p_W = Vec3::Zero();  ///< [mm]
         Vec3 n_W = Vec3::UnitZ(); ///< unit normal of the surface
-        double radius_mm = 0.0;   ///< 0: none
+        double radius_mm = 0.0;   ///< 0: no friction disc
     };
     FrictionDisc friction{};
 
-    /// A god-object that a layer below the outermost one holds.
+    /// God-object of a layer below the outermost layer.
     struct Inner
     {
         Vec3 p_WG = Vec3::Zero(); ///< [mm]
-        Colour colour{};          ///< of its structure
-        double depth_mm = 0.0;    ///< of the HIP below it
+        Colour colour{};          ///< colour of the layer's structure
+        double depth_mm = 0.0;    ///< penetration depth of the HIP below the god-object
     };
     static constexpr std::size_t kMostInner = 3;
     std::array<Inner, kMostInner> inner{};
-    std::size_t innerCount = 0; ///< how many of them are valid, the outermost first
+    std::size_t innerCount = 0; ///< number of valid entries, outermost layer first
 };
 
-/// The hand in the view: the god-object as a ball on the surface in a disc that lies on it, the HIP as a small ring,
-/// the way from one to the other as a line with its millimetres, and the force. God-objects of inner layers are discs
-/// in their structures' colours, from which the line goes on in that colour, with its millimetres too; a faint disc
-/// shows where friction holds. Sizes are of the screen, so it reads the same on a vessel and on a body.
+/// Touch cursor: the god-object as a ball on the surface with a contact disc, the HIP as a small ring, a line between
+/// them labelled with the penetration depth in mm, and the force. God-objects of inner layers are discs in the
+/// colours of their structures; from each disc on, the line has the disc's colour and a depth label. A faint disc
+/// shows where friction holds. Sizes are in screen pixels, so the cursor is readable on a vessel as well as on a
+/// whole body.
 class TouchCursor
 {
   public:
     static constexpr double kBall_px = 12.0; ///< diameter
-    static constexpr double kPatch_mm = 3.0; ///< radius of the disc on the surface about a point, …
-    static constexpr double kSmallestPatch_px = 15.0, kLargestPatch_px = 40.0; ///< … on screen between these
+    static constexpr double kPatch_mm = 3.0; ///< radius of the contact disc of a point-like hand
+    static constexpr double kSmallestPatch_px = 15.0, kLargestPatch_px = 40.0; ///< limits of that radius on screen
 
     TouchCursor();
 
-    /// @param solid  holds the tissue, which may hide the ball; @param overlay  drawn over it, sharing its camera
+    /// Adds the actors. @param solid  contains the tissue, which may hide the ball; @param overlay  drawn on top,
+    /// same camera
     void addTo(vtkRenderer& solid, vtkRenderer& overlay);
-    /// @param state  drawn from the next `place` on
+    /// Sets the state for the next `place`. @param state  positions in the world frame
     void setState(const TouchState& state) { m_state = state; }
     [[nodiscard]] const TouchState& state() const noexcept { return m_state; }
-    /// Draws ball and contact disc at the bottom of the dent, where the tissue bends; else on the surface at rest.
+    /// Draws ball and contact disc at the bottom of the dent where tissue bends; otherwise on the surface at rest.
     void setInDent(bool isOn) { m_isInDent = isOn; }
-    /// The force that gets the brightest colour: what the device can give. [N] > 0
+    /// Sets the force that maps to the brightest colour: the device's maximum. [N] > 0
     void setForceLimit(double force_N);
 
-    /// Fits everything to the view. Before each frame.
-    /// @param taken  what its labels stay clear of, logical pixels from the view's middle; empty: nothing
+    /// Fits all parts to the view. Call before each frame.
+    /// @param taken  box that labels avoid, logical pixels from the centre of the view; may be empty
     void place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken = {});
 
-    /// Box of what is drawn, for the clipping range [mm]; empty when hidden.
+    /// Bounding box of the cursor, for the clipping range [mm]; empty when hidden.
     [[nodiscard]] core::Box bounds() const;
-    /// Boxes about ball and ring, after `place`; none when no hand is drawn. [logical px from the view's middle]
+    /// Boxes around ball and HIP ring after `place`; empty without a hand. [logical px from the centre of the view]
     [[nodiscard]] std::vector<Eigen::AlignedBox2d> marks_px(const ViewFrame& frame) const;
     [[nodiscard]] Colour ballColour() const;
     [[nodiscard]] vtkActor* ball() const noexcept { return m_ball; }
@@ -85,7 +87,7 @@ class TouchCursor
     /// @param i  < TouchState::kMostInner
     [[nodiscard]] vtkActor* innerMark(std::size_t i) const noexcept { return m_inner[i].mark; }
     [[nodiscard]] vtkActor* contactDisc() const noexcept { return m_patch; }
-    /// The part of the line that lies in an inner layer. @param i  < TouchState::kMostInner
+    /// Part of the line inside an inner layer. @param i  < TouchState::kMostInner
     [[nodiscard]] vtkActor* innerLine(std::size_t i) const noexcept { return m_inner[i].line.actor(); }
     [[nodiscard]] vtkActor* crosshair(std::size_t i) const noexcept { return m_cross[i].actor(); } ///< i < 4
     [[nodiscard]] const ForceArrow& arrow() const noexcept { return m_arrow; }
@@ -106,19 +108,19 @@ class TouchCursor
     vtkSmartPointer<vtkActor> m_outline;
     vtkSmartPointer<vtkActor> m_hipDark;
     vtkSmartPointer<vtkActor> m_hip;
-    vtkSmartPointer<vtkActor> m_disc, m_discRim;                ///< of friction
-    vtkSmartPointer<vtkActor> m_patch, m_patchDark, m_patchRim; ///< of the contact
-    double m_patch_mm = 0.0;                                    ///< its radius as drawn last, 0: none
+    vtkSmartPointer<vtkActor> m_disc, m_discRim;                ///< friction
+    vtkSmartPointer<vtkActor> m_patch, m_patchDark, m_patchRim; ///< contact
+    double m_patch_mm = 0.0;                                    ///< radius of the contact disc as last drawn; 0: hidden
     BillboardLine m_springDark;
     BillboardLine m_spring;
     ForceArrow m_arrow;
     TouchLabels m_labels;
     std::array<BillboardLine, 4> m_crossDark, m_cross;
-    /// A disc in its structure's colour with a light and a dark edge: seen through what covers it.
+    /// Disc in the colour of its structure with a light and a dark edge, visible through covering tissue.
     struct InnerMark
     {
         vtkSmartPointer<vtkActor> dark, light, mark;
-        BillboardLine line{3.6, {}}; ///< from it to the HIP
+        BillboardLine line{3.6, {}}; ///< from the disc to the HIP
     };
     std::array<InnerMark, TouchState::kMostInner> m_inner;
     TouchState m_state;

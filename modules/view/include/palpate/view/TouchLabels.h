@@ -13,25 +13,25 @@
 
 namespace palpate::view {
 
-/// The numbers beside the cursor: always inside the view, off the cursor and off each other.
+/// Numbers beside the cursor, kept inside the view and clear of the cursor and of each other.
 class TouchLabels
 {
   public:
-    /// A number and what it belongs to.
+    /// Text and the point to label.
     struct Item
     {
-        std::string text;                     ///< empty: none
-        Vec3 p_W = Vec3::Zero();              ///< beside what [mm]
-        Eigen::Vector2d towards = {1.0, 0.0}; ///< on which side of it, if there is room
-        Colour colour{1.0, 1.0, 1.0};         ///< light: the ground is dark
+        std::string text;                     ///< empty: no label
+        Vec3 p_W = Vec3::Zero();              ///< labelled point [mm]
+        Eigen::Vector2d towards = {1.0, 0.0}; ///< preferred side of the point
+        Colour colour{1.0, 1.0, 1.0};         ///< a light colour: the background is dark
         bool isLarge = false;
     };
 
-    /// @param overlay  drawn over the tissue; must outlive this
+    /// Sets the renderer. @param overlay  drawn over the tissue; must outlive this
     void addTo(vtkRenderer& overlay) { m_overlay = &overlay; }
-    /// @param taken  what is not to be covered, logical pixels from the middle of the view
+    /// Lays out the labels. @param taken  boxes to avoid, logical pixels from the centre of the view
     void place(const std::vector<Item>& items, std::vector<Eigen::AlignedBox2d> taken, const ViewFrame& frame);
-    /// Boxes of the texts shown, logical pixels from the middle of the view.
+    /// Boxes of the visible texts, logical pixels from the centre of the view.
     [[nodiscard]] const std::vector<Eigen::AlignedBox2d>& boxes() const noexcept { return m_boxes; }
     [[nodiscard]] std::vector<std::string> texts() const;
 
@@ -43,7 +43,7 @@ class TouchLabels
     };
     void add();
 
-    std::vector<Label> m_labels; ///< at most as many as there were items
+    std::vector<Label> m_labels; ///< never more than the largest number of items so far
     std::vector<Eigen::AlignedBox2d> m_boxes;
     vtkRenderer* m_overlay = nullptr;
 };
