@@ -30,7 +30,7 @@ vtkSmartPointer<vtkActor> makeFlat(vtkPolyData* shape, const Colour& colour)
     return actor;
 }
 
-constexpr int kSides = 40; // of a ring
+constexpr int kSides = 40; // segments of a ring
 
 } // namespace
 
@@ -120,7 +120,8 @@ BillboardLine::BillboardLine(double width_px, const Colour& colour)
 void BillboardLine::place(const Vec3& from_W, const Vec3& to_W, const ViewFrame& frame)
 {
     auto* strip = vtkPolyData::SafeDownCast(m_actor->GetMapper()->GetInput());
-    // Across the line and across the line of sight; seen end-on there is no such direction and no length to draw.
+    // Perpendicular to the line and to the line of sight. Seen end-on, the direction is undefined and nothing is
+    // visible.
     Vec3 across = (to_W - from_W).cross(frame.back_W);
     const double length = across.norm();
     across = length > 0.0 ? Vec3(across / length) : frame.right_W;

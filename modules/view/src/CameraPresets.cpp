@@ -51,7 +51,7 @@ void fit(vtkCamera& camera, const core::Box& bounds, double aspect)
     const Vec3 right = Vec3(camera.GetViewUp()).cross(back).normalized();
     const Vec3 up = back.cross(right);
     const double tangent = std::tan(camera.GetViewAngle() * std::numbers::pi / 360.0);
-    // Each corner asks for a distance at which it just fits; a margin leaves air for scale bar and cube.
+    // Each corner gives the distance at which it just fits; the margin leaves room for scale bar and cube.
     const double margin = 1.12;
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {

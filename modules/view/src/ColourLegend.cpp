@@ -20,16 +20,16 @@ namespace palpate::view {
 
 namespace {
 
-constexpr int kColourRows = 10; // of colours; between them it is even
+constexpr int kColourRows = 10; // rows of colours, interpolated linearly
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
-constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // letters
+constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // in letters
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
-constexpr double kApart = 1.35;                            // letters from a mark's words to the next
-constexpr double kLead_px = 14.0;                          // from the bar to a mark's words
-constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // of the view; of a letter
+constexpr double kApart = 1.35;                            // line spacing between marks, in letters
+constexpr double kLead_px = 14.0;                          // from the bar to the text of a mark
+constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // fraction of the view; smallest font size
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
-/// A column of quads, coloured at its rows' ends.
+/// Column of quads with a colour per row boundary.
 vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
 {
     vtkNew<vtkPoints> points;
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsign
     return actor;
 }
 
-/// @param box  left, right, low, high in device pixels
+/// Places a column. @param box  left, right, bottom, top in device pixels
 void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box)
 {
     auto* shape = vtkPolyDataMapper2D::SafeDownCast(column.GetMapper())->GetInput();
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkActor2D> makeLines()
     return actor;
 }
 
-/// @param from,to  device pixels
+/// Adds a line. @param from,to  device pixels
 void addLine(vtkActor2D& actor, const std::array<double, 2>& from, const std::array<double, 2>& to,
              const Colour& colour)
 {
@@ -223,13 +223,13 @@ std::vector<std::string> ColourLegend::markTexts() const
     return texts;
 }
 
-/// Height of a bar with room for the words of its marks. [device px]
+/// Height of a bar with room for the texts of the marks. [device px]
 double ColourLegend::markedHeight(double letter) const
 {
     return kApart * letter * (static_cast<double>(m_marks.size()) + 1.0);
 }
 
-/// Puts the marks' words beside the bar at their numbers, apart where these lie close together.
+/// Places the texts of the marks at their values, spread apart where the values are close together.
 void ColourLegend::placeMarks(const Place& at)
 {
     const double apart = kApart * at.letter, width = m_range.high - m_range.low;
@@ -250,7 +250,7 @@ void ColourLegend::placeMarks(const Place& at)
     }
 }
 
-/// The lines of marks and hatch.
+/// Draws the leader lines of the marks and the hatching.
 void ColourLegend::placeLines(const Place& at)
 {
     auto* shape = vtkPolyDataMapper2D::SafeDownCast(m_lines->GetMapper())->GetInput();
@@ -272,7 +272,7 @@ void ColourLegend::placeLines(const Place& at)
     shape->Modified();
 }
 
-/// How far its widest words reach from the bar's left side. [device px]
+/// Extent of the widest text, from the left edge of the bar. [device px]
 double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio)
 {
     double reach = 0.0, size[2] = {0.0, 0.0};
@@ -289,20 +289,20 @@ double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double
     return reach;
 }
 
-/// Letters so small that the marks' words have room above what is below, each by itself, and most of the view's width
-/// is left to the tissue.
+/// Reduces the font size until the texts of the marks fit above `below_px` without overlaps and the legend leaves
+/// most of the view's width to the tissue.
 TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px)
 {
     TextStyle style = frame.text;
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
-    const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // that letters have no part in
+    const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // independent of the font size
     const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + markedHeight(letter);
     const double room = renderer.GetSize()[1] - r * below_px - apart;
-    const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // that letters have no part in
+    const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // independent of the font size
     const double wide = reach(renderer, style, r) - beside;
     const double across = kMostWidth * renderer.GetSize()[0] - r * kBarLeft_px - beside;
-    const double least = std::min(1.0, kLeastLetter_px / style.size_px); // readable goes before narrow
+    const double least = std::min(1.0, kLeastLetter_px / style.size_px); // readability has priority over width
     style.size_px *= std::min(std::clamp(room / words, 0.3, 1.0), std::clamp(across / wide, least, 1.0));
     return style;
 }
@@ -324,13 +324,13 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
     const double greyHeight = std::max(r * kGreyHeight_px, letter);
     double greyLow = r * below_px;
     if (!m_marks.empty() &&
-        !isRight) { // it is wide: in the corner, where it hides least, and no higher than its words need
+        !isRight) { // a wide legend goes into the upper corner, where it hides less, and is only as high as its texts
         const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
         greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - markedHeight(letter));
     }
     const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
     const double above =
-        renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // a low view has a shorter bar
+        renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // the bar is shorter in a low view
     const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : markedHeight(letter);
     const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
     placeColumn(*m_bar, kColourRows, {left, right, low, high});

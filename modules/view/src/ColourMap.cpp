@@ -9,7 +9,7 @@ namespace palpate::view {
 
 Colour cividis(double t) noexcept
 {
-    // Ten evenly spaced colours of the published map, 0 … 255.
+    // Ten equidistant colours of the published map, 0 to 255.
     static constexpr std::array<std::array<unsigned char, 3>, 10> kAnchors{{{0, 32, 77},
                                                                             {0, 51, 111},
                                                                             {57, 72, 107},

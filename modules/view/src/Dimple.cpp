@@ -13,8 +13,8 @@ namespace palpate::view {
 
 namespace {
 
-// All in the camera's frame [mm]: the numbers stay exact however far from the origin a mesh is. The uniforms are those
-// of the vertex shader, which VTK declares there; the fragment shader of the same program sees them by name.
+// Everything is in the camera frame [mm], so that single precision suffices however far a mesh is from the origin.
+// VTK declares the uniforms in the vertex shader; the fragment shader of the same program uses the same names.
 constexpr const char* kVertexDeclarations = R"(//VTK::PositionVC::Dec
 out vec3 dimpleRest;
 )";
@@ -50,7 +50,7 @@ constexpr const char* kVertex = R"(//VTK::PositionVC::Impl
   }
 )";
 
-// Each fragment bends its own normal, so that a coarse mesh is shaded smoothly: two tangents are carried along by the
+// Bends the normal per fragment, so that coarse meshes are shaded smoothly: two tangents are transformed with the
 // gradient of the displacement and crossed.
 constexpr const char* kNormal = R"(//VTK::Normal::Impl
   float dimpleInk = 0.0;
@@ -90,7 +90,7 @@ constexpr const char* kNormal = R"(//VTK::Normal::Impl
   }
 )";
 
-// Where they go in VTK's shaders.
+// Replacement points in VTK's shaders.
 constexpr const char *kDeclared = "//VTK::PositionVC::Dec", *kPlaced = "//VTK::PositionVC::Impl",
                      *kTurned = "//VTK::Normal::Impl", *kLit = "//VTK::Light::Impl";
 
@@ -104,7 +104,7 @@ std::array<float, 3> floats(const Vec3& v)
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-/// The least of 1, 2, 5 and 10 mm at which lines are not nearer together than a few pixels.
+/// Grid spacing: the smallest of 1, 2, 5 and 10 mm that keeps the lines at least a few pixels apart.
 double gridSpacing_mm(double mmPerPixel)
 {
     constexpr double kNearest_px = 9.0;
@@ -127,7 +127,8 @@ Dimple Dimple::of(const TouchState& state)
         return dimple;
     }
     dimple.n_W = state.n_W.normalized();
-    dimple.p_W = state.p_WG - state.fingertip_mm * dimple.n_W; // a fingertip's god-object is its centre
+    // The god-object of a fingertip is the centre of its sphere.
+    dimple.p_W = state.p_WG - state.fingertip_mm * dimple.n_W;
     dimple.radius_mm = state.fingertip_mm > 0.0 ? state.fingertip_mm : kPointRadius_mm;
     const double depth_mm = (state.p_WG - state.p_WH).dot(dimple.n_W);
     dimple.depth_mm = std::isfinite(depth_mm) && dimple.p_W.allFinite() ? std::max(0.0, depth_mm) : 0.0;
@@ -171,7 +172,7 @@ void stopBending(vtkActor& actor)
     for (const char* place : {kDeclared, kTurned, kLit}) {
         shader->ClearFragmentShaderReplacement(place, true);
     }
-    shader->GetVertexCustomUniforms()->RemoveAllUniforms(); // VTK complains of those that no shader has
+    shader->GetVertexCustomUniforms()->RemoveAllUniforms(); // VTK warns about uniforms that no shader uses
 }
 
 void bend(vtkActor& actor, const Dimple& dimple, const ViewFrame& frame)
@@ -180,7 +181,7 @@ void bend(vtkActor& actor, const Dimple& dimple, const ViewFrame& frame)
     const auto inView = [&](const Vec3& v_W) {
         return Vec3(v_W.dot(frame.right_W), v_W.dot(frame.up_W), v_W.dot(frame.back_W));
     };
-    // The two axes of the world that lie flattest on the surface: the grid belongs to the tissue, not to the finger.
+    // The two world axes most nearly tangential to the surface: the grid is fixed to the tissue, not to the finger.
     int up = 0;
     dimple.n_W.cwiseAbs().maxCoeff(&up);
     const Vec3 u_W = Vec3::Unit((up + 1) % 3), v_W = Vec3::Unit((up + 2) % 3);

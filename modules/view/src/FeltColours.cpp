@@ -18,12 +18,12 @@ namespace palpate::view {
 
 namespace {
 
-constexpr const char* kArray = "FeltLines";    // change [%], 1 where it is not judged
-constexpr const char* kAttribute = "feltLine"; // the same in the shader
+constexpr const char* kArray = "FeltLines";    // change [%], and 1 where not evaluated
+constexpr const char* kAttribute = "feltLine"; // the same array in the shader
 
-/// Lines where the change passes a threshold: the first dark between light rims, the others with a light core between
-/// dark rims and wider, so that they read on every colour and ground and are told apart. What is felt is opaque, the
-/// rest lets through what lies below.
+/// Contour lines at the thresholds. The first line is dark between light rims; the others have a light core between
+/// dark rims and are wider. This keeps them distinguishable and visible on every colour and background. Palpable
+/// regions are opaque, the others show the layers below.
 constexpr const char* kFragment = R"(//VTK::Color::Impl
   if (feltLineVSOutput.y > 0.001) {
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> feltColoured(vtkPolyData& picture, const geometry::
     lines->SetNumberOfTuples(picture.GetNumberOfPoints());
     vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::size_t c = 0; c < 3; ++c) { // a vertex has several points where a feature edge runs through it
+        for (std::size_t c = 0; c < 3; ++c) { // at feature edges, a vertex has several points
             const auto point = static_cast<vtkIdType>(points->GetComponent(static_cast<vtkIdType>(3 * t + c), 0));
             const std::size_t v = mesh.triangles[t][c];
             const float change = colours.change_percent[v];

@@ -31,18 +31,18 @@ namespace {
 using Pixel = Eigen::Vector2d;
 
 constexpr double kRim_px = 1.5;
-constexpr double kHollow_px = 2.4; // width of a hollow shape's line
+constexpr double kHollow_px = 2.4; // line width of hollow shapes
 constexpr double kLeader_px = 1.6;
-constexpr int kAtlasHeight_px = 2048; // every OpenGL has textures as high
+constexpr int kAtlasHeight_px = 2048; // texture height that every OpenGL implementation supports
 
-/// Colours of one pixel each.
+/// Colour of one pixel.
 std::array<unsigned char, 4> rgba(const Colour& colour, double opacity)
 {
     const auto byte = [](double share) { return static_cast<unsigned char>(std::lround(255.0 * share)); };
     return {byte(colour[0]), byte(colour[1]), byte(colour[2]), byte(opacity)};
 }
 
-/// Flat triangles in pixels from the middle of the view, drawn in the order in which they come.
+/// Flat triangles in pixels from the centre of the view, drawn in insertion order.
 class Flat
 {
   public:
@@ -77,7 +77,7 @@ class Flat
         add(p[0], p[1], p[2], colour);
         add(p[0], p[2], p[3], colour);
     }
-    /// A rectangle with a piece of the texture. @param low,high  corners, in the texture 0 … 1
+    /// Adds a textured rectangle. @param low,high  texture coordinates of the corners, 0 to 1
     void addTextured(const std::array<Pixel, 4>& p, const Pixel& low, const Pixel& high,
                      const std::array<unsigned char, 4>& colour)
     {
@@ -129,7 +129,7 @@ std::array<Pixel, 4> rectangle(const Pixel& middle, const Pixel& half)
     return {middle - half, middle + Pixel(half.x(), -half.y()), middle + half, middle + Pixel(-half.x(), half.y())};
 }
 
-/// The band between an outline and the same scaled about its middle.
+/// Adds the band between two scaled copies of an outline.
 void addBand(Flat& flat, const Pixel& middle, const std::vector<Pixel>& outline, double inner, double outer,
              double ratio, const std::array<unsigned char, 4>& colour)
 {
@@ -172,21 +172,21 @@ void addLine(Flat& flat, const Pixel& from, const Pixel& to, double width_px,
 
 } // namespace
 
-/// What is drawn: shapes with lines and the texts' grounds, then the texts out of one texture.
+/// Geometry: shapes with leader lines and text backgrounds, then the texts from a single texture atlas.
 class FindingMarkers::Picture
 {
   public:
-    /// A text's place in the texture, in pixels.
+    /// Rectangle of a text in the atlas, in pixels.
     struct Piece
     {
         int x = 0, y = 0, width = 0, height = 0;
     };
     Flat shapes;
     Flat texts;
-    std::vector<Piece> pieces; ///< one a mark; of no width: no text
+    std::vector<Piece> pieces; ///< per mark; zero width: no text
     Pixel atlasSize = Pixel::Ones();
 
-    /// Writes texts into one image, below one another in columns.
+    /// Renders texts into one image, stacked in columns.
     void write(const std::vector<std::string>& words, const TextStyle& text, double pixelRatio, int dpi)
     {
         vtkNew<vtkTextProperty> style;
@@ -238,7 +238,7 @@ FindingMarkers::FindingMarkers()
 {
 }
 
-FindingMarkers::~FindingMarkers() = default; // the renderer keeps what it draws
+FindingMarkers::~FindingMarkers() = default; // the renderer keeps the actors alive
 
 void FindingMarkers::addTo(vtkRenderer& overlay)
 {
@@ -317,7 +317,7 @@ void FindingMarkers::writeTexts(const ViewFrame& frame)
     m_textStyle = frame.text;
 }
 
-/// Whether a number lies over one of the boxes where it is drawn now.
+/// Returns whether a number overlaps one of the boxes at the current layout.
 bool FindingMarkers::isCovering(const std::vector<Eigen::AlignedBox2d>& taken) const
 {
     return std::any_of(m_labels.begin(), m_labels.end(), [&](const DiscLabel& one) {
@@ -338,7 +338,7 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
     if (frame.pixelRatio != m_pixelRatio || frame.text != m_textStyle) {
         writeTexts(frame);
     } else if (m_placed == frame && (m_avoided.empty() ? !isCovering(taken) : areSame(m_avoided, taken))) {
-        return; // a hand that is far from all numbers moves without any of this made anew
+        return; // a hand far from all numbers does not trigger a rebuild
     }
     Flat& shapes = m_picture->shapes;
     Flat& texts = m_picture->texts;
@@ -372,7 +372,7 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
             continue;
         }
         const Pixel at = middle + ratio * label.offset_px;
-        if (label.isMoved) { // from the rim to the text's edge
+        if (label.isMoved) { // leader line from the marker's rim to the edge of the text
             const Pixel start = middle + ratio * internal::kMarkerRadius_px * label.offset_px.normalized();
             const double outside = (0.5 * label.size_px).cwiseQuotient(label.offset_px.cwiseAbs()).minCoeff();
             const Pixel end = middle + ratio * label.offset_px * std::max(0.0, 1.0 - outside);
@@ -381,7 +381,7 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
         }
         shapes.addQuad(rectangle(at, 0.5 * ratio * label.size_px),
                        rgba(kTextGround, frame.text.groundOpacity * opacity));
-        // Whole pixels: between them the letters would be soft.
+        // Aligned to whole pixels: text would be blurred otherwise.
         const Pixel half = 0.5 * Pixel(piece.width, piece.height);
         const Pixel low(std::round(at.x() - half.x()), std::round(at.y() - half.y()));
         const Pixel from = Pixel(piece.x, piece.y).cwiseQuotient(m_picture->atlasSize);

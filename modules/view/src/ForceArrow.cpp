@@ -15,7 +15,7 @@ namespace palpate::view {
 
 namespace {
 
-/// A unit shape along +y, standing on the origin.
+/// Actor of a unit shape along +y with its base at the origin.
 vtkSmartPointer<vtkActor> makeShape(vtkPolyDataAlgorithm& source)
 {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -95,11 +95,12 @@ void ForceArrow::place(const Vec3& p_W, const Vec3& f_W, const Colour& colour, d
 
     const Vec3 axis = f_W / force_N;
     const double turned = std::abs(axis.dot(frame.towardsViewer(p_W)));
-    const double share = std::clamp((turned - kArrowOnly) / (kCircleOnly - kArrowOnly), 0.0, 1.0); // of the circle
+    // Weight of the circle.
+    const double share = std::clamp((turned - kArrowOnly) / (kCircleOnly - kArrowOnly), 0.0, 1.0);
     const double shown_mm = (1.0 - share) * m_length_mm;
     if (share < 1.0) {
         const Vec3 start = p_W + gap_px * pixel_mm * axis;
-        // A short arrow is all head, shrunk to its length.
+        // A short arrow consists of the head only, scaled down to its length.
         const double head_mm = std::min(15.0 * pixel_mm, shown_mm);
         placeAlong(*m_shaft, start, axis, std::max(shown_mm - head_mm, 1e-9 * pixel_mm), 2.2 * pixel_mm);
         placeAlong(*m_head, start + (shown_mm - head_mm) * axis, axis, head_mm, head_mm * (6.0 / 15.0));

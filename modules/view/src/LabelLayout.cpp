@@ -14,15 +14,15 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-constexpr double kGap_px = 2.0;   ///< between a label and what it stays clear of
-constexpr int kRings = 9;         ///< of places about a disc
-constexpr double kRing_px = 12.0; ///< from one ring to the next
+constexpr double kGap_px = 2.0;   ///< between a label and other objects
+constexpr int kRings = 9;         ///< candidate rings around a disc
+constexpr double kRing_px = 12.0; ///< distance between rings
 
-/// Preferred first: a text to the right of its disc is read as the disc's.
+/// In order of preference: to the right of the disc first, where a label is most clearly associated with its disc.
 const std::array<Point, 8> kDirections{Point(1, 1), Point(1, -1), Point(-1, 1), Point(-1, -1),
                                        Point(1, 0), Point(-1, 0), Point(0, 1),  Point(0, -1)};
 
-/// Centre of the text in a direction, clear of the disc by the gap and the ring.
+/// Centre of the text in a direction, clear of the disc by the gap and the ring distance.
 Point offsetTowards(const Point& direction, int ring, const DiscLabel& label, double discRadius_px)
 {
     const double near = discRadius_px + kGap_px;
@@ -54,8 +54,8 @@ Eigen::AlignedBox2d lineBox(const Point& from, const Point& to)
     return {from.cwiseMin(to), from.cwiseMax(to)};
 }
 
-/// What lies where: square cells, each with the numbers of the boxes that touch it, so that a box is compared with its
-/// neighbours only. The cells lie about the origin; boxes beyond the cells count to the outermost ones.
+/// Uniform grid of screen cells with the indices of the boxes that touch each cell, so that a box is compared with
+/// its neighbours only. The grid is centred on the origin; boxes outside are clamped to the outermost cells.
 class ScreenCells
 {
   public:
@@ -68,7 +68,7 @@ class ScreenCells
         });
     }
 
-    /// Whether `test` holds for a number whose box shares a cell with this one; it may be asked for one number twice.
+    /// Returns whether `test` is true for any box that shares a cell with this box; may test an index twice.
     template<typename Test>
     [[nodiscard]] bool any(const Eigen::AlignedBox2d& box, const Test& test)
     {
@@ -83,17 +83,17 @@ class ScreenCells
     }
 
   private:
-    static constexpr int kCells = 96;           // a side
-    static constexpr double kCell_px = 24.0;    // about a number's text
-    static constexpr double kRounding_px = 0.1; // boxes that touch but for rounding share a cell
+    static constexpr int kCells = 96;           // per side
+    static constexpr double kCell_px = 24.0;    // about the size of a number
+    static constexpr double kRounding_px = 0.1; // boxes that touch within rounding share a cell
 
     struct Entry
     {
         std::size_t number;
-        int next; ///< entry of the same cell, -1: none
+        int next; ///< next entry of the same cell, -1: end
     };
 
-    /// Until one cell's answer is true.
+    /// Visits the cells of a box until `visitor` returns true.
     template<typename Visitor>
     bool visit(const Eigen::AlignedBox2d& box, const Visitor& visitor)
     {
@@ -116,7 +116,7 @@ class ScreenCells
         return false;
     }
 
-    /// Entry of each cell, row by row; -1: none.
+    /// First entry of each cell, row-major; -1: empty.
     std::vector<int> m_first = std::vector<int>(static_cast<std::size_t>(kCells) * kCells, -1);
     std::vector<Entry> m_entries;
 };
@@ -179,15 +179,15 @@ Point placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& tak
 {
     constexpr int kWays = 8, kSteps = 24;
     constexpr double kStep_px = 12.0;
-    // A point outside the view has its text at the border.
+    // The label of a point outside the view is placed at the border.
     const Point point = label.point_px.cwiseMin(view.max()).cwiseMax(view.min());
     const double best = std::atan2(label.towards.y(), label.towards.x());
     const auto boxAt = [&](int place) {
-        // The way that it had best be, then alternately to either side of it.
+        // The preferred direction, then alternately to either side.
         const int way = place % kWays;
         const double turn = (way % 2 == 1 ? 1 : -1) * ((way + 1) / 2) * (2.0 * std::numbers::pi / kWays);
         const Point direction(std::cos(best + turn), std::sin(best + turn));
-        // So far that the text's box ends beside the point.
+        // Distance at which the edge of the text box just clears the point.
         const Point half = 0.5 * label.size_px + Point::Constant(kGap_px);
         const double clear = std::min(half.x() / std::max(1e-9, std::abs(direction.x())),
                                       half.y() / std::max(1e-9, std::abs(direction.y())));

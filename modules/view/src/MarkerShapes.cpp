@@ -24,7 +24,7 @@ Outline polygon(int corners, double radius_px, double first_rad)
 
 Outline cross()
 {
-    // A plus sign's corners, turned by an eighth.
+    // Corners of a plus sign, rotated by 45°.
     constexpr double kArm_px = 6.6, kHalf_px = 2.0;
     const double c = std::numbers::sqrt2 / 2.0;
     Outline out;
@@ -47,7 +47,7 @@ const std::vector<Eigen::Vector2d>& markerOutline(core::FindingType type)
     constexpr double kPi = std::numbers::pi;
     static const std::array<Outline, core::kFindingTypeNames.size()> kOutlines{
         polygon(20, 5.4, 0.0),       // lump
-        polygon(4, 6.6, 0.0),        // hard area: on its corner
+        polygon(4, 6.6, 0.0),        // hard area: standing on a corner
         polygon(4, 6.8, 0.25 * kPi), // soft area
         polygon(3, 6.8, 0.5 * kPi),  // landmark
         cross(),                     // keep away

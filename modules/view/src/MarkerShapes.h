@@ -9,10 +9,10 @@
 
 namespace palpate::view::internal {
 
-/// The outline of a type's shape about its middle, counter-clockwise, seen whole from there. [logical px]
+/// Outline of a finding type's marker around its centre: counter-clockwise and star-shaped. [logical px]
 [[nodiscard]] const std::vector<Eigen::Vector2d>& markerOutline(core::FindingType type);
 
-/// How far the largest shape reaches with its rim. [logical px]
+/// Radius of the largest marker including its rim. [logical px]
 inline constexpr double kMarkerRadius_px = 8.0;
 
 } // namespace palpate::view::internal

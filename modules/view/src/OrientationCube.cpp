@@ -11,9 +11,9 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kSide = 7.0; // letters
+constexpr double kSide = 7.0; // in letters
 constexpr double kUsual_px = 84.0;
-constexpr double kMost = 0.25; // of the view
+constexpr double kMost = 0.25; // fraction of the view
 constexpr double kLeft_px = 10.0;
 
 } // namespace
@@ -46,7 +46,7 @@ OrientationCube::OrientationCube()
 void OrientationCube::setSidesKnown(bool isKnown)
 {
     const std::string mark = isKnown ? "" : "?";
-    // LPS: x grows to the patient's left, y to the back, z to the head
+    // LPS: x points to the patient's left, y to the back, z to the head
     m_cube->SetXPlusFaceText(("L" + mark).c_str());
     m_cube->SetXMinusFaceText(("R" + mark).c_str());
     m_cube->SetYPlusFaceText(("P" + mark).c_str());
@@ -63,7 +63,7 @@ std::string OrientationCube::left() const
 
 void OrientationCube::place(vtkCamera& main, const int size_px[2], const ViewFrame& frame)
 {
-    // It grows with the texts, but a small view stays the tissue's.
+    // The cube grows with the font size but stays small in a small view.
     const double most = std::max(kUsual_px * frame.pixelRatio, kMost * std::min(size_px[0], size_px[1]));
     const double side = std::min(kSide * frame.text.size_px * frame.pixelRatio, most);
     const double left = kLeft_px * frame.pixelRatio;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kCorners = 64;
 
-/// A flat ring between two radii. [mm]
+/// Makes a flat ring between two radii. [mm]
 vtkSmartPointer<vtkPolyData> ring(const core::Vec3& p_W, const core::Vec3& n_W, double inner_mm, double outer_mm)
 {
     const core::Vec3 u = n_W.unitOrthogonal(), v = n_W.cross(u);
@@ -44,7 +44,8 @@ vtkSmartPointer<vtkPolyData> ring(const core::Vec3& p_W, const core::Vec3& n_W, 
 
 PlaceRing::PlaceRing()
 {
-    constexpr std::array<Colour, 2> kColours{kDarkRim, Colour{1.0, 0.35, 0.75}}; // no colour of the map
+    // Pink does not occur in the colour map.
+    constexpr std::array<Colour, 2> kColours{kDarkRim, Colour{1.0, 0.35, 0.75}};
     for (std::size_t i = 0; i < m_rings.size(); ++i) {
         vtkNew<vtkPolyDataMapper> mapper;
         m_rings[i] = vtkSmartPointer<vtkActor>::New();
@@ -65,7 +66,7 @@ void PlaceRing::addTo(vtkRenderer& overlay)
 
 void PlaceRing::show(const core::Vec3& p_W, const core::Vec3& n_W, double radius_mm)
 {
-    constexpr double kOff = 0.02; // of the radius: the bright ring before the dark one
+    constexpr double kOff = 0.02; // in radii: lifts the bright ring above the dark one
     constexpr std::array<std::array<double, 2>, 2> kRadii{{{0.94, 1.26}, {1.0, 1.2}}};
     for (std::size_t i = 0; i < m_rings.size(); ++i) {
         const core::Vec3 at = p_W + kOff * static_cast<double>(i) * radius_mm * n_W;

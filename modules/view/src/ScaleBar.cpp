@@ -17,7 +17,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kLongest = 12.5; // of the bar, letters
+constexpr double kLongest = 12.5; // maximum length of the bar, in letters
 
 } // namespace
 
@@ -42,7 +42,7 @@ ScaleBar::ScaleBar()
     vtkNew<vtkPoints> points;
     points->SetNumberOfPoints(12);
     vtkNew<vtkCellArray> faces;
-    for (vtkIdType i = 0; i < 12; i += 4) { // the bar and its two ends
+    for (vtkIdType i = 0; i < 12; i += 4) { // bar and two end caps
         const vtkIdType quad[4] = {i, i + 1, i + 2, i + 3};
         faces->InsertNextCell(4, quad);
     }
@@ -76,7 +76,7 @@ void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
 {
     const double pixel_mm = frame.mmPerPixel(focus_W);
     const double r = frame.pixelRatio;
-    // Longer below a larger text, and never half across the view.
+    // Longer with a larger font, but at most half the width of the view.
     const double longest_px = std::min(kLongest * frame.text.size_px, 0.5 * width_px / r);
     const double length_mm = roundScaleLength(longest_px * pixel_mm);
     const double length_px = length_mm / pixel_mm;

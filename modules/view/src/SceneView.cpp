@@ -27,7 +27,7 @@ SceneView::SceneView()
 {
     m_solid->GradientBackgroundOn();
     setBackground({0.20, 0.23, 0.27}, {0.36, 0.41, 0.47}, {0.95, 0.96, 0.97});
-    // Front layers of translucent tissue are peeled off in order; what lies behind the fourth adds nothing one can see.
+    // Depth peeling of the front layers of translucent tissue; layers behind the fourth are practically invisible.
     m_solid->UseDepthPeelingOn();
     m_solid->SetMaximumNumberOfPeels(4);
     m_solid->SetOcclusionRatio(0.05);
@@ -62,7 +62,8 @@ void SceneView::attach(vtkRenderWindow& window)
     detach();
     m_window = &window;
     window.SetNumberOfLayers(2);
-    window.SetMultiSamples(0); // peeling needs unsampled depth; edges are smoothed afterwards
+    // Depth peeling needs a depth buffer without multisampling; FXAA smooths edges afterwards.
+    window.SetMultiSamples(0);
     window.SetAlphaBitPlanes(1);
     for (vtkRenderer* renderer : {m_solid.Get(), m_overlay.Get(), m_cube.renderer()}) {
         window.AddRenderer(renderer);
@@ -205,7 +206,7 @@ core::Box SceneView::bounds() const
     return shown.isEmpty() ? all : shown;
 }
 
-/// A ray from the eye to each finding: tissue that it meets before hides the finding.
+/// Casts a ray from the eye to each finding; tissue hit before the finding hides it.
 void SceneView::findHiddenFindings(const ViewFrame& frame)
 {
     const Seen now{frame, m_findings.revision(), m_tissueRevision};
@@ -214,7 +215,7 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
     }
     m_seen = now;
     m_findings.findHidden([&](const Vec3& p_W) {
-        // A finding lies on a surface: so near before it is the finding's own.
+        // A finding lies on a surface: hits closer than this belong to the finding's own surface.
         constexpr double kOwn_mm = 0.5, kOwnShare = 1e-3;
         const double along_mm = (frame.eye_W - p_W).dot(frame.back_W);
         const Vec3 start = frame.isParallel ? Vec3(p_W + along_mm * frame.back_W) : frame.eye_W;
@@ -227,8 +228,8 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
     });
 }
 
-/// How much of the tissue shown a box hides, as a count of its vertices: a few hundred of each structure are asked.
-/// @param box_px  logical pixels from the view's middle
+/// Number of vertices of visible tissue inside a box, from a sample of a few hundred vertices per structure.
+/// @param box_px  logical pixels from the centre of the view
 std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const
 {
     constexpr vtkIdType kAsked = 512;
@@ -247,8 +248,9 @@ std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFra
     return count;
 }
 
-/// The legend's place. One with marks goes where it hides less, chosen when it is shown, when the view is resized and
-/// when all is fitted into it, not while the view is turned.
+/// Places the legend. The corner of a legend with marks is the one that hides less tissue. The corner is chosen when
+/// the legend appears, the view is resized or the whole scene is fitted into the view, but not while the view is
+/// turned.
 void SceneView::placeLegend(const ViewFrame& frame)
 {
     using Corner = ColourLegend::Corner;
@@ -294,20 +296,19 @@ void SceneView::prepareFrame(double pixelRatio)
     box.extend(m_cursor.bounds());
     box.extend(m_findings.bounds());
     if (!box.isEmpty()) {
-        // Room for the ball and its rings, which have a size on screen and none in space.
+        // Room for the ball and its rings, which have a size on screen but no extent in space.
         const double room = 20.0 * frame.mmPerPixel(box.center());
         const Vec3 low = box.min() - Vec3::Constant(room);
         const Vec3 high = box.max() + Vec3::Constant(room);
         const double bounds[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
         m_solid->ResetCameraClippingRange(bounds);
     }
-    // Unsorted, colours of several structures would be mixed by another rule and so be others.
+    // Without sorting, several translucent structures would blend differently and change their colours.
     const auto translucent = std::count_if(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;
     });
     m_solid->SetUseDepthPeeling(m_isSorted || translucent > 1);
-    // Occlusion is computed from the depth of what is opaque: behind translucent tissue it would darken the wrong
-    // place.
+    // SSAO uses the depth of opaque geometry: behind translucent tissue it would darken the wrong places.
     const bool isOpaque = std::all_of(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return !one.picture.appearance().isVisible || one.picture.appearance().opacity >= 1.0;
     });

@@ -15,7 +15,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kAmbient = 0.06, kHighlight = 0.30; // share of the colour that is there without a light on it
+constexpr double kAmbient = 0.06, kHighlight = 0.30; // ambient share of the colour
 
 } // namespace
 
@@ -76,7 +76,8 @@ void StructureActor::setAppearance(const Appearance& appearance)
     m_actor->GetProperty()->SetColor(colour.data());
     m_actor->GetProperty()->SetOpacity(m_appearance.opacity);
     m_actor->GetProperty()->SetBackfaceCulling(m_isClosed && m_appearance.opacity < 1.0);
-    // The inner side shows through the mouth of an open vessel: darker and without shine, so that it reads as inside.
+    // Back faces are visible through the open end of a vessel: darker and without highlights, they read as the inner
+    // side.
     vtkProperty* inside = m_actor->GetBackfaceProperty();
     inside->DeepCopy(m_actor->GetProperty());
     inside->SetSpecular(0.0);

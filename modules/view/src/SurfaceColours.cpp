@@ -15,8 +15,8 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kCutShare = 0.02;  // at each end
-constexpr double kLightened = 0.18; // of the way to white
+constexpr double kCutShare = 0.02;  // clipped at each end
+constexpr double kLightened = 0.18; // blended with white
 
 std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range)
 {
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::Repa
         data->GetCellData()->SetScalars(colours);
         return data;
     }
-    // A vertex has several points where a feature edge runs through it: each corner names its own.
+    // At feature edges a vertex has several points, so points are looked up per corner.
     colours->SetNumberOfTuples(picture.GetNumberOfPoints());
     vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
     for (std::size_t t = 0; t < triangles.size(); ++t) {

@@ -21,10 +21,10 @@ using geometry::Triangle;
 using geometry::TriangleMesh;
 using geometry::Vec3;
 
-/// Corners of each vertex: corner 3 t + c is the c-th corner of triangle t.
+/// Corners at each vertex; corner 3 t + c is the c-th corner of triangle t.
 struct CornersOfVertices
 {
-    std::vector<std::uint32_t> first; ///< one more than vertices
+    std::vector<std::uint32_t> first; ///< one entry more than vertices
     std::vector<std::uint32_t> corner;
 };
 
@@ -55,7 +55,8 @@ Vec3 faceNormal(const TriangleMesh& mesh, const Triangle& t)
     return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).normalized();
 }
 
-/// The angle of a triangle at a corner: its weight in the vertex normal, so that the triangulation does not show.
+/// Angle of a triangle at a corner: the weight in the vertex normal, which makes the normal independent of the
+/// triangulation.
 double cornerAngle(const TriangleMesh& mesh, std::uint32_t corner)
 {
     const Triangle& t = mesh.triangles[corner / 3];
@@ -84,8 +85,8 @@ vtkSmartPointer<vtkFloatArray> arrayOf(const std::vector<float>& values, const c
     return array;
 }
 
-/// The points of a mesh as they are shaded: triangles round a vertex that meet smoothly, one over an edge to the next,
-/// share a point and a normal; a feature edge starts another.
+/// Points for shading. Triangles around a vertex that are connected across smooth edges share one point and normal; a
+/// feature edge starts a new point.
 class ShadedPoints
 {
   public:
@@ -132,7 +133,7 @@ class ShadedPoints
     }
 
   private:
-    /// Adds the point of a vertex that its corner `seed` and those that meet it smoothly share.
+    /// Adds the point shared by corner `seed` of a vertex and all corners smoothly connected to `seed`.
     void addPoint(std::uint32_t v, std::uint32_t seed)
     {
         const std::uint32_t* corners = &m_of.corner[m_of.first[v]];
@@ -168,11 +169,11 @@ class ShadedPoints
 
     const TriangleMesh& m_mesh;
     CornersOfVertices m_of;
-    std::vector<Vec3> m_faces; ///< normals
+    std::vector<Vec3> m_faces; ///< face normals
     std::vector<float> m_points;
     std::vector<float> m_normals;
     std::vector<std::int32_t> m_connectivity;
-    std::vector<std::uint8_t> m_isTaken; ///< of each corner of the vertex at hand
+    std::vector<std::uint8_t> m_isTaken; ///< per corner of the current vertex
     std::vector<std::uint32_t> m_queue;
 };
 

@@ -23,7 +23,7 @@ RayHit hitAt(const Ray& ray, double distance_mm, const Vec3& a, const Vec3& b, c
     return {distance_mm, ray.p_W + distance_mm * ray.d_W, n, triangle};
 }
 
-/// Whether a half line comes into a box.
+/// Returns whether a ray hits a box (slab test).
 bool meets(const core::Box& box, const Ray& ray)
 {
     double near = 0.0, far = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ std::optional<RayHit> firstHit(const SurfaceIndex& surface, const Ray& ray)
     if (surface.triangleCount() == 0 || !ray.p_W.allFinite() || !ray.d_W.allFinite()) {
         return std::nullopt;
     }
-    // The hierarchy takes segments: one that surely reaches the far side of the box.
+    // The hierarchy takes segments: make one long enough to reach the far side of the box.
     const core::Box& box = surface.bounds();
     const double reach = 1.01 * ((box.center() - ray.p_W).norm() + box.diagonal().norm());
     double best = std::numeric_limits<double>::infinity();

@@ -11,13 +11,13 @@ namespace palpate::view {
 
 namespace {
 
-// A picture is read from farther away than a panel.
-constexpr double kUsual = 1.1, kLarge = 1.25; // of the window's letters
+// The 3D view is read from farther away than a panel.
+constexpr double kUsual = 1.1, kLarge = 1.25; // relative to the window's font size
 constexpr int kLeast_px = 8;
 
 std::string numberText(double value, std::chars_format format, int precision, const std::string& decimalPoint)
 {
-    char digits[400]; // the longest double has 309 before the point
+    char digits[400]; // the largest double has 309 digits before the decimal point
     const auto end = std::to_chars(digits, digits + sizeof digits, value, format, precision).ptr;
     std::string text(digits, end);
     if (const std::size_t point = text.find('.'); point != std::string::npos) {

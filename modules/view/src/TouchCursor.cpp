@@ -17,10 +17,10 @@ namespace palpate::view {
 namespace {
 
 constexpr Colour kLight{0.98, 0.98, 0.96};
-constexpr double kRimBall_px = 0.5 * TouchCursor::kBall_px + 2.6, kRimRing_px = 5.4; // radii with their dark rims
-constexpr double kInnerLift_px = 14.0;                  // inner marks lie over the spring that leads past them
-constexpr double kPointer_px = 14.0;                    // half of what the pointer covers
-constexpr double kCrossGap_px = 10.0, kCross_px = 24.0; // of the crosshair's arms, from its middle
+constexpr double kRimBall_px = 0.5 * TouchCursor::kBall_px + 2.6, kRimRing_px = 5.4; // radii including dark rims
+constexpr double kInnerLift_px = 14.0;                  // draws inner marks above the line that passes them
+constexpr double kPointer_px = 14.0;                    // half the size of the mouse pointer
+constexpr double kCrossGap_px = 10.0, kCross_px = 24.0; // start and length of the crosshair's arms, from the centre
 
 vtkSmartPointer<vtkActor> makeBall()
 {
@@ -46,7 +46,7 @@ void placeBall(vtkActor& ball, const Vec3& p_W, double radius_mm)
     ball.SetUserMatrix(X);
 }
 
-/// Lays flat shapes of radius 1 onto a surface.
+/// Places a flat shape of unit radius on a surface.
 void layOn(vtkActor& flat, const Vec3& p_W, const Vec3& n_W, double radius_mm)
 {
     const Vec3 u = n_W.unitOrthogonal(), v = n_W.cross(u);
@@ -100,7 +100,7 @@ TouchCursor::TouchCursor()
         inner.light = makeRing(3.7, 5.0, kLight, kInnerLift_px + 0.2);
         inner.mark = makeRing(0.0, 3.8, kLight, kInnerLift_px + 0.4);
     }
-    m_patch->GetProperty()->SetOpacity(0.28); // as the shade of a dent
+    m_patch->GetProperty()->SetOpacity(0.28); // looks like the shadow in a dent
     m_patchDark->GetProperty()->SetOpacity(0.7);
     m_patchRim->GetProperty()->SetOpacity(0.9);
     m_disc->GetProperty()->SetOpacity(0.16);
@@ -109,7 +109,7 @@ TouchCursor::TouchCursor()
     m_ball->GetProperty()->SetDiffuse(0.7);
     m_ball->GetProperty()->SetSpecular(0.35);
     m_ball->GetProperty()->SetSpecularPower(30.0);
-    // The rim is the far side of a slightly larger ball: a dark edge round the ball from everywhere.
+    // The rim shows the back faces of a slightly larger sphere: a dark outline from every direction.
     m_rim->GetProperty()->LightingOff();
     m_rim->GetProperty()->FrontfaceCullingOn();
     m_rim->GetProperty()->SetColor(kDarkRim[0], kDarkRim[1], kDarkRim[2]);
@@ -175,7 +175,7 @@ void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken
     placeBall(*m_ball, ball_W, ball_mm);
     const Colour colour = ballColour();
     m_ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    // A fingertip larger than the cursor must not hide the tissue it presses.
+    // A fingertip larger than the cursor must not hide the tissue below.
     const bool isLarge = m_state.fingertip_mm > 0.5 * kBall_px * pixel_mm;
     m_ball->GetProperty()->SetOpacity(!isTouching ? 0.35 : isLarge ? 0.5 : 1.0);
     placeBillboard(*m_hip, m_state.p_WH, frame);
@@ -190,13 +190,14 @@ void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken
     m_springDark.place(m_state.p_WH, m_state.p_WG, frame);
     const Vec3 over = 1.5 * pixel_mm * frame.back_W;
     m_spring.place(m_state.p_WH + over, m_state.p_WG + over, frame);
-    // Dark blue, the colour of a light touch, is lost against tissue in shade: the arrow keeps to the brighter half.
+    // Dark blue, the colour of a light touch, has too little contrast on shaded tissue: use the brighter half of the
+    // map.
     const double share = m_state.f_W.norm() / m_limit_N;
     m_arrow.place(m_state.p_WG, m_state.f_W, cividis(0.55 + 0.45 * share), 0.5 * kBall_px + 2.0, frame);
     placeLabels(frame, true, taken);
 }
 
-/// From the surface at rest to the bottom of the dent.
+/// Offset from the surface at rest to the bottom of the dent.
 Vec3 TouchCursor::sunk_W() const
 {
     const Dimple dimple = Dimple::of(m_state);
@@ -215,7 +216,7 @@ void TouchCursor::placeContact(const ViewFrame& frame, bool isTouching)
 {
     Vec3 n_W = m_state.n_W;
     if (!n_W.allFinite() || !(n_W.norm() > 0.5)) {
-        n_W = m_state.p_WG - m_state.p_WH; // where no normal is known
+        n_W = m_state.p_WG - m_state.p_WH; // normal unknown
     }
     const bool isShown = isTouching && n_W.norm() > 0.0;
     m_patch_mm = isShown ? patchRadius_mm(frame) : 0.0;
@@ -223,7 +224,7 @@ void TouchCursor::placeContact(const ViewFrame& frame, bool isTouching)
         flat->SetVisibility(isShown);
         if (isShown) {
             n_W.normalize();
-            // A fingertip's god-object is its centre.
+            // The god-object of a fingertip is the centre of its sphere.
             layOn(*flat, m_state.p_WG + sunk_W() - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
         }
     }
@@ -262,7 +263,8 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
     const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
     const Eigen::AlignedBox2d view(-half, half);
     if (!isTouching ||
-        (!view.contains(g) && !view.contains(h))) { // a number beside an unseen contact would seem another's
+        // A number would seem to belong to something else while the contact is outside the view.
+        (!view.contains(g) && !view.contains(h))) {
         m_labels.place({}, {}, frame);
         return;
     }
@@ -279,7 +281,7 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
         taken.push_back(boxAbout(g + share * (tip - g), 8.0));
         taken.push_back(boxAbout(g + share * (h - g), 5.0));
     }
-    // The force beside the arrow's tip, depths below one another on the other side.
+    // The force is labelled beside the tip of the arrow, the depths below one another on the other side.
     const Eigen::Vector2d along = tip - g;
     const bool isLeft = along.x() < -8.0;
     std::vector<TouchLabels::Item> items;
@@ -289,7 +291,7 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
     const double depth_mm = (m_state.p_WG - m_state.p_WH).norm();
     const auto middle = [&](const Vec3& p_WG) -> Vec3 { return 0.5 * (p_WG + m_state.p_WH); };
     const std::size_t innerCount = std::min(m_state.innerCount, m_state.inner.size());
-    // Of the outermost layer beside the part that only it holds.
+    // The depth of the outermost layer is labelled beside the part of the line inside this layer only.
     const Vec3 outerEnd_W = innerCount > 0 ? m_state.inner[0].p_WG : m_state.p_WH;
     items.push_back({millimetres(depth_mm, frame.text), 0.5 * (m_state.p_WG + outerEnd_W), beside, kTextInk, false});
     for (std::size_t i = 0; i < innerCount; ++i) {
@@ -319,7 +321,7 @@ void TouchCursor::placeInner(const ViewFrame& frame, bool isTouching)
         const bool isShown = isTouching && i < m_state.innerCount && inner.p_WG.allFinite();
         m_inner[i].line.actor()->SetVisibility(isShown);
         m_inner[i].line.actor()->GetProperty()->SetColor(inner.colour[0], inner.colour[1], inner.colour[2]);
-        if (isShown) { // over the line that all layers share
+        if (isShown) { // drawn over the common line
             const Vec3 lift = 3.0 * frame.mmPerPixel(inner.p_WG) * frame.back_W;
             m_inner[i].line.place(inner.p_WG + lift, m_state.p_WH + lift, frame);
         }

@@ -13,7 +13,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr double kBorder_px = 4.0; // to the view's
+constexpr double kBorder_px = 4.0; // margin to the border of the view
 
 } // namespace
 
