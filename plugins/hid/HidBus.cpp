@@ -25,7 +25,7 @@ std::string utf8(const wchar_t* text)
             out += static_cast<char>(0xc0 | (c >> 6));
             out += static_cast<char>(0x80 | (c & 0x3f));
         } else {
-            out += '?'; // names of devices are plain
+            out += '?'; // device names are plain text
         }
     }
     return out;

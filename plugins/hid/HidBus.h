@@ -14,23 +14,23 @@ struct hid_device_;
 
 namespace palpate::hid {
 
-/// A HID interface on the bus.
+/// HID interface on the bus.
 struct HidEntry
 {
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
-    std::uint16_t usagePage = 0; ///< what the interface is, by the HID usage tables; 0: not known
+    std::uint16_t usagePage = 0; ///< type of interface by the HID usage tables; 0: unknown
     std::uint16_t usage = 0;
     std::string path;        ///< for `HidDevice::open`
-    std::string productName; ///< as the device states it, UTF-8
-    std::string problem;     ///< why it cannot be opened and what to do; empty: nothing known against it
+    std::string productName; ///< as reported by the device, UTF-8
+    std::string problem;     ///< why the interface cannot be opened, and a remedy; empty: no known problem
 };
 
-/// Lists what is on the bus, of one vendor and product; 0: any.
-/// @param bus  held meanwhile: hidapi's listing, opening and closing are not thread-safe
+/// Lists HID interfaces of a vendor and product; 0: any.
+/// @param bus  locked during the call: enumeration, opening and closing are not thread-safe in hidapi
 [[nodiscard]] std::vector<HidEntry> listHid(std::mutex& bus, std::uint16_t vendor, std::uint16_t product);
 
-/// An open HID device. One thread reads and writes.
+/// Open HID device. @par Thread One thread reads and writes.
 class HidDevice
 {
   public:
@@ -40,10 +40,10 @@ class HidDevice
     ~HidDevice();
 
     /// Waits for a report.
-    /// @return its length; 0: none within `timeout_ms`; -1: the device is lost
+    /// @return length of the report; 0: timeout after `timeout_ms`; -1: device lost
     [[nodiscard]] int read(std::span<std::uint8_t> report, int timeout_ms) noexcept;
-    /// Writes a report whose first byte is its id. Blocks until the bus took it.
-    /// @return false: the device is lost
+    /// Writes a report whose first byte is the report id. Blocks until the bus has accepted the report.
+    /// @return false: device lost
     [[nodiscard]] bool write(std::span<const std::uint8_t> report) noexcept;
 
   private:

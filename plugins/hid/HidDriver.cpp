@@ -78,14 +78,15 @@ void HidDriver::talk(HidDevice first) noexcept
 std::optional<HidDevice> HidDriver::find() noexcept
 {
     try {
-        // One that was named keeps its path only while it stays plugged in: afterwards any is taken.
+        // A path is valid only while its device stays plugged in, so any matching device is accepted when
+        // reconnecting.
         for (const HidEntry& entry : list(m_bus)) {
             auto opened = HidDevice::open(m_bus, entry.path);
             if (opened.isOk()) {
                 return std::move(opened).value();
             }
         }
-    } catch (const std::bad_alloc&) { // tried again later
+    } catch (const std::bad_alloc&) { // retried later
     }
     return std::nullopt;
 }

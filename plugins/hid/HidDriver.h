@@ -15,47 +15,47 @@
 
 namespace palpate::hid {
 
-/// What a driver of a HID device is besides what it says to it: a thread that talks to the device and, when it is lost,
-/// looks for it until it is back.
+/// Base class of HID device drivers: runs an I/O thread that serves the device and, after a loss, reconnects when the
+/// device is back.
 ///
-/// A driver derives from it, calls `begin` in its `start` and `stop` in its destructor, and says the rest in the
+/// A derived class calls `open` and `run` in `start` and `stop` in its destructor, and implements the virtual
 /// functions below.
 class HidDriver : public device::HapticDevice
 {
   public:
     struct Kind
     {
-        const char* id;            ///< "spacemouse": begins each message
-        const char* missing;       ///< what is not on the bus and what to do, one sentence
-        std::int64_t findEvery_ns; ///< how often a lost one is looked for
+        const char* id;            ///< "spacemouse": prefix of each message
+        const char* missing;       ///< message for a missing device, with a remedy; one sentence
+        std::int64_t findEvery_ns; ///< interval between attempts to reconnect
     };
 
     void stop() noexcept override;
 
   protected:
-    /// @param kind     lives as long as the driver
-    /// @param address  path of the one to open at first; empty: any
+    /// @param kind  must outlive the driver
+    /// @param address  path of the device to open first; empty: any
     HidDriver(const device::PluginServices& services, const Kind& kind, std::string address);
 
-    /// Opens the device for `run`. @return a line that says why not
+    /// Opens the device for `run`. @return the device, or an error with the reason
     [[nodiscard]] core::Result<HidDevice> open();
-    /// Starts the thread, with all counters at zero. @pre it is not running
+    /// Starts the thread and resets all counters. @pre The thread is not running.
     void run(HidDevice device);
     [[nodiscard]] bool isRunning() const noexcept { return m_thread.joinable(); }
     [[nodiscard]] bool isStopWanted() const noexcept { return m_isStopWanted; }
-    [[nodiscard]] const std::string& path() const noexcept { return m_path; } ///< of what `open` opened
+    [[nodiscard]] const std::string& path() const noexcept { return m_path; } ///< of the device that `open` opened
 
-    // On the thread.
+    // Called on the I/O thread.
     virtual void makeThreadReady() noexcept = 0;
-    /// Talks to the device until it is lost or `isStopWanted`.
+    /// Serves the device until the device is lost or `isStopWanted`.
     virtual void serve(HidDevice& device) noexcept = 0;
-    /// The device was lost.
+    /// Called when the device was lost.
     virtual void tellLost() noexcept = 0;
 
-    /// On any thread: what is on the bus and might be it. May throw bad_alloc.
+    /// Lists candidate interfaces on the bus. Called on any thread. May throw bad_alloc.
     [[nodiscard]] virtual std::vector<HidEntry> list(std::mutex& bus) const = 0;
 
-    // For `report`, counted on the thread.
+    // Counters for `report`, incremented on the I/O thread.
     std::atomic<std::uint64_t> m_states{0};
     std::atomic<std::uint64_t> m_refused{0};
     std::atomic<std::uint64_t> m_losses{0};

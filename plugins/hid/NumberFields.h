@@ -10,7 +10,7 @@ class QJsonObject;
 
 namespace palpate::hid {
 
-/// A number in the settings of a device.
+/// Numeric field of a device's settings.
 struct NumberField
 {
     const char* name;
@@ -19,9 +19,9 @@ struct NumberField
     double most;
 };
 
-/// Reads the fields that are there into their values; the others keep theirs.
-/// @param file  begins the message
-/// @return OutOfRange with one line that names the first field that is no number from `least` to `most`
+/// Reads the fields that are present; the others keep their values.
+/// @param file  prefix of the error message
+/// @return OutOfRange with one line that names the first field that is not a number from `least` to `most`
 [[nodiscard]] core::Status readNumbers(const QJsonObject& object, std::span<const NumberField> fields,
                                        const std::string& file);
 

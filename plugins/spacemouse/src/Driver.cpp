@@ -13,7 +13,7 @@ using core::StatusCode;
 
 namespace {
 
-constexpr int kReadTimeout_ms = 50; // how long `stop` may wait
+constexpr int kReadTimeout_ms = 50; // maximum delay of `stop`
 constexpr hid::HidDriver::Kind kKind{"spacemouse", "no 6-axis mouse is connected: plug one in", 250'000'000};
 constexpr std::array<std::uint8_t, 2> kLightOn{4, 1};
 constexpr std::array<std::uint8_t, 2> kLightOff{4, 0};
@@ -52,7 +52,7 @@ device::DeviceInfo Driver::info() const
     info.sensesOrientation = true;
     info.buttons = 32;
     info.maxForce_N = device::kShownForceLimit_N;
-    // As the hand it lies before its user as a force device does: x right, y away, z up.
+    // As the hand, the mouse is in front of the user like a force-feedback device: x right, y away, z up.
     Eigen::Matrix3d R_UD;
     R_UD << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     info.q_UD = core::Quaternion(R_UD);
@@ -83,7 +83,7 @@ void Driver::makeThreadReady() noexcept
 
 void Driver::tellLost() noexcept
 {
-    m_heard.write(Heard{}); // an unplugged puck leaves its last deflection: no hand holds it any more
+    m_heard.write(Heard{}); // unplugging leaves the last deflection in place although the puck is no longer held
     m_isLost = true;
 }
 
@@ -92,14 +92,14 @@ void Driver::serve(hid::HidDevice& mouse) noexcept
     m_isLost = false;
     Puck puck;
     std::array<std::uint8_t, 64> buffer{};
-    (void)mouse.write(kLightOn); // models without a light refuse; one that is lost shows in the next read
+    (void)mouse.write(kLightOn); // models without a light refuse this; a lost device is detected by the next read
     while (!isStopWanted()) {
         const int length = mouse.read(buffer, kReadTimeout_ms);
         if (length < 0) {
             return;
         }
         if (length == 0) {
-            continue; // it sends nothing while no hand holds it
+            continue; // the puck sends no reports at rest
         }
         if (puck.take({buffer.data(), static_cast<std::size_t>(length)})) {
             ++m_states;

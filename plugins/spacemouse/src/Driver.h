@@ -13,11 +13,11 @@
 
 namespace palpate::spacemouse {
 
-/// 6-axis mice on the bus; their other interfaces, and other devices of the same vendors, are left alone.
+/// Lists 6-axis mice on the bus. Their other interfaces and other devices of the same vendors are excluded.
 [[nodiscard]] std::vector<hid::HidEntry> listMice(std::mutex& bus);
 
-/// A 6-axis mouse as a device, "spacemouse": its pose follows the puck as a rate. It feels nothing. While it is
-/// unplugged the pose stands still; it is looked for until it is back.
+/// 6-axis mouse as input device "spacemouse": the deflection of the puck controls the rate of the pose. No force
+/// output. While unplugged, the pose does not move and the driver tries to reconnect.
 class Driver final : public hid::HidDriver
 {
   public:
@@ -45,7 +45,7 @@ class Driver final : public hid::HidDriver
 
     RateSettings m_settings;
     core::TripleBuffer<device::PlainCopy<Heard>> m_heard; // I/O thread -> servo thread
-    RateHand m_hand;                                      // servo thread's
+    RateHand m_hand;                                      // servo thread only
 
     std::atomic<bool> m_isRecentreWanted{false};
     std::atomic<bool> m_isLost{false};

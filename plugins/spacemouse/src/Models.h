@@ -13,10 +13,10 @@ struct Model
     const char* name;
 };
 
-/// 3Dconnexion's 6-axis devices, and no other: the same vendor's flat mice and keypads are not among them.
+/// 3Dconnexion's 6-axis devices. Regular mice and keypads of the same vendor are not included.
 /// @par Source Tables of spacenavd (src/dev.c) and PySpaceMouse (pyspacemouse/devices.toml).
 [[nodiscard]] std::span<const Model> models() noexcept;
-/// @return the model, or null
+/// Finds a model by USB ids. @return null when unknown
 [[nodiscard]] const Model* findModel(std::uint16_t vendor, std::uint16_t product) noexcept;
 
 } // namespace palpate::spacemouse

@@ -8,7 +8,7 @@ namespace palpate::spacemouse {
 namespace {
 
 constexpr double kFullWay = 350.0;
-constexpr std::size_t kThree = 7; // bytes of a report with three axes
+constexpr std::size_t kThree = 7; // bytes of a 3-axis report
 constexpr std::size_t kSix = 13;
 
 core::Vec3 axesAt(std::span<const std::uint8_t> report, std::size_t first) noexcept

@@ -8,7 +8,7 @@
 
 namespace palpate::spacemouse {
 
-/// How the puck is held: shares of its full way, -1 to 1, in a frame with x to the right, y away from the user, z up.
+/// Deflection of the puck: -1 to 1 of full deflection per axis, in a frame with x right, y away from the user, z up.
 struct Held
 {
     core::Vec3 shift = core::Vec3::Zero();
@@ -16,13 +16,14 @@ struct Held
     std::uint32_t buttons = 0;
 };
 
-/// Reads a 6-axis mouse's reports. Numbers are little-endian int16 within ±350; the device's y points to the user and
-/// its z down. Report 1 of 7 bytes holds the shift, report 2 the turn; report 1 of 13 bytes holds both; report 3 the
-/// buttons. What was read decides, never the model: no byte beyond the report's length is looked at.
+/// Decodes reports of a 6-axis mouse. Numbers are little-endian int16 within ±350; the device's y points to the user
+/// and z down. Report 1 with 7 bytes holds the translation and report 2 the rotation; report 1 with 13 bytes holds
+/// both; report 3 holds the buttons. The layout follows from the report alone, not from the model. No byte beyond the
+/// report's length is read.
 class Puck
 {
   public:
-    /// @return false: a report of no known kind; what is held stays as it was
+    /// Decodes one report. @return false: unknown type of report; the state does not change
     bool take(std::span<const std::uint8_t> report) noexcept;
     [[nodiscard]] const Held& held() const noexcept { return m_held; }
 

@@ -8,7 +8,7 @@ namespace palpate::spacemouse {
 
 namespace {
 
-constexpr double kLongestStep_s = 0.05; // a thread that slept moves on, it does not leap
+constexpr double kLongestStep_s = 0.05; // prevents a jump after the thread was delayed
 
 core::Vec3 beyondDeadZone(const core::Vec3& way, double deadZone) noexcept
 {
@@ -41,7 +41,7 @@ device::DeviceState RateHand::advance(const Held& held, std::int64_t held_ns,
         }
     }
     m_state.buttons = held.buttons;
-    m_state.time_ns = now_ns; // a pose that stands still is as new as any
+    m_state.time_ns = now_ns; // a resting pose is still up to date
     m_state.isPresent = !m_isNew;
     m_isNew = false;
     return m_state;

@@ -9,14 +9,16 @@ namespace palpate::spacemouse {
 
 struct RateSettings
 {
-    double speed_mm_per_s = 60.0; ///< at full way
+    double speed_mm_per_s = 60.0; ///< at full deflection
     double turn_rad_per_s = 1.0;
-    double deadZone = 0.06;    ///< share of the way that counts as a resting hand; the rest begins at zero
-    double staleAfter_s = 0.1; ///< a held puck reports every 8 or 16 ms; longer without one, it was let go or unplugged
-    double reach_mm = 250.0;   ///< from the origin of D
+    double deadZone = 0.06; ///< fraction of the deflection that counts as rest; beyond, the rate starts at zero
+    /// A deflected puck reports every 8 or 16 ms; after this time without a report, the puck was released or
+    /// unplugged.
+    double staleAfter_s = 0.1;
+    double reach_mm = 250.0; ///< limit of the distance from the origin of D
 };
 
-/// Turns how a puck is held into a pose: a rate, integrated. Pure; time comes from the caller.
+/// Integrates the puck's deflection, interpreted as a rate, to a pose. No I/O and no clock: times are passed in.
 class RateHand
 {
   public:
@@ -25,19 +27,21 @@ class RateHand
     {
     }
 
-    /// @param held_ns  when `held` was reported
-    /// @return the pose at now_ns
+    /// Integrates up to `now_ns`.
+    /// @param held_ns  time at which `held` was reported
+    /// @return the pose at `now_ns`
     /// @par Real-time Wait-free.
     device::DeviceState advance(const Held& held, std::int64_t held_ns,
                                 std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
-    /// Makes the pose of now the origin, unturned. For one `advance` no hand is there: it comes anew.
+    /// Resets the pose to the origin without rotation. The next `advance` reports no hand, so that the jump is not
+    /// taken for motion.
     void recentre() noexcept PALPATE_NONBLOCKING;
 
   private:
     RateSettings m_settings;
     device::DeviceState m_state;
-    std::int64_t m_now_ns = 0; // 0: before the first
-    bool m_isNew = false;      // recentred, and not yet reported
+    std::int64_t m_now_ns = 0; // 0: before the first call
+    bool m_isNew = false;      // recentred, not yet reported
 };
 
 } // namespace palpate::spacemouse

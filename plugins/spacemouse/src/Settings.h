@@ -10,8 +10,8 @@
 
 namespace palpate::spacemouse {
 
-/// Reads spacemouse.json from the first folder that has one: an object with any of speed_mm_per_s, turn_rad_per_s,
-/// dead_zone, stale_after_s, reach_mm. Without a file the settings are as they come.
+/// Reads spacemouse.json from the first folder that contains one: an object with any of speed_mm_per_s,
+/// turn_rad_per_s, dead_zone, stale_after_s, reach_mm. Returns the defaults without a file.
 [[nodiscard]] core::Result<RateSettings> readSettings(const std::vector<std::filesystem::path>& folders);
 
 } // namespace palpate::spacemouse

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 64 * 1024;
 
-/// Blanks a comma before a closing brace; the file holds no text in which one could be meant.
+/// Blanks a trailing comma before a closing brace. Safe because the file contains no strings in which such a comma
+/// could occur.
 QByteArray withoutLastComma(std::string_view text)
 {
     QByteArray out(text.data(), static_cast<qsizetype>(text.size()));
@@ -49,7 +50,7 @@ core::Result<Config> parseConfig(std::string_view text, const std::string& name)
     }
     Config c;
     double variant = 0.0;
-    constexpr double kSmall = 1e-4; // of a length that something is divided by
+    constexpr double kSmall = 1e-4; // lower bound for lengths used as divisors
     const hid::NumberField fields[] = {
         {"variant", &variant, 0, 1},
         {"diameter_capstan_a", &c.capstanDiameter_m[0], kSmall, 0.2},

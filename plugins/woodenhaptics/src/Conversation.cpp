@@ -10,11 +10,12 @@ namespace palpate::woodenhaptics {
 namespace {
 
 constexpr double kFastestJoint_rad_per_s = 60.0; // 10 m/s at the tip of the kit's arm
-constexpr double kMakersLimit_A = 2.0;           // what the original host allows the amplifiers
-// The hand counts as there a little beyond the stated workspace; the safety gate refuses from half again on.
+constexpr double kMakersLimit_A = 2.0;           // amplifier limit of the original host program
+// The hand counts as present slightly beyond the nominal workspace; the safety gate refuses from 1.5 times the radius
+// on.
 constexpr double kReach = 1.4;
-constexpr int kButtonReports = 20;              // a wild report is not a pressed button
-constexpr double kCalibrationTolerance = 500.0; // counts that the arm may turn while the counters are set
+constexpr int kButtonReports = 20;              // a single invalid report must not count as a pressed button
+constexpr double kCalibrationTolerance = 500.0; // counts that the arm may turn while the counters are being set
 constexpr std::int64_t kCalibrationTimeout_ns = 1'000'000'000;
 constexpr std::int64_t kCalibrationRepeat_ns = 20'000'000;
 constexpr std::size_t kLengths[] = {14, 8};
@@ -59,7 +60,7 @@ bool Conversation::take(std::span<const std::uint8_t> report, std::int64_t now_n
         return refuse();
     }
     if (m_protocol == 0 && m_length != static_cast<int>(report.size())) {
-        m_length = static_cast<int>(report.size()); // of several lengths the one that goes on is the device's
+        m_length = static_cast<int>(report.size()); // if lengths differ, the latest length in use is the device's
         m_counters = Counters(fastestCounts(m_config));
     }
     const bool isTwo = report.size() == kLengths[0];
@@ -68,7 +69,7 @@ bool Conversation::take(std::span<const std::uint8_t> report, std::int64_t now_n
         const auto bits = static_cast<std::uint16_t>(fieldAt(report, i));
         raw[i] = static_cast<std::int16_t>(isTwo ? bits : static_cast<std::uint16_t>(-bits));
     }
-    if (m_calibrateUntil_ns != 0) { // the counters are being set: nothing is believed until they are
+    if (m_calibrateUntil_ns != 0) { // reports are ignored until the counters have been set
         bool isSet = true;
         for (std::size_t i = 0; i < raw.size(); ++i) {
             isSet = isSet && std::abs(raw[i] - m_config.calibrationCounts[i]) < kCalibrationTolerance;
@@ -148,7 +149,7 @@ std::span<const std::uint8_t> Conversation::answer(const core::Vec3& f_D, std::i
     const double force_N = f_D.norm();
     const core::Vec3 bounded = force_N > m_config.maxForce_N ? core::Vec3(f_D * (m_config.maxForce_N / force_N)) : f_D;
     core::Vec3 currents_A = m_kinematics.currents(m_kinematics.torques(m_q, bounded));
-    // All three shrink together: a weaker force, but not one in another direction.
+    // Scaling all three currents keeps the direction of the force.
     const double limit_A = std::min(kMakersLimit_A, m_config.fullScale_A);
     const double largest_A = currents_A.cwiseAbs().maxCoeff();
     if (largest_A > limit_A) {
@@ -169,7 +170,7 @@ std::span<const std::uint8_t> Conversation::zero() noexcept
 
 std::span<const std::uint8_t> Conversation::pack(const std::array<std::int16_t, 7>& fields) noexcept
 {
-    // Before the device has spoken either length may be its own; zeros are harmless to both.
+    // Before the device has sent a report, either length may be right; zeros are harmless with both protocols.
     const std::size_t length = m_protocol == 0 ? kLengths[m_guess++ % 2] : kLengths[m_protocol == 2 ? 0 : 1];
     m_out[0] = 0;
     for (std::size_t i = 0; i < length / 2; ++i) {

@@ -13,38 +13,40 @@
 
 namespace palpate::woodenhaptics {
 
-/// What is said between host and firmware, report by report; no I/O, no clock of its own.
+/// Protocol between host and firmware, report by report. No I/O and no clock.
 ///
-/// All numbers are little-endian int16. Protocol 2 (14 bytes each way): encoders a to f and info (1: the calibration
-/// button was pressed) / currents a, b, c [mA], command, three attributes. Command 1 sets the counters: the attributes
-/// are a, b, c, the currents d, e, f. Protocol 1 (8 bytes): encoders a, b, c in the opposite sense and a spare /
-/// currents and a spare; its counters cannot be set, so the offset is kept here. What is written has report id 0 in
-/// front. The length of what is read tells the protocol. The firmware sends one report and waits for one: each is
-/// answered.
+/// All numbers are little-endian int16. The length of incoming reports identifies the protocol. Outgoing reports are
+/// preceded by report id 0. The firmware sends one report and waits for an answer, so each report is answered.
+/// - Protocol 2, 14 bytes in each direction. In: encoders a to f and info (1: calibration button pressed). Out:
+///   currents a, b, c [mA], command, three attributes. Command 1 sets the counters: the attributes are a, b, c, the
+///   currents d, e, f.
+/// - Protocol 1, 8 bytes. In: encoders a, b, c with opposite sign, and an unused field. Out: currents and an unused
+///   field. Counters cannot be set, so the host stores the offset.
 class Conversation
 {
   public:
-    /// @param isTrusted  the counters count from the calibration pose, as after power-on there
+    /// @param isTrusted  true: the counters are relative to the calibration pose, as after switching on in that pose
     Conversation(const Config& config, bool isTrusted);
 
-    /// Takes a report of any length and content.
-    /// @return true when it gave a new state
+    /// Processes a report of any length and content.
+    /// @return true when the report gave a new state
     bool take(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept;
-    /// Answers the newest report: currents for the force [N], or a calibration that is due. Valid until the next call.
+    /// Builds the answer to the latest report: currents for the force [N], or a pending calibration. Valid until the
+    /// next call.
     [[nodiscard]] std::span<const std::uint8_t> answer(const core::Vec3& f_D, std::int64_t now_ns) noexcept;
-    /// A report without current, to start the firmware or to end with.
+    /// Builds a report with zero currents, to start the firmware or to finish.
     [[nodiscard]] std::span<const std::uint8_t> zero() noexcept;
 
-    /// Takes the pose as the calibration pose, with the next answer.
+    /// Makes the current pose the calibration pose, with the next answer.
     void calibrate() noexcept;
 
     [[nodiscard]] const device::DeviceState& state() const noexcept { return m_state; }
-    /// 1 or 2; 0 until enough reports agreed.
+    /// Protocol 1 or 2; 0 until enough reports agree.
     [[nodiscard]] int protocol() const noexcept { return m_protocol; }
     [[nodiscard]] bool isCalibrated() const noexcept { return m_isCalibrated; }
-    /// Reports that were not believed.
+    /// Number of rejected reports.
     [[nodiscard]] std::uint64_t refused() const noexcept { return m_refused; }
-    /// Length of the newest report that was too long or too short; 0: none yet.
+    /// Length of the latest report of unexpected length; 0: none so far.
     [[nodiscard]] std::size_t strangeLength() const noexcept { return m_strangeLength; }
 
   private:
@@ -55,17 +57,17 @@ class Conversation
     Config m_config;
     Kinematics m_kinematics;
     Counters m_counters;
-    core::Vec3 m_offset = core::Vec3::Zero(); // counts are counters + this
+    core::Vec3 m_offset = core::Vec3::Zero(); // counts = counters + m_offset
     core::Vec3 m_q = core::Vec3::Zero();
     device::DeviceState m_state;
     std::array<std::uint8_t, 15> m_out{};
     std::uint64_t m_refused = 0;
     std::size_t m_strangeLength = 0;
-    std::size_t m_guess = 0; // zero() before the protocol is known
-    int m_length = 0;        // of the newest reports of a known length, in bytes
+    std::size_t m_guess = 0; // alternates the length in zero() while the protocol is unknown
+    int m_length = 0;        // length of the latest valid reports, in bytes
     int m_protocol = 0;
-    int m_pressed = 0;                    // reports in a row with the button down
-    std::int64_t m_calibrateUntil_ns = 0; // 0: none under way
+    int m_pressed = 0;                    // consecutive reports with the button down
+    std::int64_t m_calibrateUntil_ns = 0; // 0: no calibration in progress
     std::int64_t m_calibrateNext_ns = 0;
     bool m_isCalibrationWanted = false;
     bool m_isCalibrated;

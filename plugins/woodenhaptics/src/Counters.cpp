@@ -9,11 +9,12 @@ namespace palpate::woodenhaptics {
 namespace {
 
 constexpr int kAgreeingToBegin = 3;
-constexpr int kAgreeingToRestart = 10; // 10 ms at a report a millisecond
-// While reports come and are refused, an arm that really moved was seen moving: only a share of that time counts, which
-// a hand at 2 m/s needs to get through wild reports, and which a restart of the counters does not outrun.
+constexpr int kAgreeingToRestart = 10; // 10 ms at one report per millisecond
+// While reports arrive but are rejected, real motion would have been seen. Only this fraction of the elapsed time
+// counts: enough for a hand at 2 m/s between invalid reports, too little for restarted counters to be accepted as
+// motion.
 constexpr double kShareOfRefusedTime = 0.2;
-constexpr double kLongestGap_s = 0.05; // after a longer one a hand may be anywhere, but no farther than this allows
+constexpr double kLongestGap_s = 0.05; // upper limit of the time, and so of the accepted motion, after a longer gap
 
 int step(std::int16_t from, std::int16_t to) noexcept
 {
@@ -28,7 +29,8 @@ bool Counters::isNear(const RawCounts& from, const RawCounts& to, double seconds
     for (std::size_t i = 0; i < from.size(); ++i) {
         const double limit =
             m_fastest_per_s[static_cast<Eigen::Index>(i)] * std::clamp(seconds, kLeast_s, kLongestGap_s);
-        if (std::abs(step(from[i], to[i])) > std::min(limit, 16384.0)) { // beyond half a wrap no step is told from two
+        // At most a quarter wrap: beyond half a wrap (32768 counts) the direction of a step is ambiguous.
+        if (std::abs(step(from[i], to[i])) > std::min(limit, 16384.0)) {
             return false;
         }
     }

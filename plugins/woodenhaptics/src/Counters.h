@@ -10,28 +10,28 @@ namespace palpate::woodenhaptics {
 
 using RawCounts = std::array<std::int16_t, 3>;
 
-/// Turns the device's 16-bit counters, which wrap, into counts that do not, and refuses what no arm can have turned:
-/// one wild report taken for true would put every later one a whole wrap aside.
+/// Unwraps the device's 16-bit counters and rejects physically impossible steps. A single accepted outlier would
+/// offset all later counts by a full wrap.
 class Counters
 {
   public:
     enum class Answer
     {
         Taken,
-        Refused,   ///< jumped: the counts stay as they were
-        Restarted, ///< the counters go on from elsewhere; what the counts mean has to be calibrated anew
+        Refused,   ///< jumped: the counts are unchanged
+        Restarted, ///< the counters continue from other values; a new calibration is required
     };
 
-    /// @param fastest_per_s  counts that each counter can move in a second
+    /// @param fastest_per_s  maximum rate of each counter [counts/s]
     explicit Counters(const core::Vec3& fastest_per_s)
         : m_fastest_per_s(fastest_per_s)
     {
     }
 
     Answer take(const RawCounts& raw, std::int64_t now_ns) noexcept;
-    /// Goes on from here: the next raw values mean these counts.
+    /// Restarts from raw values, which become the current counts.
     void restart(const RawCounts& raw, std::int64_t now_ns) noexcept;
-    /// Counts since they began, which was at the raw values themselves.
+    /// Unwrapped counts. They start at the first raw values.
     [[nodiscard]] core::Vec3 counts() const noexcept { return m_counts; }
 
   private:
@@ -40,11 +40,11 @@ class Counters
     core::Vec3 m_fastest_per_s;
     core::Vec3 m_counts = core::Vec3::Zero();
     RawCounts m_raw{};
-    RawCounts m_elsewhere{};    ///< newest refused
-    std::int64_t m_time_ns = 0; ///< of the newest taken
-    std::int64_t m_seen_ns = 0; ///< of the newest, taken or not
+    RawCounts m_elsewhere{};    ///< latest rejected values
+    std::int64_t m_time_ns = 0; ///< time of the latest accepted report
+    std::int64_t m_seen_ns = 0; ///< time of the latest report, accepted or not
     std::int64_t m_elsewhere_ns = 0;
-    int m_agreeing = 0; ///< refused in a row that follow each other
+    int m_agreeing = 0; ///< consecutive rejected reports that are consistent with each other
     bool m_hasBegun = false;
 };
 

@@ -17,7 +17,7 @@ using device::DeviceCondition;
 
 namespace {
 
-constexpr std::uint16_t kVendor = 0x1234; // mbed's defaults
+constexpr std::uint16_t kVendor = 0x1234; // mbed's default ids
 constexpr std::uint16_t kProduct = 0x0006;
 constexpr int kReadTimeout_ms = 10;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
@@ -25,9 +25,9 @@ constexpr std::int64_t kStartTimeout_ns = 1500 * kMillisecond_ns;
 constexpr hid::HidDriver::Kind kKind{"woodenhaptics",
                                      "no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on",
                                      100 * kMillisecond_ns};
-// A force that the servo thread does not renew is not wanted any more.
+// A force expires unless the servo thread renews it.
 constexpr std::int64_t kPushEnds_ns = 20 * kMillisecond_ns;
-constexpr int kPriority = 75; // above the servo thread's; each turn is short
+constexpr int kPriority = 75; // above the servo thread; each iteration is short
 
 } // namespace
 
@@ -68,7 +68,7 @@ device::DeviceInfo Driver::info() const
     info.maxDamping_Ns_per_mm = m_config.maxDamping_Ns_per_m * 1e-3;
     info.resolution_mm = Kinematics(m_config).resolution_m() * 1e3;
     info.workspaceRadius_mm = m_config.workspaceRadius_m * 1e3;
-    // The arm reaches out along x towards the user and lifts along z, as the kinematics have it.
+    // In the frame of the kinematics, the arm extends along x towards the user, and z points up.
     Eigen::Matrix3d R_UD;
     R_UD << 0, 1, 0, 0, 0, 1, 1, 0, 0;
     info.q_UD = core::Quaternion(R_UD);
@@ -111,7 +111,7 @@ void Driver::makeThreadReady() noexcept
     pthread_setname_np(pthread_self(), "palpate-arm");
     sched_param param{};
     param.sched_priority = kPriority;
-    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); // without permission it stays as it is
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); // without permission the policy stays unchanged
 }
 
 void Driver::tellLost() noexcept
@@ -130,13 +130,14 @@ void Driver::serve(hid::HidDevice& arm) noexcept
     std::int64_t answered_ns = 0;
     while (!isStopWanted()) {
         int length = arm.read(buffer, kReadTimeout_ms);
-        if (length == 0 && !arm.write(talk.zero())) { // it waits for us: nothing came from it, so nothing is due
+        // The firmware waits for the host; without a report, no answer is due.
+        if (length == 0 && !arm.write(talk.zero())) {
             return;
         }
         bool isNew = false;
         bool isAnswerDue = false;
-        // The queue may hold several; all are looked at, because counters that wrap must not miss one, and the newest
-        // is answered.
+        // The queue may hold several reports. All are processed, because no report may be skipped when unwrapping
+        // counters; only the latest is answered.
         for (; length > 0; length = arm.read(buffer, 0)) {
             isNew = talk.take({buffer.data(), static_cast<std::size_t>(length)}, core::monotonicNow_ns());
             isAnswerDue = true;

@@ -11,11 +11,11 @@
 
 namespace palpate::woodenhaptics {
 
-/// Arms on the bus; other mbed boards with the same ids are left out by the name that they state.
+/// Lists arms on the bus. Other mbed boards with the same ids are excluded by product name.
 [[nodiscard]] std::vector<hid::HidEntry> listArms(std::mutex& bus);
 
-/// The arm as a device, "woodenhaptics". A thread of its own talks to it and only exchanges newest state and newest
-/// force with the servo thread. A lost arm is looked for until it is back; after that it has to be calibrated.
+/// WoodenHaptics arm as device "woodenhaptics". A separate I/O thread serves the arm and exchanges the latest state
+/// and force with the servo thread. After a loss the driver reconnects; the arm then has to be calibrated.
 class Driver final : public hid::HidDriver
 {
   public:
@@ -23,7 +23,7 @@ class Driver final : public hid::HidDriver
     ~Driver() override;
 
     [[nodiscard]] device::DeviceInfo info() const override;
-    /// Opens the arm and waits until it talks.
+    /// Opens the arm and waits for its first reports.
     core::Status start() override;
     [[nodiscard]] device::DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING override;
     void write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
@@ -31,11 +31,11 @@ class Driver final : public hid::HidDriver
     core::Status calibrate() override;
 
   private:
-    /// What the servo thread wants of the motors.
+    /// Force command from the servo thread.
     struct Push
     {
         core::Vec3 f_D = core::Vec3::Zero(); ///< [N]
-        std::int64_t answers_ns = 0;         ///< time of the state that it was computed from
+        std::int64_t answers_ns = 0;         ///< time stamp of the state from which the force was computed
         std::int64_t time_ns = 0;
     };
 
@@ -46,14 +46,15 @@ class Driver final : public hid::HidDriver
     void publish(const Conversation& talk) noexcept;
 
     Config m_config;
-    bool m_isTrusted = true; ///< I/O thread's: it was switched on in its calibration pose, as its makers ask
+    /// I/O thread only: the arm was switched on in the calibration pose, as its makers require.
+    bool m_isTrusted = true;
     std::atomic<bool> m_isCalibrationWanted{false};
 
     core::TripleBuffer<device::PlainCopy<device::DeviceState>> m_state; // I/O thread -> servo thread
     core::TripleBuffer<device::PlainCopy<Push>> m_push;                 // servo thread -> I/O thread
-    std::int64_t m_answers_ns = 0;                                      // servo thread's: time of the state last read
+    std::int64_t m_answers_ns = 0; // servo thread only: time stamp of the last state read
 
-    // For report(), from the I/O thread.
+    // Written by the I/O thread for report().
     std::atomic<device::DeviceCondition> m_condition{device::DeviceCondition::Working};
     std::atomic<int> m_protocol{0};
     std::atomic<std::size_t> m_strangeLength{0};

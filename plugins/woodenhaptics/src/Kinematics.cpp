@@ -12,7 +12,7 @@ Kinematics::Kinematics(const Config& config)
 {
     constexpr double kPi = std::numbers::pi;
     const bool isVintage = config.variant == 1;
-    // Of q against the encoder, and of the motor against q.
+    // Sign of q relative to the encoder, and of the motor relative to q.
     const Vec3 encoderSense = isVintage ? Vec3(1, -1, 1) : Vec3(-1, -1, -1);
     const Vec3 motorSense = isVintage ? Vec3(1, -1, 1) : Vec3(1, -1, -1);
     m_offset = isVintage ? Vec3(0, kPi / 2, 0) : Vec3(0, 0, kPi / 2);
@@ -64,7 +64,7 @@ double Kinematics::resolution_m() const noexcept
 Vec3 Kinematics::torques(const Vec3& q, const Vec3& f_D) const noexcept
 {
     Vec3 torques = jacobian(q).transpose() * f_D;
-    // What holds each centre of mass up is the gradient of its height times its weight.
+    // Gravity compensation: the weight of each link times the gradient of the height of its centre of mass.
     const double g = m_config.gravity_m_per_s2;
     torques[1] -=
         g * std::sin(q[1]) * (m_config.massB_kg * m_config.centreB_m + m_config.massC_kg * m_config.linkLength_m[1]);

@@ -29,7 +29,7 @@ class Plugin final : public QObject, public device::DevicePlugin
     {
         Config config;
         for (const std::filesystem::path& folder : services.settingsFolders) {
-            // The second is what older host programs wrote.
+            // The second name was written by older host programs.
             for (const char* name : {"woodenhaptics.json", "wooden_haptics.json"}) {
                 std::error_code error;
                 if (std::filesystem::exists(folder / name, error)) {
