@@ -9,7 +9,7 @@ namespace palpate::phantom {
 
 namespace {
 
-/// Minimum of two distances whose crease is rounded over `k` [mm] (cubic polynomial blend).
+/// Smooth minimum of two distances, blended over a width of `k` [mm] (cubic polynomial).
 double smoothMin(double a, double b, double k)
 {
     const double h = std::max(k - std::abs(a - b), 0.0) / k;
@@ -21,13 +21,13 @@ double smoothMax(double a, double b, double k)
     return -smoothMin(-a, -b, k);
 }
 
-/// What is in `a` and not in `b`.
+/// Difference: inside `a` and outside `b`.
 double carve(double a, double b, double k)
 {
     return smoothMax(a, -b, k);
 }
 
-/// Distance to an ellipsoid, exact to first order at its surface.
+/// Distance to an ellipsoid, exact to first order near its surface.
 double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii, double turnZ_deg = 0.0, double turnY_deg = 0.0)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
@@ -52,24 +52,24 @@ double capsule(const Vec3& p, const Vec3& from, const Vec3& to, double radius)
 
 double organDistance(const Vec3& p)
 {
-    // Lobes under the diaphragm's dome: right, its lower corner, the middle, left, caudate.
+    // Lobes below the dome of the diaphragm: right, right inferior, middle, left, caudate.
     double d = ellipsoid(p, {-41, 6, -3}, {58, 71, 66}, 10, 6);
     d = smoothMin(d, ellipsoid(p, {-56, -2, -30}, {42, 58, 46}), 34);
     d = smoothMin(d, ellipsoid(p, {0, -8, 8}, {56, 56, 44}, 0, 10), 40);
     d = smoothMin(d, ellipsoid(p, {44, -22, 19}, {66, 44, 26}, -12, 10), 44);
     d = smoothMin(d, ellipsoid(p, {2, 36, 8}, {28, 28, 36}), 24);
 
-    // The visceral face looks down, left and back, and meets the front in a thin lower margin.
+    // The visceral face points down, left and back and meets the front in a thin inferior margin.
     const Vec3 face = Vec3(0.41, 0.27, -0.87).normalized();
     d = smoothMax(d, face.dot(p) - 12.0, 14);
     d = carve(d, ellipsoid(p, {72, 22, -22}, {60, 50, 46}), 20);      // stomach
     d = carve(d, ellipsoid(p, {-58, 66, -66}, {40, 44, 54}), 18);     // right kidney
     d = carve(d, ellipsoid(p, {-66, -34, -92}, {44, 40, 34}), 18);    // colon
     d = carve(d, capsule(p, {4, 78, -80}, {8, 70, 80}, 15), 12);      // inferior vena cava
-    d = carve(d, capsule(p, {-30, 16, -28}, {20, 2, -5}, 7), 14);     // gate of the liver
+    d = carve(d, capsule(p, {-30, 16, -28}, {20, 2, -5}, 7), 14);     // porta hepatis
     d = carve(d, ellipsoid(p, {-26, -36, -42}, {12, 36, 14}, 14), 8); // gallbladder
-    d = carve(d, ellipsoid(p, {26, 0, 96}, {56, 60, 50}), 30);        // heart, through the diaphragm
-    // Round ligament: a notch in the lower margin and a furrow on the face behind it.
+    d = carve(d, ellipsoid(p, {26, 0, 96}, {56, 60, 50}), 30);        // heart, above the diaphragm
+    // Round ligament: a notch in the inferior margin and a fissure on the visceral face behind.
     d = carve(d, ellipsoid(p, {22, -38, -14}, {4.5, 40, 13}, -8), 14);
     return d;
 }

@@ -9,36 +9,37 @@ namespace palpate::phantom {
 
 using core::Vec3;
 
-/// Signed distance to a surface, roughly: negative inside, its zero level is the surface. [mm]
+/// Approximate signed distance to a surface: negative inside, zero on the surface. [mm]
 using Distance = std::function<double(const Vec3&)>;
 
-/// The organ: a liver-like body of about 200 x 150 x 110 mm, LPS, made of formulas alone.
+/// Organ: a liver-like body of about 200 x 150 x 110 mm in LPS, defined by formulas only.
 ///
-/// A thick right lobe and a wedge-like left lobe are blended, cut from below by a sloping visceral face, and dented
-/// where stomach, kidney, colon, gallbladder and inferior vena cava lie, at the liver's gate and at the round ligament.
+/// A thick right lobe and a wedge-shaped left lobe are blended and cut from below by a sloping visceral face.
+/// Indentations mark the stomach, kidney, colon, gallbladder, inferior vena cava, porta hepatis and round ligament.
 [[nodiscard]] double organDistance(const Vec3& p);
 
-/// Unit gradient of a distance, by central differences.
+/// Unit gradient of a distance function, by central differences.
 [[nodiscard]] Vec3 outward(const Distance& distance, const Vec3& p);
 
-/// Moves a point that is near the surface onto it.
+/// Projects a point near the surface onto the surface.
 [[nodiscard]] Vec3 onSurface(const Distance& distance, Vec3 p);
 
-/// Where a ray that starts inside leaves.
-/// @param direction  unit
+/// Point where a ray from inside leaves the body.
+/// @param direction  unit vector
 [[nodiscard]] Vec3 exitPoint(const Distance& distance, const Vec3& inside, const Vec3& direction);
 
-/// A lump: a slightly uneven ball inside the organ.
+/// Lump: a slightly irregular ball inside the organ.
 struct Lump
 {
     Vec3 centre_W;
     double radius_mm;
-    Vec3 over_W; ///< place on the organ's surface above it
+    Vec3 over_W; ///< nearest point on the organ's surface above the lump
 
     [[nodiscard]] double distance(const Vec3& p) const;
 };
 
-/// A lump whose top lies `depth_mm` below the organ's surface, where a ray from `inside` along `direction` leaves it.
+/// Makes a lump whose top is `depth_mm` below the point where the ray from `inside` along `direction` leaves the
+/// organ.
 [[nodiscard]] Lump lumpBelow(const Vec3& inside, const Vec3& direction, double depth_mm, double radius_mm);
 
 } // namespace palpate::phantom

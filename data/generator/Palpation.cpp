@@ -18,18 +18,19 @@ namespace {
 
 constexpr double kRate_Hz = 1000.0;
 
-/// Collects targets of the hand in order. Depths are where the hand wants to be: the tissue stops it before.
+/// Collects hand targets in order. Depths are targets that the hand aims for; the tissue resists before they are
+/// reached.
 class ScriptBuilder
 {
   public:
-    /// Moves straight to `p_W` in `duration_s`.
+    /// Moves in a straight line to `p_W` in `duration_s`.
     void moveTo(const Vec3& p_W, double duration_s)
     {
         m_time_s += duration_s;
         m_targets.push_back({m_time_s, p_W});
     }
 
-    /// To a place on the organ, `depth_mm` below its surface or, when negative, above it.
+    /// Moves to a point on the organ, `depth_mm` below the surface or, when negative, above the surface.
     void moveTo(const Vec3& onSurface_W, double depth_mm, double duration_s)
     {
         moveTo(onSurface_W - depth_mm * outward(organDistance, onSurface_W), duration_s);
@@ -42,7 +43,7 @@ class ScriptBuilder
     std::vector<device::HandTarget> m_targets;
 };
 
-/// The organ's front where a line along the patient's anterior-posterior axis meets it.
+/// Front surface point of the organ on a line parallel to the patient's anterior-posterior axis.
 Vec3 front(double x, double z)
 {
     Vec3 p(x, -120.0, z);
@@ -52,7 +53,7 @@ Vec3 front(double x, double z)
     return onSurface(organDistance, p);
 }
 
-/// Slides over the front from one place to another.
+/// Strokes across the front from one point to another.
 void stroke(ScriptBuilder& script, double x0, double z0, double x1, double z1, double depth_mm, double duration_s)
 {
     constexpr int kSteps = 10;
@@ -62,7 +63,7 @@ void stroke(ScriptBuilder& script, double x0, double z0, double x1, double z1, d
     }
 }
 
-/// Presses three times over a lump, harder each time, then circles over it.
+/// Presses a lump three times with increasing depth, then circles over the lump.
 void pressOver(ScriptBuilder& script, const Lump& lump, double depth_mm)
 {
     const Vec3& top = lump.over_W;
@@ -95,7 +96,7 @@ device::HandScript palpationScript()
     stroke(script, -85, 20, -5, 34, 5.0, 1.8);
     stroke(script, -5, 34, -8, 14, 5.0, 0.4);
     script.moveTo(front(-8, 14), 16.0, 0.3);
-    stroke(script, -8, 14, -82, -2, 16.0, 1.8); // deep, beside the larger lump
+    stroke(script, -8, 14, -82, -2, 16.0, 1.8); // deep stroke beside the larger lump
     script.moveTo(front(-82, -2), 5.0, 0.2);
     stroke(script, -82, -2, -70, -30, 5.0, 0.5);
     script.moveTo(front(-70, -30), -4.0, 0.3);
@@ -109,7 +110,7 @@ device::HandScript palpationScript()
     script.moveTo(Vec3(60, -150, 60), 1.2);
     script.moveTo(Vec3(60, -150, 60), 0.05);
     std::vector<device::HandTarget> targets = script.take();
-    // The pace of the whole is set so that it lasts 20 s.
+    // Scale the timing to a total of 20 s.
     const double pace = 20.0 / targets.back().time_s;
     for (device::HandTarget& target : targets) {
         target.time_s *= pace;
@@ -142,7 +143,7 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
     info.rate_Hz = kRate_Hz;
     info.dt_s = 1.0 / kRate_Hz;
     info.device = hand.info();
-    info.scene = "phantom.palpate.json"; // beside the recording
+    info.scene = "phantom.palpate.json"; // in the recording's folder
     info.firstTick = servo.nextTick();
     info.firstGeneration = kGeneration;
     info.start = servo.palpatorState();

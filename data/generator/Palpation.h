@@ -9,11 +9,11 @@
 
 namespace palpate::phantom {
 
-/// What the hand of the bundled recording does in 20 s: comes to the organ, searches its front in strokes, presses and
-/// circles over each of the lumps, and leaves.
+/// Hand motion of the bundled recording, 20 s: approaches the organ, searches the front in strokes, presses and
+/// circles over each lump, and leaves.
 [[nodiscard]] device::HandScript palpationScript();
 
-/// Lets a simulated hand follow the script on a scene, through the servo's own tick, and writes what it felt.
+/// Runs a simulated hand along the script on a scene, with the tick of the servo loop, and writes the recording.
 [[nodiscard]] core::Status recordPalpation(const meshio::LoadedScene& scene, const device::HandScript& script,
                                            const std::filesystem::path& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpate-paper-body FILE.stl writes the mesh of data/paper. The test evaluation.References compares the two.
+// palpate-paper-body FILE.stl writes the mesh of data/paper. The test evaluation.References compares both.
 #include <palpate/evaluation/PaperBody.h>
 #include <palpate/meshio/MeshFile.h>
 

@@ -14,7 +14,7 @@ constexpr double kOrganCell_mm = 1.54;
 constexpr double kVesselCell_mm = 1.65;
 constexpr double kLumpCell_mm = 0.8;
 
-/// Vessels may run inside the organ, around the lumps.
+/// Region for vessels: inside the organ, outside the lumps.
 double roomForVessels(const Vec3& p)
 {
     static const std::array<Lump, 2> avoided = lumps();
@@ -25,13 +25,13 @@ double roomForVessels(const Vec3& p)
     return d;
 }
 
-/// Inferior vena cava behind the organ, and the right, middle and left hepatic veins that join it below the diaphragm.
+/// Inferior vena cava behind the organ, with the right, middle and left hepatic veins that join below the diaphragm.
 VesselTree hepaticVeins()
 {
     VesselTree tree;
     const Vec3 cava[] = {{5, 75, -44}, {5, 73, -16}, {6, 70, 14}, {7, 66, 42}, {8, 63, 64}};
     for (int i = 0; i <= 32; ++i) {
-        // Catmull-Rom through the points.
+        // Catmull-Rom spline through the points.
         const int k = std::min(i / 8, 3);
         const double t = i / 8.0 - k;
         const Vec3& a = cava[std::max(k - 1, 0)];
@@ -69,9 +69,10 @@ std::array<Lump, 2> lumps()
 
 std::vector<PhantomStructure> makePhantom()
 {
-    // "N/mm as felt" of a fingertip, a flat punch of radius a = 5 mm: k = 2 a E / (1 - v^2). 0.2 N/mm stands for 15
-    // kPa, stiffer than a healthy liver, so that it is felt clearly within every device's limits. The lumps are three
-    // times as stiff; in the prostate cancer is 2.1 to 2.5 times as stiff as its surroundings.
+    // Stiffness felt by a fingertip, modelled as a flat punch of radius a = 5 mm: k = 2 a E / (1 - v^2). 0.2 N/mm
+    // corresponds to 15 kPa, stiffer than a healthy liver, so that every device renders the organ clearly within its
+    // limits. The lumps are three times as stiff; prostate cancer is 2.1 to 2.5 times as stiff as the surrounding
+    // tissue.
     constexpr double kOrgan = 0.2;
     constexpr double kLump = 0.6;
     std::vector<PhantomStructure> result;

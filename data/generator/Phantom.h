@@ -11,7 +11,7 @@
 
 namespace palpate::phantom {
 
-/// A structure of the phantom: its surface, how it is drawn and how it feels.
+/// Structure of the phantom: surface, appearance and stiffness.
 struct PhantomStructure
 {
     std::string name;
@@ -23,13 +23,13 @@ struct PhantomStructure
     std::uint32_t layer;
 };
 
-/// How many times as stiff as the organ the lumps are.
+/// Stiffness of the lumps relative to the organ.
 inline constexpr double kLumpRatio = 3.0;
 
-/// The two lumps: 20 mm across under the front of the right lobe, 12 mm across under the front of the left.
+/// Two lumps: 20 mm in diameter below the front of the right lobe, 12 mm below the front of the left lobe.
 [[nodiscard]] std::array<Lump, 2> lumps();
 
-/// Organ, lumps, portal vein and hepatic veins, in LPS and mm, the same on every run.
+/// Makes organ, lumps, portal vein and hepatic veins in LPS and mm. Deterministic.
 [[nodiscard]] std::vector<PhantomStructure> makePhantom();
 
 } // namespace palpate::phantom

@@ -44,7 +44,7 @@ TriangleMesh contour(const Distance& distance, const core::Box& box, double cell
     edges->ComputeNormalsOff();
     edges->ComputeGradientsOff();
     edges->ComputeScalarsOff();
-    vtkNew<vtkPolyDataConnectivityFilter> largest; // without hollows that vessels may enclose
+    vtkNew<vtkPolyDataConnectivityFilter> largest; // drops cavities enclosed by vessels
     largest->SetInputConnection(edges->GetOutputPort());
     largest->SetExtractionModeToLargestRegion();
     largest->Update();
@@ -59,7 +59,7 @@ TriangleMesh contour(const Distance& distance, const core::Box& box, double cell
     const vtkIdType* ids = nullptr;
     for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell) {
         surface->GetCellPoints(cell, count, ids);
-        // Turned round: the filter takes what is above the value for the inside.
+        // Orientation reversed: the filter treats values above the contour as inside.
         mesh.triangles.push_back({static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[2]),
                                   static_cast<std::uint32_t>(ids[1])});
     }
@@ -71,7 +71,7 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
     return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
 }
 
-/// Collapses edges of a mesh to their middles.
+/// Collapses mesh edges to their midpoints.
 class EdgeCollapse
 {
   public:
@@ -89,7 +89,7 @@ class EdgeCollapse
 
     [[nodiscard]] bool isGone(std::uint32_t triangle) const { return m_gone[triangle]; }
 
-    /// Collapses the edge a b, unless that would fold the surface or give a vertex too many neighbours.
+    /// Collapses edge a b unless the surface would fold or a vertex would get too many neighbours.
     void collapse(std::uint32_t a, std::uint32_t b)
     {
         const std::vector<std::uint32_t> left = neighbours(a), right = neighbours(b);
@@ -115,7 +115,7 @@ class EdgeCollapse
         }
     }
 
-    /// @return the mesh without what is gone.
+    /// Returns the mesh without collapsed triangles.
     [[nodiscard]] TriangleMesh kept() const
     {
         TriangleMesh kept;
@@ -181,7 +181,7 @@ class EdgeCollapse
     std::vector<bool> m_gone;
 };
 
-/// Removes slivers: each edge shorter than `shortest` is collapsed to its middle, unless that would fold the surface.
+/// Removes slivers: collapses each edge shorter than `shortest` unless the surface would fold.
 void collapseShortEdges(TriangleMesh& mesh, double shortest)
 {
     EdgeCollapse edges(mesh);
@@ -197,7 +197,7 @@ void collapseShortEdges(TriangleMesh& mesh, double shortest)
     mesh = edges.kept();
 }
 
-/// Turns edges so that vertices have close to six neighbours each, which lets triangles become equilateral.
+/// Flips edges to bring the valence of vertices close to six, which makes triangles more equilateral.
 void evenOutNeighbours(TriangleMesh& mesh)
 {
     std::vector<int> valence(mesh.vertices.size(), 0);
@@ -257,7 +257,7 @@ void evenOutNeighbours(TriangleMesh& mesh)
     }
 }
 
-/// Moves each vertex along the surface towards the middle of its neighbours.
+/// Moves each vertex along the surface towards the centroid of its neighbours.
 void relax(TriangleMesh& mesh, const Distance& distance)
 {
     std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero());

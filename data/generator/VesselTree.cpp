@@ -11,12 +11,12 @@ namespace palpate::phantom {
 
 namespace {
 
-constexpr double kStep_mm = 3.0;    // between two nodes of a branch
-constexpr double kSettled_mm = 6.5; // a point this close to a node pulls no longer
-constexpr double kWall_mm = 4.0;    // branches keep this far inside the organ
+constexpr double kStep_mm = 3.0;    // distance between nodes of a branch
+constexpr double kSettled_mm = 6.5; // a supply point this close to a node is reached
+constexpr double kWall_mm = 4.0;    // minimum distance of branches from the organ's surface
 constexpr double kTwig_mm = 1.25;   // radius at the tips
 
-/// Halton sequence: element i in the given base, 0 … 1.
+/// Element i of the Halton sequence in the given base, 0 to 1.
 double halton(int i, int base)
 {
     double result = 0.0;
@@ -28,7 +28,7 @@ double halton(int i, int base)
     return result;
 }
 
-/// Distance to the tree's wall. Segments are binned, so that each query looks at a few only.
+/// Distance to the vessel wall. Segments are binned so that a query tests only a few.
 class TreeField
 {
   public:
@@ -71,7 +71,7 @@ class TreeField
 
     [[nodiscard]] double operator()(const Vec3& p) const
     {
-        // Rounded where branches meet only: along one branch it would make beads.
+        // Blend between branches only: along a branch, blending would create beads.
         constexpr double kRounding_mm = 1.5;
         double result = kReach_mm;
         double branch = 2.0 * kReach_mm;
@@ -119,7 +119,7 @@ class TreeField
     std::vector<std::vector<int>> m_segments;
 };
 
-/// Straightens the zigzag of the growth; root and tips stay.
+/// Smooths the zigzag of the growth; root and tips do not move.
 void smooth(VesselTree& tree)
 {
     for (int round = 0; round < 6; ++round) {
@@ -127,7 +127,7 @@ void smooth(VesselTree& tree)
         std::vector<double> weight(tree.nodes.size(), 0.0);
         for (const VesselTree::Node& node : tree.nodes) {
             if (node.parent >= 0) {
-                // A thick child carries the direction of its parent on.
+                // Weighted by cross-section, so that a thick child continues in the direction of its parent.
                 const double w = node.radius_mm * node.radius_mm;
                 sum[node.parent] += w * node.p_W;
                 weight[node.parent] += w;
@@ -159,7 +159,7 @@ std::vector<Vec3> scatter(const Distance& inside, double margin_mm, int count, i
 
 namespace {
 
-/// The points that are not supplied yet, and which node each is nearest to, kept up to date as nodes are added.
+/// Supply points not reached yet, each with its nearest node, updated incrementally as nodes are added.
 class Supply
 {
   public:
@@ -173,7 +173,7 @@ class Supply
 
     [[nodiscard]] bool isEmpty() const { return m_points.empty(); }
 
-    /// Looks at the nodes that are new, and drops the points that they supply.
+    /// Processes new nodes and removes the points that they reach.
     void update(const VesselTree& tree)
     {
         for (std::size_t s = 0; s < m_points.size(); ++s) {
@@ -195,7 +195,7 @@ class Supply
         }
     }
 
-    /// @return for each node the sum of the directions to the points that it is nearest to.
+    /// Returns for each node the sum of the unit vectors to the points nearest to that node.
     [[nodiscard]] std::vector<Vec3> pull(const VesselTree& tree) const
     {
         std::vector<Vec3> pull(tree.nodes.size(), Vec3::Zero());
@@ -212,7 +212,7 @@ class Supply
     std::size_t m_seen;
 };
 
-/// Adds a node beside each that is pulled. @return false when none could be added
+/// Adds a node next to each node with attracted points. @return false when no node could be added
 bool grow(VesselTree& tree, const std::vector<Vec3>& pull, const Distance& inside)
 {
     const std::size_t before = tree.nodes.size();
@@ -230,7 +230,7 @@ bool grow(VesselTree& tree, const std::vector<Vec3>& pull, const Distance& insid
         if (d > -kWall_mm) {
             p -= (d + kWall_mm) * outward(inside, p);
         }
-        // Two points that pull in opposite directions would add the same node again and again.
+        // Two points that pull in opposite directions would add the same node repeatedly.
         const bool isNew = std::none_of(tree.nodes.begin(), tree.nodes.end(), [&](const VesselTree::Node& other) {
             return (other.p_W - p).norm() < 0.4 * kStep_mm;
         });
@@ -241,7 +241,7 @@ bool grow(VesselTree& tree, const std::vector<Vec3>& pull, const Distance& insid
     return tree.nodes.size() > before;
 }
 
-/// Each vessel as thick as what it supplies asks for: the cubes of the radii add up (Murray's law).
+/// Sets the radius of each vessel from its subtree: the cubes of the radii add up (Murray's law).
 void setRadii(VesselTree& tree, const Trunk& trunk)
 {
     std::vector<double> flow(tree.nodes.size(), 0.0); // r^3
@@ -258,7 +258,7 @@ void setRadii(VesselTree& tree, const Trunk& trunk)
     }
 }
 
-/// A branch goes on with the thickest of a node's children.
+/// Continues a branch with the thickest child of each node.
 void numberBranches(VesselTree& tree)
 {
     std::vector<int> thickest(tree.nodes.size(), -1);
@@ -283,7 +283,7 @@ VesselTree growTree(const Trunk& trunk, std::vector<Vec3> supplied, const Distan
     for (std::size_t i = 0; i < trunk.points_W.size(); ++i) {
         tree.nodes.push_back({trunk.points_W[i], static_cast<int>(i) - 1, 0.0});
     }
-    Supply supply(std::move(supplied), trunk.points_W.size() - 1); // the trunk itself grows from its end alone
+    Supply supply(std::move(supplied), trunk.points_W.size() - 1); // the trunk grows from its end only
     for (int round = 0; round < 200 && !supply.isEmpty(); ++round) {
         supply.update(tree);
         if (!grow(tree, supply.pull(tree), inside)) {

@@ -22,15 +22,15 @@ namespace {
 
 using namespace palpate;
 
-/// A structure's name as a file name: "lump 20 mm" becomes "lump-20-mm.stl".
+/// File name of a structure: "lump 20 mm" becomes "lump-20-mm.stl".
 std::string stlName(std::string name)
 {
     std::replace(name.begin(), name.end(), ' ', '-');
     return name + ".stl";
 }
 
-/// Computes a recording again on the scene beside it.
-/// @param isExact  every bit must be the same; else what rounds otherwise in another build may differ by as much
+/// Re-simulates a recording on the scene in the same folder.
+/// @param isExact  true: all bits must agree; false: differences by rounding between builds are allowed
 core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::path& recording, bool isExact)
 {
     const auto reader = session::RecordingReader::open(recording);
@@ -54,7 +54,7 @@ core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::pat
     return {};
 }
 
-/// The scene of the phantom. @param buried  how its lumps are felt: through the liver, or as layers below it
+/// Scene description of the phantom. @param buried  lumps palpated through the liver, or as layers below
 meshio::SceneFile describe(const std::vector<phantom::PhantomStructure>& phantom, const std::filesystem::path& folder,
                            meshio::BuriedTouch buried)
 {
@@ -107,7 +107,7 @@ core::Status write(const std::filesystem::path& folder)
     if (core::Status status = meshio::writeScene(folder / "phantom-layers.palpate.json", layered); !status.isOk()) {
         return status;
     }
-    // Felt as it will be opened, so that a replay on the scene file gives back the same bits.
+    // Recorded on the scene as opened from the file, so that a replay on the scene file gives the same bits.
     core::Result<meshio::LoadedScene> loaded = study::openScene(scenePath);
     if (!loaded.isOk()) {
         return loaded.status();
@@ -117,7 +117,7 @@ core::Status write(const std::filesystem::path& folder)
     return recorded.isOk() ? verify(loaded.value(), recording, true) : recorded;
 }
 
-/// One line when the two files differ in a bit.
+/// Compares two files byte by byte. @return one line when they differ
 core::Status compareBytes(const std::filesystem::path& kept, const std::filesystem::path& made)
 {
     std::ifstream a(kept, std::ios::binary);
@@ -129,7 +129,7 @@ core::Status compareBytes(const std::filesystem::path& kept, const std::filesyst
     return {};
 }
 
-/// By their content: the compression differs between versions of the library that does it.
+/// Compares meshes by content, because compression differs between library versions.
 core::Status compareMeshes(const std::filesystem::path& kept, const std::filesystem::path& made)
 {
     const core::Result<meshio::MeshFile> a = meshio::readMesh(kept);
@@ -150,8 +150,8 @@ core::Status compareMeshes(const std::filesystem::path& kept, const std::filesys
     return {};
 }
 
-/// By what was felt: when it was written and how long solving took is of no account. Another build may round otherwise:
-/// to a millionth of a mm and of a N.
+/// Compares the ticks of two recordings, ignoring dates and solve times. Tolerance for rounding in other builds: a
+/// millionth of a mm and of a N.
 core::Status compareRecordings(const std::filesystem::path& kept, const std::filesystem::path& made)
 {
     std::array<std::vector<servo::TickRecord>, 2> ticks;
@@ -210,9 +210,10 @@ core::Status check(const std::filesystem::path& folder)
 
 } // namespace
 
-/// Usage: palpate-phantom [--check] FOLDER   writes the phantom's meshes, its scene file and its recording into an
-/// existing folder, or checks that what is there is what it would write and that the recording, computed again, is what
-/// it says.
+/// Usage: palpate-phantom [--check] FOLDER
+///
+/// Writes the phantom's meshes, scene files and recording into an existing folder. With --check, compares the
+/// existing files with the generated ones and verifies the recording by re-simulation.
 int main(int argc, char** argv)
 {
     const bool isCheck = argc == 3 && std::string_view(argv[1]) == "--check";
