@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# app/run.sh ARGS…   sets up and builds what is missing, then runs `palpate ARGS…` and passes its exit code on.
+# app/run.sh ARGS…   installs missing packages, builds, runs `palpate ARGS…` and returns its exit code.
 #
-# Without arguments it opens the bundled phantom and plays its recording. Without a display, what would open the window
-# draws off-screen instead and writes out/palpate.png and out/summary.txt.
+# Without arguments, opens the bundled phantom and plays the recording. Without a display, commands that open the window
+# render off-screen and write out/palpate.png and out/summary.txt.
 set -u -o pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -1,29 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by app/run.sh, tests/run.sh and .ci/run: makes a Debian 12 or 13 machine ready and builds. All that it and the
-# tools it starts say goes to stderr.
+# Sourced by app/run.sh, tests/run.sh and .ci/run: prepares a Debian 12 or 13 machine and builds. All output, including
+# output of the tools called, goes to stderr.
 
 palpate_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# The preset of CMakePresets.json that is built and run: `release` compiles the whole tree soonest, `dev` a changed file.
+# Preset of CMakePresets.json to build and run: `release` is fastest for a full build, `dev` for a changed file.
 palpate_preset=${PALPATE_PRESET:-release}
 
 palpate_build_packages=(g++ cmake ninja-build pkgconf libvtk9-dev qt6-base-dev qt6-l10n-tools qt6-multimedia-dev libqt6opengl6-dev libgl-dev libeigen3-dev
     libhidapi-dev libsqlite3-dev libcli11-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core)
 
-# Without any locale Qt complains on stderr and takes this one.
+# Without any locale, Qt prints a warning to stderr and uses C.UTF-8.
 [[ -n ${LC_ALL:-}${LC_CTYPE:-}${LANG:-} ]] || export LANG=C.UTF-8
 
 say() { printf 'palpate: %s\n' "$*" >&2; }
 fail() { say "$*"; exit 1; }
 
-# ensure_packages PACKAGE…: installs those that are missing.
+# ensure_packages PACKAGE…: installs missing packages.
 ensure_packages() {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         say "not a Debian system: expecting what these packages hold to be installed: $*"
         return
     fi
     local installed missing=() package as_root=()
-    # With what an installed package provides: Debian 13 has merged some of these into others.
+    # Include packages provided by installed ones: Debian 13 has merged some of these packages into others.
     installed=" $(dpkg-query -W -f='${db:Status-Status}:${Package} ${Provides} \n' "$@" 2>/dev/null |
         sed -n 's/^installed://p' | tr ',\n' '  ')"
     for package in "$@"; do
@@ -40,7 +40,7 @@ ensure_packages() {
         -o Dpkg::Use-Pty=0 "${missing[@]}" >&2 || fail "apt-get install failed, see above"
 }
 
-# ensure_configured PRESET [CMAKE-ARGUMENT…]: configures once, and anew when the checkout was moved or the system changed.
+# ensure_configured PRESET [CMAKE-ARGUMENT…]: configures once, and again after the checkout was moved or the system changed.
 ensure_configured() {
     local preset=$1 folder="$palpate_root/build/$1" stamp
     shift
@@ -54,15 +54,15 @@ ensure_configured() {
     printf '%s\n' "$stamp" >"$folder/.configured-for"
 }
 
-# build PRESET [TARGET…]: brings the targets, or everything, up to date with at most 2 jobs.
+# build PRESET [TARGET…]: builds the targets, or everything, with at most 2 jobs.
 build() {
     local preset=$1
     shift
     (
-        # Two runs at once would build into the same folder.
+        # Lock: concurrent runs would build into the same folder.
         flock 9
         cd "$palpate_root/build/$preset" || exit 1
-        # A first step runs each time, to look up the commit; only when more follows is there anything to tell.
+        # The first step, which looks up the commit, always runs. Print output only if other steps follow.
         ninja -j 2 "$@" 2>&1 9>&- | {
             read -r first
             while IFS= read -r line; do
@@ -76,7 +76,7 @@ build() {
     ) 9>"$palpate_root/build/$preset/.lock" || fail "the build failed, see above"
 }
 
-# headless COMMAND…: runs it on a display of its own.
+# headless COMMAND…: runs the command on a virtual display.
 headless() {
     xvfb-run -a -s "-screen 0 1600x1000x24" "$@"
 }

@@ -3,8 +3,8 @@
 
 namespace palpate::app {
 
-/// What the program `palpate` does with its command line: opens the window, runs a subcommand, or becomes the program
-/// that has it. @return the exit code
+/// Runs the program `palpate`: opens the window, runs a subcommand, or replaces the process by the program that
+/// implements the subcommand. @return the exit code
 [[nodiscard]] int runCommandLine(int argc, char** argv);
 
 } // namespace palpate::app

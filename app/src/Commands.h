@@ -7,7 +7,7 @@
 
 namespace palpate::app {
 
-/// What `palpate --help` says of a subcommand.
+/// Name and description of a subcommand in `palpate --help`.
 struct CommandText
 {
     const char* name;
@@ -18,8 +18,8 @@ inline constexpr CommandText kEvaluate{"evaluate",
 inline constexpr CommandText kStability{"stability",
                                         "Find the largest stiffness that a device holds without oscillating"};
 
-/// Each adds its subcommand; when that is given on the command line, `chosen` becomes what it does. The subcommand's
-/// options live as long as `app`.
+/// Each function adds its subcommand to `app`. If the command line contains the subcommand, parsing sets `chosen` to
+/// its action. The subcommand's options live as long as `app`.
 void addDevicesCommand(CLI::App& app, Chosen& chosen);
 void addEvaluateCommand(CLI::App& app, Chosen& chosen);
 void addFeltCommand(CLI::App& app, Chosen& chosen);

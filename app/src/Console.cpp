@@ -19,7 +19,8 @@ using core::StatusCode;
 
 void printError(std::string_view message)
 {
-    constexpr std::size_t kHead = 1200, kTail = 700; // the place stands first, what to do last
+    // Keep both ends: the location is at the start, the remedy at the end.
+    constexpr std::size_t kHead = 1200, kTail = 700;
     std::string line = core::visible(message);
     if (line.size() > kHead + kTail) {
         const auto isContinued = [&line](std::size_t i) {
@@ -63,7 +64,7 @@ int reportLosses(const std::vector<std::string>& losses)
 
 namespace {
 
-/// Formats one conversion of printf, `spec`, with the arguments that it takes off `arguments`.
+/// Formats one printf conversion `spec` with arguments taken from `arguments`.
 void appendConversion(std::string& out, std::string spec, va_list& arguments)
 {
     const auto add = [&out](const char* format, auto value) {
@@ -88,7 +89,7 @@ void appendConversion(std::string& out, std::string spec, va_list& arguments)
     case 'g':
         add(spec.c_str(), va_arg(arguments, double));
         break;
-    default: // whole numbers; `long`, `long long` and `size_t` have one size here
+    default: // integers; `long`, `long long` and `size_t` have the same size here
         static_assert(sizeof(long) == sizeof(long long) && sizeof(long) == sizeof(std::size_t));
         isLong ? add(spec.c_str(), va_arg(arguments, long)) : add(spec.c_str(), va_arg(arguments, int));
         break;
@@ -99,7 +100,7 @@ void appendConversion(std::string& out, std::string spec, va_list& arguments)
 
 void print(const char* format, ...)
 {
-    // The program never calls setlocale before a subcommand ends, so that this is the C locale.
+    // Uses the C locale, because the program never calls setlocale before a subcommand ends.
     std::string out;
     va_list arguments;
     va_start(arguments, format);
@@ -168,7 +169,7 @@ core::Result<core::FileFrame> frameOption(const std::string& text)
 
 namespace {
 
-/// Where a path leads to, as far as that exists.
+/// Resolves a path as far as it exists.
 std::filesystem::path placeOf(const std::filesystem::path& path)
 {
     std::error_code error;
@@ -176,8 +177,8 @@ std::filesystem::path placeOf(const std::filesystem::path& path)
     return error ? std::filesystem::absolute(path, error).lexically_normal() : place;
 }
 
-/// Whether to write an output would replace a file that was read. Another name of it (a hard link) is replaced without
-/// harm to it.
+/// Returns whether writing `output` would replace an input file. Another hard link to the input may be replaced
+/// safely.
 bool wouldReplace(const std::filesystem::path& output, const std::filesystem::path& read)
 {
     struct stat a

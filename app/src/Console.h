@@ -13,51 +13,52 @@
 
 namespace palpate::app {
 
-/// What `palpate` returns to its caller.
+/// Exit codes of `palpate`.
 enum ExitCode : int
 {
     kDone = 0,
-    kFailed = 1,   ///< anything that no other code says
-    kBadInput = 2, ///< the command line or an input is wrong
-    kSomeLost = 3, ///< finished, but something was lost or skipped
+    kFailed = 1,   ///< any other failure
+    kBadInput = 2, ///< invalid command line or input
+    kSomeLost = 3, ///< finished, but some data was lost or skipped
 };
 
-/// Writes one line to stderr. Control and bidirectional characters in the message become visible (core::visible);
-/// of a message of more than 1,900 bytes, such as one with a path that long, the middle is left out.
+/// Prints one line to stderr. Control and bidirectional characters are made visible (core::visible). The middle of
+/// messages of more than 1,900 bytes, for example with very long paths, is omitted.
 void printError(std::string_view message);
-/// Writes the status to stderr. @return the exit code that belongs to it
+/// Prints the status to stderr. @return the exit code of the status
 [[nodiscard]] int report(const core::Status& status);
-/// Writes what was lost to stderr, a line each. @return the exit code for a run that was fine but for them
+/// Prints losses to stderr, one per line. @return the exit code of an otherwise successful run
 [[nodiscard]] int reportLosses(const std::vector<std::string>& losses);
-/// Writes to stdout as printf does, always with a decimal point. Control and bidirectional characters in the texts for
-/// `%s` become visible (core::visible); those of `format` itself, such as its line ends, are kept.
+/// Prints to stdout like printf, always with a decimal point. Control and bidirectional characters in `%s` arguments
+/// are made visible (core::visible); characters of `format`, such as line ends, are not changed.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
 
-/// Writes JSON text to stdout; characters that a terminal would act upon are escaped as JSON allows.
+/// Prints JSON to stdout; characters that could control a terminal are JSON-escaped.
 void printJson(std::string_view json);
 
 using core::grouped;
 
-/// What a number on the command line may be; bounds are whole numbers.
+/// Valid range of a numeric option; bounds are integers.
 struct NumberRange
 {
     double least = 0.0;
     double most = std::numeric_limits<double>::infinity();
-    bool isAbove = false; ///< `least` itself is not allowed
+    bool isAbove = false; ///< `least` is excluded
 };
 
-/// Checks a number from the command line.
+/// Parses and checks a numeric option.
 [[nodiscard]] core::Result<double> numberOption(std::string_view option, const std::string& text,
                                                 const NumberRange& range);
-/// What `--frame` is, for the help of each command that has it.
+/// Help text of the option `--frame`.
 inline constexpr const char* kFrameHelp =
     "Axes of a mesh file's coordinates, whatever its tag says: LPS, RAS or Y-up (x left, y up, z front)";
-/// @return the frame called `text`; as the files say for an empty one
+/// Parses `--frame`. @return the frame `text`; for an empty text, the frame tag of each file applies
 [[nodiscard]] core::Result<core::FileFrame> frameOption(const std::string& text);
-/// @return millimetres of one unit called `text`.
+/// Parses `--unit`. @return millimetres per unit
 [[nodiscard]] core::Result<double> unitOption(const std::string& text);
 
-/// @return an error when an output is an input or belongs to one (study::filesOf), or another output; empty: left out
+/// Checks output paths; empty paths are ignored. @return an error when an output is an input, belongs to an input
+/// (study::filesOf) or is another output
 [[nodiscard]] core::Status checkOutputs(const std::vector<std::filesystem::path>& inputs,
                                         const std::vector<std::filesystem::path>& outputs);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kFrames{FileFrame::Lps, FileFrame::Ras, FileFrame::YUp};
 
-/// As a person reads it.
+/// Display name of the axes.
 QString axes(FileFrame frame)
 {
     switch (frame) {
@@ -50,7 +50,7 @@ CoordinatesChoice::CoordinatesChoice(ui::ActionList& actions, QWidget* parent)
         m_actions[i]->setCheckable(true);
         connect(m_actions[i], &QAction::triggered, this, [this, i] {
             const bool isSaid = m_isKnown && m_taken == std::vector{kFrames[i]};
-            refresh(); // the mark stays where it is until the scene has been read again
+            refresh(); // the check mark does not move until the scene has been reloaded
             if (!isSaid) {
                 Q_EMIT chosen(kFrames[i]);
             }

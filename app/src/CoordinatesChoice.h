@@ -11,25 +11,26 @@
 
 class QToolButton;
 
-/// Along which axes the open meshes lie: a command for each choice, and a button for the status bar that says what they
-/// are taken for and whether anybody knows it.
+/// Coordinate axes of the open meshes: one command per choice, and a status bar button that shows the assumed axes
+/// and whether they are certain.
 class CoordinatesChoice : public QObject
 {
     Q_OBJECT
   public:
-    /// @param actions  gets the commands "frame-lps", "frame-ras" and "frame-y-up", in the menu View
+    /// Makes commands and button.
+    /// @param actions  gets the commands "frame-lps", "frame-ras" and "frame-y-up" in the View menu
     CoordinatesChoice(palpate::ui::ActionList& actions, QWidget* parent);
 
-    /// The button; its menu holds the same commands. The parent owns it.
+    /// Status bar button with a menu of the same commands. Owned by the parent.
     [[nodiscard]] QToolButton& button() const noexcept { return *m_button; }
-    /// Shows what the structures are taken for.
-    /// @param isFixed  the surfaces are a recording's, which stay as they were felt
+    /// Shows the axes of the structures.
+    /// @param isFixed  true: the surfaces come from a recording, and their axes cannot be changed
     void show(const std::vector<palpate::ui::StructureRow>& rows, bool isFixed);
-    /// True when each mesh says its axes itself, or they were chosen.
+    /// True if each mesh file states its axes, or the user has chosen them.
     [[nodiscard]] bool isKnown() const noexcept { return m_isKnown; }
 
   Q_SIGNALS:
-    /// A person said it. What is shown changes when the scene has been read again and `show` is called.
+    /// The user chose axes. The display changes when the scene has been reloaded and `show` is called.
     void chosen(palpate::core::FileFrame frame);
 
   private:
@@ -37,7 +38,7 @@ class CoordinatesChoice : public QObject
 
     std::array<QAction*, 3> m_actions{};
     QToolButton* m_button = nullptr;
-    std::vector<palpate::core::FileFrame> m_taken; ///< each that some mesh is taken for, once
+    std::vector<palpate::core::FileFrame> m_taken; ///< distinct axes of the meshes
     bool m_isKnown = true;
     bool m_isFixed = false;
 };

@@ -10,16 +10,16 @@
 
 namespace palpate::app {
 
-/// The device plugins of this program: folders named on the command line, the user's, and those beside the program.
-/// Each is tried in another process of this program before it is loaded.
+/// Makes the host of device plugins: folders from the command line, the user's folder, and folders beside the
+/// program. Each plugin is probed in a separate process of this program before loading.
 [[nodiscard]] std::unique_ptr<device::PluginHost> findPlugins(const std::vector<std::filesystem::path>& named);
 
-/// The word that makes this program such a trial: `palpate probe-plugin FILE`. Not for people.
+/// First argument of such a probe process: `palpate probe-plugin FILE`. For internal use.
 inline constexpr std::string_view kProbeWord = "probe-plugin";
-/// Runs the trial. @return exit code
+/// Runs the probe. @return exit code
 [[nodiscard]] int probe(const char* file);
 
-/// Refuses a plugin folder that is not there.
+/// Returns an error for a plugin folder that does not exist.
 [[nodiscard]] core::Status checkPluginFolders(const std::vector<std::filesystem::path>& named);
 
 } // namespace palpate::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpate devices: what can be touched with, and what is plugged in.
+// palpate devices: lists available and connected haptic devices.
 #include "Commands.h"
 #include "Console.h"
 #include "Devices.h"
@@ -25,7 +25,7 @@ int listDevices(const std::vector<std::filesystem::path>& folders)
           "  simulated  a simulated hand on a simulated device\n"
           "  playback   a recorded or written motion\n"
           "plugins\n");
-    // Loading one may mark it as skipped, so ids are gathered first.
+    // Loading a plugin may mark the plugin as skipped, so ids are collected first.
     std::vector<std::string> ids;
     for (const device::PluginEntry& entry : host->plugins()) {
         if (entry.status.isOk()) {

@@ -45,20 +45,20 @@ struct EvaluateOptions
     std::string unit = "mm", frame, stiffness, layers;
     SurfaceOptions surfaces;
     std::uint64_t seed = 1;
-    int seeds = 0; ///< 0: as many as the kind of run has
+    int seeds = 0; ///< 0: default of the run type
     bool isQuick = false;
     bool isStability = false;
     bool isFelt = false;
     bool isLong = false;
-    bool withLaidMotions = false; ///< beside a given one
+    bool withLaidMotions = false; ///< in addition to the given motion
 };
 
 constexpr std::uint64_t kMostSeeds = 1000;
-// On an idle machine a quick run ends within 30 s with all that can't be cut short: loading, the step it is in,
-// writing.
+// On an idle machine, a quick run ends within 30 s including loading, the current step and writing, which cannot be
+// cut short.
 constexpr double kQuick_s = 22.0, kQuickLeast_s = 3.0;
 
-/// Of this process since it began, and of those that read its files. [s]
+/// CPU time of this process and of its file-reading child processes. [s]
 double processorTime_s()
 {
     double sum_s = 0.0;
@@ -72,7 +72,7 @@ double processorTime_s()
     return sum_s;
 }
 
-/// Keeps Ctrl-C from cutting a file short while it is written.
+/// Ignores Ctrl-C while a file is being written.
 class Uninterrupted
 {
   public:
@@ -94,7 +94,7 @@ class Uninterrupted
     std::array<void (*)(int), kSignals.size()> m_before{};
 };
 
-/// @param losses  gets a line for what could not be opened
+/// Loads the scenes. @param losses  gets a line for each item that could not be opened
 core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio::ReadOptions& read,
                                     std::optional<double> stiffness, std::vector<std::string>& losses)
 {
@@ -119,7 +119,7 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio
         const fs::path named = path.has_filename() ? path : path.parent_path();
         std::string name = named.filename().string();
         if (std::any_of(subjects.begin(), subjects.end(), [&](const auto& s) { return s->name == name; })) {
-            name = path.string(); // two folders may hold a liver.stl each
+            name = path.string(); // several folders may contain a liver.stl
         }
         auto subject = evaluation::subjectOf(std::move(name), scene);
         if (subject == nullptr) {
@@ -212,7 +212,7 @@ core::Result<std::optional<double>> stiffnessOption(const std::string& text)
     return given.isOk() ? core::Result<std::optional<double>>(std::optional(given.value())) : given.status();
 }
 
-/// Without a scene, the bundled phantom with the recorded palpation of it.
+/// Without a scene argument, uses the bundled phantom and its recorded palpation.
 core::Status chooseScene(EvaluateOptions& options)
 {
     if (!options.scenes.empty()) {
@@ -285,7 +285,7 @@ int runEvaluate(EvaluateOptions options)
         }
         motions.push_back(std::move(loaded).value());
     }
-    if (const Status status = makeFolder(options.out); !status.isOk()) { // before minutes of work, not after
+    if (const Status status = makeFolder(options.out); !status.isOk()) { // fail before minutes of work, not after
         return report(status);
     }
     std::vector<std::string> losses;
@@ -322,8 +322,8 @@ int runEvaluate(EvaluateOptions options)
     return reportLosses(losses);
 }
 
-/// CLI11 takes -1 and what is too large for others.
-/// @return a check that returns what is wrong with a whole number, or nothing
+/// Validator for integers. CLI11 alone would accept -1 and out-of-range numbers with other values.
+/// @return a check that returns an error message, or an empty string
 std::function<std::string(const std::string&)> wholeNumber(std::uint64_t least, std::uint64_t most)
 {
     return [least, most](const std::string& text) {

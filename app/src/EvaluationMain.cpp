@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program palpate-evaluation, which palpate becomes for `palpate evaluate` and `palpate stability`.
+// Program palpate-evaluation, which runs `palpate evaluate` and `palpate stability`.
 #include "Commands.h"
 #include "Program.h"
 

@@ -51,7 +51,7 @@ Result<std::vector<double>> depthsOption(const std::string& text)
     return depths;
 }
 
-/// NAME=R; the name may hold an equals sign itself.
+/// Parses NAME=R; the name may contain an equals sign.
 Result<std::map<std::string, double>> ratiosOption(const std::vector<std::string>& texts)
 {
     std::map<std::string, double> ratios;

@@ -5,9 +5,9 @@
 
 namespace palpate::app {
 
-/// `palpate evaluate --felt`: holds what is said of buried lumps against exact solutions and writes the report.
-/// @param out  a folder that is there
-/// @return an ExitCode; kSomeLost when a bound does not hold that must
+/// Runs `palpate evaluate --felt`: compares the model of buried lumps with exact solutions and writes the report.
+/// @param out  existing folder
+/// @return an ExitCode; kSomeLost when a required bound is exceeded
 [[nodiscard]] int runFeltComparison(const std::filesystem::path& out, bool isQuick);
 
 } // namespace palpate::app

@@ -29,7 +29,7 @@ struct FindingsOptions
 
 constexpr const char* kStdout = "-";
 
-/// @param damage  of a recording: what of it is not as it was written
+/// Reads the findings of a scene file or recording. @param damage  gets the damage of a recording
 Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file, std::vector<std::string>& damage)
 {
     if (session::isRecordingFile(file)) {
@@ -50,7 +50,7 @@ Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file,
                         : Result<std::vector<core::Finding>>(scene.status());
 }
 
-/// To a file, which then is whole or not there, or to stdout.
+/// Writes to stdout or atomically to a file.
 Status writeTo(const std::filesystem::path& path, const std::string& text)
 {
     if (path != kStdout) {

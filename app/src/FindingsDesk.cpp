@@ -53,7 +53,7 @@ const core::Finding& FindingsDesk::finding(int row) const
     return m_parts.document.findings()[static_cast<std::size_t>(row)];
 }
 
-/// What every finding and note knows of the moment in which it is made.
+/// Makes a finding with the properties common to findings and notes at this moment.
 core::Finding FindingsDesk::markedNow() const
 {
     core::Finding now;
@@ -89,7 +89,7 @@ bool FindingsDesk::mark()
     one.force_N = on.force_N;
     one.depth_mm = on.depth_mm;
     for (const FeltLayer& layer : felt.layers) {
-        if (!on.inside.isEmpty()) { // all that was touched, the organ first
+        if (!on.inside.isEmpty()) { // lists all layers in contact, the organ first
             one.layers.push_back({layer.name.toStdString(), layer.along_N, layer.depth_mm});
         }
     }
@@ -133,7 +133,7 @@ void FindingsDesk::flyTo(int row)
     core::ViewPose pose = viewPose(m_parts.viewport);
     if (to.camera) {
         pose = *to.camera;
-    } else if (to.hasPlace) { // from the side at hand
+    } else if (to.hasPlace) { // keep the viewing direction
         pose.position_W += to.p_W - pose.focus_W;
         pose.focus_W = to.p_W;
     } else {
@@ -156,7 +156,7 @@ void FindingsDesk::playFrom(int row)
         Q_EMIT said(tr("A recording is being made: stop it (R) to play."));
         return;
     }
-    const core::RecordedMoment moment = *one.recording; // opening may change the findings
+    const core::RecordedMoment moment = *one.recording; // copied, because opening may change the findings
     const std::filesystem::path file = moment.file;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -227,7 +227,7 @@ void FindingsDesk::endRecording()
     m_recording.clear();
 }
 
-/// Each file is read once: a whole recording doesn't change.
+/// Hash of a recording, computed once per file: finished recordings do not change.
 std::string FindingsDesk::hashOf(const std::filesystem::path& recording) const
 {
     std::string& hash = m_hashes[recording];
@@ -247,7 +247,7 @@ void FindingsDesk::show()
             marks.push_back({one.p_W, one.type, number, one.name});
         }
     }
-    if (m_parts.playback.recording() != nullptr) { // its own are drawn too, where the scene has them not
+    if (m_parts.playback.recording() != nullptr) { // also draw findings of the recording that are missing in the scene
         for (const core::Finding& one : m_parts.playback.recording()->findings()) {
             const bool isThere = std::any_of(marks.begin(), marks.end(),
                                              [&](const view::FindingMark& mark) { return mark.p_W == one.p_W; });

@@ -15,13 +15,13 @@
 #include <filesystem>
 #include <map>
 
-/// What the window does with findings: marks places and writes notes, flies to them, plays the moment in which they
-/// were marked, gives them to other programs and takes theirs.
+/// Findings in the window: marks contacts, writes notes, moves the view to findings, plays the moment of marking,
+/// exports and imports.
 class FindingsDesk : public QObject
 {
     Q_OBJECT
   public:
-    /// The parts of the window that it works with; all must outlive it.
+    /// Parts of the window; all must outlive this object.
     struct Parts
     {
         SceneDocument& document;
@@ -33,32 +33,33 @@ class FindingsDesk : public QObject
     };
     FindingsDesk(const Parts& parts, QObject* parent);
 
-    /// Marks the place that is touched, by the hand or in the recording that plays. The focus stays where it is.
-    /// @return false when nothing is touched
+    /// Marks the current contact of the hand or of the playing recording. The keyboard focus does not change.
+    /// @return false without contact
     bool mark();
-    /// Adds a note without a place. @param text  not empty
+    /// Adds a note without a position. @param text  not empty
     void addNote(const QString& text);
-    /// Goes to the next finding (1) or the one before (-1), round and round.
+    /// Goes to the next (1) or previous (-1) finding, cyclically.
     void step(int by);
     void flyTo(int row);
-    /// Plays the recording in which it was marked from a second before.
+    /// Plays the recording of a finding from one second before the moment of marking.
     void playFrom(int row);
-    /// Writes all of them. @param path  a table when it ends in .csv, else markups
+    /// Exports all findings. @param path  a table if the name ends in .csv, otherwise Slicer markups
     void exportTo(const std::filesystem::path& path);
-    /// Takes those of a file of markups, as one step to undo.
+    /// Imports findings from a markups file as a single undo step.
     void importFrom(const std::filesystem::path& path);
-    /// Says in which file a recording is made from now on; and that it ended: what was marked in it knows its hash.
+    /// Sets the file of the recording in progress, and ends it: findings marked during the recording then get the
+    /// file's hash.
     void beginRecording(const std::filesystem::path& path) { m_recording = path; }
     void endRecording();
-    /// Draws the scene's findings, and those of the recording that is open.
+    /// Draws the findings of the scene and of the open recording.
     void show();
 
   Q_SIGNALS:
     void said(const QString& line);
     void failed(const QString& lines);
-    /// A recording is to be opened before it can be played.
+    /// A recording must be opened before playback.
     void recordingWanted(const std::filesystem::path& path);
-    /// There are some, or none any more.
+    /// The number of findings changed; may be 0.
     void countChanged(std::size_t count);
 
   private:
@@ -68,7 +69,7 @@ class FindingsDesk : public QObject
 
     Parts m_parts;
     palpate::ui::CameraFlight m_flight;
-    QTimer m_show;                     ///< gathers changes of one event
-    std::filesystem::path m_recording; ///< that is made now; empty: none
+    QTimer m_show;                     ///< combines all changes of one event
+    std::filesystem::path m_recording; ///< recording in progress; empty: none
     mutable std::map<std::filesystem::path, std::string> m_hashes;
 };

@@ -16,7 +16,7 @@ namespace palpate::app {
 
 namespace {
 
-// A point, probes, and the pad of a finger.
+// A point, probes, and a fingertip.
 constexpr double kRadii_mm[] = {0.0, 0.5, 1.0, 2.0, 5.0, 8.0};
 
 constexpr auto kKey = "fingertip_mm";
@@ -32,7 +32,7 @@ QString fingertipText(double radius_mm)
                            : FingertipTexts::tr("Point");
 }
 
-/// Makes the entries anew: what touches now is among them, also where a recording brought another radius.
+/// Rebuilds the entries. The current radius is always listed, also if set by a recording.
 void fill(QMenu& menu, ui::LiveTouch& live)
 {
     menu.clear();

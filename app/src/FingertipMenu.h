@@ -9,10 +9,10 @@ class LiveTouch;
 
 namespace palpate::app {
 
-/// The radius that a person chose last, 0 = a point. [mm]
+/// Returns the radius last chosen by the user, 0 = a point. [mm]
 [[nodiscard]] double chosenFingertip_mm();
 
-/// Adds "Fingertip" to `menu`: what the hand touches with, a point or a ball. The choice is kept for the next start.
+/// Adds the submenu "Fingertip" to `menu`: contact with a point or a ball. The choice is saved in the settings.
 void addFingertipMenu(QMenu& menu, ui::LiveTouch& live);
 
 } // namespace palpate::app

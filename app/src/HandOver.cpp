@@ -42,7 +42,7 @@ void addHandedOver(CLI::App& app, Chosen& chosen)
 {
     for (const CommandText& text : kHandedOver) {
         CLI::App* const command = app.add_subcommand(text.name, text.description);
-        command->prefix_command(); // the rest of the command line is not this program's to judge
+        command->prefix_command(); // the other program validates the rest of the command line
         command->callback([&chosen, text] {
             chosen = [text] {
                 printError(std::string(text.name) +

@@ -7,17 +7,18 @@
 
 namespace palpate::app {
 
-/// The program beside this one that measures: the solvers that others are compared with are no part of what a hand
-/// needs.
+/// Name of the evaluation program in the same folder. A separate program, because the reference solvers are not
+/// needed for palpation.
 inline constexpr const char* kEvaluationProgram = "palpate-evaluation";
 
-/// @return whether `word`, the first after `palpate`, names a subcommand of that program
+/// Returns whether `word`, the first argument of `palpate`, is a subcommand of that program.
 [[nodiscard]] bool isEvaluation(std::string_view word);
 
-/// Becomes that program, with the same command line. @return only if it can't: an exit code, after saying what to do
+/// Replaces this process by that program with the same command line. Returns only on failure.
+/// @return an exit code, after printing an error with a remedy
 [[nodiscard]] int handOver(char** argv);
 
-/// Lists that program's subcommands in the help of `app`. Where one is given behind an option, `chosen` says so.
+/// Adds that program's subcommands to the help of `app`. If one is given after an option, `chosen` prints an error.
 void addHandedOver(CLI::App& app, Chosen& chosen);
 
 } // namespace palpate::app

@@ -71,7 +71,7 @@ void Help::showAbout()
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     QPushButton* copy = box.addButton(tr("Copy for a report"), QMessageBox::ActionRole);
     box.addButton(QMessageBox::Close);
-    copy->disconnect(); // copying leaves the box open
+    copy->disconnect(); // copying must not close the box
     connect(copy, &QPushButton::clicked, &box, [this] {
         QApplication::clipboard()->setText(versions());
         Q_EMIT said(tr("Copied: version, build and system."));

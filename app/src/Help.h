@@ -11,19 +11,19 @@ class ActionList;
 
 namespace palpate::app {
 
-/// The commands of the Help menu that need nothing of the window: documents, and what this program is.
+/// Commands of the Help menu that do not depend on the window: documents and version information.
 class Help : public QObject
 {
     Q_OBJECT
   public:
-    /// @param window  parent of what opens; owns this
+    /// Makes the commands. @param window  parent of dialogs; owns this
     Help(QWidget* window, ui::ActionList& actions);
 
-    /// What a report of a fault should begin with: versions of the program and of what it is made with, a line each.
+    /// Version information for bug reports: versions of the program and its libraries, one per line.
     [[nodiscard]] static QString versions();
 
   Q_SIGNALS:
-    /// Something to say in the window's line.
+    /// Message for the window's status line.
     void said(const QString& line);
 
   private:

@@ -47,12 +47,12 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A file on its way through the report.
+/// Intermediate data of one file.
 struct Examined
 {
     FileReport report;
     std::shared_ptr<const haptics::HapticScene> felt;
-    std::vector<study::FeltOrgan> organs; ///< as the scene was opened with
+    std::vector<study::FeltOrgan> organs; ///< computed when the scene was opened
 };
 
 core::Result<Examined> readFile(const std::filesystem::path& file, const meshio::ReadOptions& options)
@@ -87,7 +87,7 @@ void indexFile(Examined& one)
     one.report.surfaceNotes = surfaceNotes(one.report.scene, *one.felt);
     for (const meshio::LoadedStructure& structure : one.report.scene.structures) {
         const std::string name = structure.description.name + ": ";
-        std::erase_if(one.report.surfaceNotes, [&name](const std::string& note) { // said with the structure
+        std::erase_if(one.report.surfaceNotes, [&name](const std::string& note) { // already listed with the structure
             return note.starts_with(name);
         });
     }
@@ -107,8 +107,9 @@ void examineFile(Examined& one)
     }
 }
 
-/// Files that say nothing of layers are one scene, as in the window; a scene file is one of its own.
-/// @return the numbers of the files of each scene
+/// Groups files into scenes as the window does: files without layer information form one scene, each scene file its
+/// own.
+/// @return indices of the files of each scene
 std::vector<std::vector<std::size_t>> scenesOf(const std::vector<Examined>& files)
 {
     std::vector<std::vector<std::size_t>> scenes;
@@ -126,7 +127,7 @@ std::vector<std::vector<std::size_t>> scenesOf(const std::vector<Examined>& file
     return scenes;
 }
 
-/// Finds what the structures of some files are to each other.
+/// Computes the relations between structures of several files.
 void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& numbers, bool setsLayers)
 {
     meshio::LoadedScene together;
@@ -188,7 +189,7 @@ int runMeshInfo(const InfoOptions& options)
     if (!read.isOk()) {
         return report(read.status());
     }
-    // What is known is printed at once: the examination takes far longer than all before it.
+    // Print available results immediately: the examination takes much longer than all previous steps.
     const auto show = [&options](void (*part)(const FileReport&), const Examined& one) {
         if (!options.isJson) {
             part(one.report);

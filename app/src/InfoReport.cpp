@@ -49,7 +49,7 @@ const char* orientation(const geometry::MeshReport& r)
     return r.isClosed() ? "outwards" : r.closedComponents > 0 ? "outwards where closed" : "open";
 }
 
-/// What the surface means for touching.
+/// Describes what the surface means for contact.
 std::string feeling(const geometry::MeshReport& r)
 {
     if (r.triangles == 0) {
@@ -74,7 +74,7 @@ std::string crossings(const geometry::SurfaceExamination& e, std::size_t triangl
     return line;
 }
 
-/// What was found about the wall, empty for a surface that has none.
+/// Describes the wall thickness; empty for a surface without a wall.
 std::string wall(const geometry::SurfaceExamination& e)
 {
     if (!e.thinnestWall_mm) {
@@ -89,7 +89,7 @@ std::string wall(const geometry::SurfaceExamination& e)
     return text.data();
 }
 
-/// What was found in a structure's mesh.
+/// Describes the findings on a structure's mesh.
 std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
 {
     std::vector<std::string> lines = structure.surface->report.sentences();
@@ -106,7 +106,7 @@ std::vector<std::string> notes(const FileReport& report)
 {
     std::vector<std::string> out = report.scene.warnings;
     for (const std::string& note : report.lumpNotes) {
-        if (std::find(out.begin(), out.end(), note) == out.end()) { // lumps that are felt through have told it already
+        if (std::find(out.begin(), out.end(), note) == out.end()) { // already printed with the palpable lumps
             out.push_back(note);
         }
     }
@@ -117,13 +117,13 @@ std::vector<std::string> notes(const FileReport& report)
     }
     for (const auto& structure : report.scene.structures) {
         for (const std::string& sentence : sentencesOf(structure)) {
-            std::erase(out, structure.description.name + ": " + sentence); // said with the structure
+            std::erase(out, structure.description.name + ": " + sentence); // already printed with the structure
         }
     }
     return out;
 }
 
-/// A structure's law in a line; empty for a linear one.
+/// Describes a structure's force law in one line; empty for a linear law.
 std::string lawLine(const core::Tissue& tissue)
 {
     const core::ForceLaw& law = tissue.law;
@@ -234,7 +234,7 @@ QJsonArray texts(const std::vector<std::string>& lines)
     return array;
 }
 
-/// What an examination found, if there was one. @param sentences  gets what it says of it
+/// Adds the result of an examination, if any. @param sentences  gets the sentences of the result
 void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_t triangles, QJsonObject& object,
          QJsonArray& sentences)
 {
@@ -253,7 +253,7 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
     }
 }
 
-/// The steps of its voxels, and what smoothing did to them.
+/// Adds the voxel staircase and the effect of smoothing.
 void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
 {
     if (const auto& stairs = structure.staircase) {
@@ -272,7 +272,7 @@ void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
     }
 }
 
-/// As in a scene file, and its greatest slope.
+/// Converts a force law as in a scene file, with its maximum slope.
 QJsonObject lawObject(const core::Tissue& tissue)
 {
     const core::ForceLaw& law = tissue.law;

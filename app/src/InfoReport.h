@@ -14,32 +14,32 @@
 
 namespace palpate::app {
 
-/// What `palpate info` found out about one file.
+/// Results of `palpate info` for one file.
 struct FileReport
 {
     std::filesystem::path path;
     meshio::LoadedScene scene;
-    double load_s = 0.0;                                               ///< reading and repairing
-    double index_s = 0.0;                                              ///< building the haptic copies
-    std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< one a structure; nothing where not palpable
+    double load_s = 0.0;                                               ///< time for reading and repairing
+    double index_s = 0.0;                                              ///< time for building the haptic surfaces
+    std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< per structure; empty if not palpable
     double examine_s = 0.0;
-    std::vector<std::string> surfaceNotes; ///< about surfaces that are inside out or staircases, a sentence each
-    std::vector<std::string> neighbours;   ///< about structures of all files that are in each other's way, likewise
-    /// What lies in what among all files, a sentence each, where that was asked for.
+    std::vector<std::string> surfaceNotes; ///< inverted or stair-stepped surfaces, one sentence each
+    std::vector<std::string> neighbours;   ///< structures of all files that obstruct each other, one sentence each
+    /// Nesting of structures across all files, one sentence each, if requested.
     std::optional<std::vector<std::string>> layers;
-    std::vector<study::FeltOrgan> lumps; ///< what can be felt of the lumps in organs
-    std::vector<std::string> lumpNotes;  ///< organs and lumps that cannot be judged, a sentence each
+    std::vector<study::FeltOrgan> lumps; ///< palpability of lumps in organs
+    std::vector<std::string> lumpNotes;  ///< organs and lumps that cannot be evaluated, one sentence each
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };
 
-/// Prints for a person what was read, before anything is built of it.
+/// Prints the file contents, before any processing.
 void printRead(const FileReport& report);
-/// Prints what touching costs, once that is possible.
+/// Prints notes on the surfaces, memory and times, after the haptic surfaces were built.
 void printTouch(const FileReport& report);
-/// Prints what the examination found.
+/// Prints the results of the examination.
 void printExamination(const FileReport& report);
-/// The same as data, with the SHA-256 of each geometry; its fields are described in resources/docs/info.md.
+/// Converts the report to JSON, including the SHA-256 of each geometry. Fields: resources/docs/info.md.
 [[nodiscard]] QJsonObject toJson(const FileReport& report);
 
 } // namespace palpate::app

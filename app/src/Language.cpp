@@ -22,7 +22,7 @@ struct LanguageTexts
     Q_DECLARE_TR_FUNCTIONS(palpate::app::Language)
 };
 
-/// Of the system's languages, in its order, the first that there is.
+/// First of the system's languages, in order of preference, that is available.
 QString systemLanguage()
 {
     for (const QString& locale : QLocale::system().uiLanguages()) {
@@ -41,7 +41,7 @@ void install(const QString& name, const QString& folder)
     if (translator->load(name, folder)) {
         QCoreApplication::installTranslator(translator);
     } else {
-        delete translator; // what it would say stays English
+        delete translator; // these texts stay English
     }
 }
 
@@ -59,14 +59,15 @@ void speakChosenLanguage()
 {
     const QString chosen = QSettings().value(kSetting).toString();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
-    // The language decides how numbers are written, not a system that speaks another one; a country's own way of
-    // writing the same language (Swiss German's point) stays. Files are written without a locale.
+    // The language of the window determines the number format, not the system locale, unless both have the same
+    // language: regional formats, such as the decimal point in Swiss German, are kept. Files are written
+    // independently of the locale.
     const QLocale system = QLocale::system();
     QLocale::setDefault(system.language() == QLocale(code).language() ? system : QLocale(code));
     if (code == QLatin1String("en")) {
         return;
     }
-    // The buttons of Qt's own dialogs, where the system has their catalogue.
+    // Buttons of Qt's own dialogs, if the system has Qt's catalogue.
     install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(QStringLiteral("palpate_") + code, QStringLiteral(":/translations"));
 }

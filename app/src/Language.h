@@ -11,22 +11,21 @@ class QMenu;
 
 namespace palpate::app {
 
-/// A language that the window can speak.
+/// Language of the window.
 struct Language
 {
-    QString code;   ///< as locales have it: "en", "de", "fr"
-    QString native; ///< its name in itself
+    QString code;   ///< ISO 639-1 code as in locale names: "en", "de", "fr"
+    QString native; ///< native name of the language
 };
 
-/// English, and what resources/translations has a catalogue for.
+/// Available languages: English and those with a catalogue in resources/translations.
 [[nodiscard]] const QList<Language>& languages();
 
-/// Lets all windows made from now on speak what was chosen (settings: `language`), else the system's language where it
-/// is among `languages()`, else English; numbers are shown with that language's decimal sign. Call once, before the
-/// first window.
+/// Sets the language of all windows created later: the user's choice (setting `language`), otherwise the first system
+/// language in `languages()`, otherwise English. Also sets the decimal separator. Call once before creating a window.
 void speakChosenLanguage();
 
-/// A menu that chooses the language. Windows that are open keep theirs: `said` is told the line to show.
+/// Adds a menu to choose the language. Open windows do not change; `said` gets a message to show.
 void addLanguageMenu(QMenu& menu, QObject& context, const std::function<void(const QString&)>& said);
 
 } // namespace palpate::app

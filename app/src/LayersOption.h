@@ -12,17 +12,16 @@
 
 namespace palpate::app {
 
-/// What `--layers` is, for the help of each command that has it.
+/// Help text of the option `--layers`.
 inline constexpr const char* kLayersHelp =
     "auto: what lies in another structure is felt below it (mesh files; a scene file keeps its own layers)";
 
-/// Checks `--layers`: auto, or empty where it was not given.
+/// Checks `--layers`: auto, or empty if not given.
 [[nodiscard]] core::Status checkLayers(const std::string& option);
 
-/// Does what `--layers auto` asks: mesh files get their layers by what lies in what, a scene file and a recording keep
-/// their own.
-/// @param felt  made of `scene`; a new one where layers were set
-/// @return what was done, a sentence each
+/// Applies `--layers auto`: assigns layers to mesh files by nesting. Scene files and recordings keep their layers.
+/// @param felt  made from `scene`; replaced when layers were assigned
+/// @return one sentence per assignment
 [[nodiscard]] std::vector<std::string> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
                                               std::shared_ptr<const haptics::HapticScene>& felt);
 

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr double kSettle_s = 0.25; // of no hand, so that recording has begun before the first row is played
+constexpr double kSettle_s = 0.25; // time without a hand, so that recording has started before the first row is played
 constexpr auto kDrainInterval = 20ms;
 
 } // namespace

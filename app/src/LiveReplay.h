@@ -14,34 +14,35 @@
 
 namespace palpate::app {
 
-/// How a replay in real time went.
+/// Result of a real-time replay.
 struct LiveResult
 {
-    std::int64_t lost = 0; ///< rows of the motion that were not felt, or ticks that were dropped
+    std::int64_t lost = 0; ///< rows of the motion not simulated, plus dropped ticks
     std::uint64_t overruns = 0;
-    std::string fault; ///< one line, empty without one
+    std::string fault; ///< one line; empty without a fault
 };
 
-/// The hand of a replay in real time.
+/// Hand of a real-time replay.
 struct LiveHand
 {
     std::unique_ptr<device::HapticDevice> device;
-    std::function<bool()> hasEnded; ///< asked about every 20 ms
-    std::int64_t rows = -1;         ///< that must be felt; -1: however many there are
+    std::function<bool()> hasEnded; ///< polled about every 20 ms
+    std::int64_t rows = -1;         ///< number of rows that must be simulated; -1: any
 };
 
-/// The motion itself, row by row.
+/// Makes a hand that plays the motion itself, row by row.
 [[nodiscard]] LiveHand playedHand(const session::Motion& motion);
-/// A simulated hand that is drawn along the motion and pushed back by what it feels.
-/// @param preset  of the device that it holds
+/// Makes a simulated hand that follows the motion and yields to the contact force.
+/// @param preset  the simulated device
 [[nodiscard]] core::Result<LiveHand> simulatedHand(const session::Motion& motion, const device::DevicePreset& preset);
-/// The hand that holds `device`, for as long as the motion lasts; the motion itself is not used.
+/// Makes the hand of a physical `device`, active for the duration of the motion; only the duration of the motion is
+/// used.
 [[nodiscard]] LiveHand realHand(const session::Motion& motion, std::unique_ptr<device::HapticDevice> device);
 
-/// Feels with `hand` through the servo thread and the safety gate in real time.
-/// @param begin  told once, before the first tick, with what the loop started from; an error ends the replay
-/// @param sink   told each tick with a hand, numbered from 0, on the calling thread
-/// @param idle   called about every 20 ms, to commit what was recorded
+/// Runs `hand` through the servo thread and the safety gate in real time.
+/// @param begin  called once before the first tick with the start state of the loop; an error ends the replay
+/// @param sink   called for each tick with a hand, numbered from 0, on the calling thread
+/// @param idle   called about every 20 ms, to commit recorded data
 [[nodiscard]] core::Result<LiveResult>
 replayLive(std::shared_ptr<const haptics::HapticScene> scene, LiveHand& hand, const servo::ServoOptions& options,
            const std::function<core::Status(const servo::RecordingStart&)>& begin, const session::TickSink& sink,

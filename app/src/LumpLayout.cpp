@@ -65,7 +65,7 @@ std::vector<FeltWay> LumpLayout::inLayers() const
     return ways;
 }
 
-/// @param around  the smallest structure around it that is felt
+/// Lays out one lump. @param around  smallest palpable structure around the lump
 void LumpLayout::layOutLump(int row, int around)
 {
     const auto i = static_cast<std::size_t>(row);
@@ -84,7 +84,7 @@ void LumpLayout::layOutLump(int row, int around)
     m_isToBeTold[i] = false;
 }
 
-/// @return empty where the model of felt lumps holds
+/// Reason why the lump cannot be palpated through the organ. @return empty if the model of buried lumps applies
 QString LumpLayout::whyNotThrough(int row, int around) const
 {
     const StructureRow &lump = m_model.rows()[static_cast<std::size_t>(row)],

@@ -9,20 +9,22 @@
 
 #include <vector>
 
-/// How structures of mesh files are felt by what lies in what: a lump through its organ, where that can be computed and
-/// how stiff both are is known by their names; all else below what is around it, as layers.
+/// Contact layout of structures from mesh files by nesting. A lump is palpated through its organ if the model applies
+/// and the names determine the stiffness of both; all other structures become layers below the structure around them.
 class LumpLayout
 {
     Q_DECLARE_TR_FUNCTIONS(LumpLayout)
   public:
-    /// @param first  structures before this row that are felt through their organ stay so, none of them becomes one
+    /// Computes the layout.
+    /// @param first  structures before this row keep their mode: lumps palpated through their organ stay so, and no
+    /// others are added
     LumpLayout(const palpate::ui::StructureModel& model, const palpate::study::Layering& layering, int first);
 
-    /// Each structure's way of being felt.
+    /// Contact mode of each structure.
     [[nodiscard]] const std::vector<palpate::ui::FeltWay>& ways() const noexcept { return m_ways; }
-    /// The same with all in layers.
+    /// Same layout with layers only.
     [[nodiscard]] std::vector<palpate::ui::FeltWay> inLayers() const;
-    /// What a person should know of it, one sentence without its full stop each, lumps first.
+    /// Notes for the user, one sentence each without final full stop, lumps first.
     [[nodiscard]] const QStringList& lines() const noexcept { return m_lines; }
     [[nodiscard]] bool isAnyThrough() const noexcept { return m_isAnyThrough; }
 
@@ -33,7 +35,7 @@ class LumpLayout
     const palpate::ui::StructureModel& m_model;
     std::vector<palpate::ui::FeltWay> m_ways;
     std::vector<std::uint32_t> m_layers;
-    std::vector<bool> m_isToBeTold; ///< by the sentences about layers
+    std::vector<bool> m_isToBeTold; ///< included in the sentences about layers
     QStringList m_lines;
     bool m_isAnyThrough = false;
 };

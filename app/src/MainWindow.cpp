@@ -84,10 +84,12 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
-    delete m_devices;    // it lets go of what the members below the children hold, and panels hear of that
-    delete m_structures; // before the model that a name that is being written goes to
-    delete m_feltDock->findChild<FeltPanel*>();         // the same of a number
-    m_feltDock->toggleViewAction()->disconnect(m_felt); // a window that goes hides its docks; the model is gone then
+    // First, because this destructor releases members that are destroyed before the child widgets, and notifies panels.
+    delete m_devices;
+    delete m_structures;                        // before the model, which receives the text of an open name editor
+    delete m_feltDock->findChild<FeltPanel*>(); // same for an open number editor
+    // Closing the window hides its docks, at a time when the model is already gone.
+    m_feltDock->toggleViewAction()->disconnect(m_felt);
 }
 
 void MainWindow::makeDocks()
@@ -97,7 +99,7 @@ void MainWindow::makeDocks()
     const auto dock = [this](const QString& title, const char* name, QWidget* panel, Qt::DockWidgetArea area) {
         auto* one = new QDockWidget(title, this);
         one->setObjectName(QLatin1String(name));
-        one->setWidget(new PanelScroll(panel, this)); // a low window has no room for all of it
+        one->setWidget(new PanelScroll(panel, this)); // a low window has no room for the whole panel
         addDockWidget(area, one);
         m_docks.push_back(one);
         return one;
@@ -127,10 +129,10 @@ void MainWindow::makeDocks()
     });
 }
 
-/// Gives the panels these sizes, but leaves the larger part to the view. [px]
+/// Sets the panel sizes but leaves the larger part of the window to the view. [px]
 void MainWindow::fitDocks(double left_px, double right_px, double below_px)
 {
-    constexpr double kMostLeft = 0.22, kMostRight = 0.27, kMostBelow = 0.22; // of the window
+    constexpr double kMostLeft = 0.22, kMostRight = 0.27, kMostBelow = 0.22; // fractions of the window
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
     resizeDocks({dock("structures"), dock("touch")},
                 {qRound(std::min(left_px, kMostLeft * width())), qRound(std::min(right_px, kMostRight * width()))},
@@ -241,7 +243,7 @@ void MainWindow::connectLoading()
         showError(line);
         const auto recording = std::exchange(m_waitingRecording, std::nullopt);
         if (recording && m_model.rowCount() == 0) {
-            openRecording(*recording); // it can be played without what it was made on
+            openRecording(*recording); // playback works without the scene of the recording
         } else {
             Q_EMIT openFailed(line);
         }
@@ -258,7 +260,7 @@ void MainWindow::connectLoading()
     connect(&m_model, &StructureModel::edited, this, &MainWindow::followModel);
     connect(&m_model, &StructureModel::mapsWanted, this, [this](int row) {
         say(tr("Reading what varies over %1…").arg(readableName(m_model.structure(row).name)), 60000);
-        m_progress->setRange(0, 0); // how long it takes isn't known
+        m_progress->setRange(0, 0); // duration unknown
         m_progress->show();
         m_cancel->show();
         m_loader.buildMaps(row, m_model.rows()[static_cast<std::size_t>(row)].loaded);
@@ -294,7 +296,7 @@ void MainWindow::connectTouch()
     connect(m_palpation, &PalpationController::handGone, m_touch, &TouchPanel::showNoHand);
     m_sound->follow(*m_touch);
     connect(m_palpation, &PalpationController::handGone, m_playback,
-            &Playback::showAgain); // instead, where one is open
+            &Playback::showAgain); // back to the recording, if one is open
     connect(m_palpation, &PalpationController::textChanged, this, &MainWindow::showMode);
     connect(m_palpation, &PalpationController::palpationWanted, this, [this] { setPalpating(true); });
     connect(m_palpation, &PalpationController::said, this, [this](const QString& line) { say(line); });
@@ -340,7 +342,7 @@ void MainWindow::connectTouch()
     connect(m_effortAction, &QAction::toggled, this, [this](bool isByEffort) {
         m_handControl->setByEffort(isByEffort);
         if (m_model.rowCount() > 0) {
-            say(howToTouch(), 60000); // what was said of the wheel is no longer so
+            say(howToTouch(), 60000); // the hint about the wheel is no longer valid
         }
     });
     connect(m_palpation, &PalpationController::effortTurned, m_handControl, &HandControl::setEffort);
@@ -361,17 +363,17 @@ void MainWindow::followModel(int row, StructureModel::Change change)
     if (change == StructureModel::Change::Look) {
         m_viewport->view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
     }
-    if (one.isRemoved) { // all is kept for when it comes back
+    if (one.isRemoved) { // data is kept for undo
         m_viewport->view().setTouchable(static_cast<std::size_t>(row), nullptr);
         m_viewport->update();
         return;
     }
-    // A structure has its haptic copy while it is palpable, and only then.
+    // Only palpable structures have a haptic surface.
     if (structure.palpable && one.touch == nullptr) {
         m_loader.buildTouch(row, one.loaded.surface);
     } else if (!structure.palpable && one.touch != nullptr) {
         m_model.setTouch(row, nullptr, {});
-        return; // it comes back here
+        return; // setTouch calls this function again
     }
     m_viewport->view().setTouchable(static_cast<std::size_t>(row), structure.palpable ? one.touch : nullptr);
     m_viewport->update();
@@ -386,7 +388,7 @@ void MainWindow::setPalpating(bool isPalpating)
     }
     m_palpation->setPalpating(isPalpating);
     showStatus();
-    showWhatPlays(); // whose force limit is shown
+    showWhatPlays(); // updates the displayed force limit
 }
 
 void MainWindow::letGo()

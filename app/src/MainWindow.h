@@ -47,7 +47,7 @@ class QToolButton;
 
 class LumpLayout;
 
-/// The desktop application's window: makes the parts and connects them.
+/// Main window of the desktop application: makes and connects all parts.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -55,8 +55,8 @@ class MainWindow : public QMainWindow
     MainWindow();
     ~MainWindow() override;
 
-    /// Opens meshes and scenes as one scene, and the last recording among them to play in it.
-    /// @param frame  axes of mesh files, whatever their tags say; Untagged: as these say
+    /// Opens meshes and scenes as one scene, and the last recording among the files for playback in that scene.
+    /// @param frame  axes of mesh files, overriding their tags; Untagged: as tagged
     void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
               palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged);
 
@@ -66,16 +66,16 @@ class MainWindow : public QMainWindow
     [[nodiscard]] palpate::ui::Playback& playback() noexcept { return *m_playback; }
     [[nodiscard]] palpate::ui::Looks& looks() noexcept { return m_looks; }
     void setPalpating(bool isPalpating);
-    /// Device plugins to choose from, in a menu of their own. Once, before `chooseDevice`.
+    /// Adds a menu of device plugins. Call once, before `chooseDevice`.
     void setPlugins(std::unique_ptr<palpate::device::PluginHost> plugins);
-    /// The hand's device, as soon as a scene is open. @param id  "mouse", "simulated", "playback" or a plugin's
+    /// Sets the hand's device once a scene is open. @param id  "mouse", "simulated", "playback" or a plugin's id
     void chooseDevice(const std::string& id);
-    /// Runs the servo loop on a CPU alone instead of as kept for the device; see `servo::checkCpu`.
+    /// Reserves a CPU for the servo loop, overriding the saved setting; see `servo::checkCpu`.
     void useCpu(int cpu);
     [[nodiscard]] bool usesPointer() const noexcept { return m_live.usesPointer(); }
 
   Q_SIGNALS:
-    /// The scene is open and drawn; what was asked for besides (a recording) is loaded.
+    /// The scene is open and drawn, and a requested recording is loaded.
     void ready();
     void openFailed(const QString& line);
     void deviceRefused(const QString& line);
@@ -161,7 +161,7 @@ class MainWindow : public QMainWindow
     [[nodiscard]] QString howToTouch() const;
 
     palpate::ui::ActionList m_actions{this};
-    palpate::ui::Looks m_looks{m_actions, this}; ///< before the parts that it is the look of
+    palpate::ui::Looks m_looks{m_actions, this}; ///< declared before the parts that use its styles
     palpate::ui::Messages m_messages;
     palpate::ui::PanelRound m_round;
     palpate::ui::StructureModel m_model;
@@ -187,20 +187,20 @@ class MainWindow : public QMainWindow
     CoordinatesChoice* m_coordinates = nullptr;
     palpate::app::ShowAround* m_around = nullptr;
     palpate::app::SoundChoice* m_sound = nullptr;
-    bool m_isEditedMeanwhile = false; ///< since the open meshes began to be read again
+    bool m_isEditedMeanwhile = false; ///< since reloading of the open meshes began
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;
     palpate::ui::Chip* m_runningChip = nullptr;
     palpate::ui::Chip* m_depthChip = nullptr;
     palpate::ui::HintLine* m_hint = nullptr;
-    QStringList m_realtimeTold; ///< what was said of the servo thread last
+    QStringList m_realtimeTold; ///< latest warnings about the servo thread
     QProgressBar* m_progress = nullptr;
     QToolButton* m_cancel = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QDockWidget*> m_docks;
-    QDockWidget* m_messagesDock = nullptr;    ///< the list of messages; it comes only when asked for
-    QDockWidget* m_feltDock = nullptr;        ///< comes with the colours of what can be felt
-    QDockWidget* m_engineeringDock = nullptr; ///< hidden until asked for; then as it was left
+    QDockWidget* m_messagesDock = nullptr;    ///< list of messages, hidden until requested
+    QDockWidget* m_feltDock = nullptr;        ///< shown together with the palpability map
+    QDockWidget* m_engineeringDock = nullptr; ///< hidden until requested, then restored as left
 
     QAction* m_openAction = nullptr;
     QAction* m_addAction = nullptr;
@@ -240,9 +240,9 @@ class MainWindow : public QMainWindow
     SceneDocument* m_document = nullptr;
     FindingsDesk* m_findingsDesk = nullptr;
     std::vector<std::filesystem::path> m_files;
-    double m_unit_mm = 1.0;                                                       ///< that they were read with
-    std::vector<std::filesystem::path> m_opening;                                 ///< meshes that were asked for last
-    palpate::core::FileFrame m_openingFrame = palpate::core::FileFrame::Untagged; ///< chosen for these
-    std::optional<std::filesystem::path> m_waitingRecording;                      ///< opened when its scene is there
+    double m_unit_mm = 1.0;                                                       ///< with which the files were read
+    std::vector<std::filesystem::path> m_opening;                                 ///< meshes of the latest open request
+    palpate::core::FileFrame m_openingFrame = palpate::core::FileFrame::Untagged; ///< axes chosen for these meshes
+    std::optional<std::filesystem::path> m_waitingRecording;                      ///< opened once its scene is open
     RecordingControl* m_recording = nullptr;
 };

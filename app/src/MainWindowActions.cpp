@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's commands, each once; menus and the key card are made of their list.
+// Commands of the window. Menus and the list of keys are built from these.
 #include "FingertipMenu.h"
 #include "Help.h"
 #include "Language.h"
@@ -17,7 +17,7 @@ using namespace palpate::ui;
 
 namespace {
 
-constexpr auto kDent = "view/dent"; // setting
+constexpr auto kDent = "view/dent"; // settings key
 
 } // namespace
 
@@ -41,7 +41,7 @@ void MainWindow::makeFileAndEditActions()
                                   {QKeySequence(Qt::CTRL | Qt::Key_W)});
     m_saveAction = m_actions.add("save", ActionGroup::File, tr("Save scene"), tr("Save the scene with its tissue"),
                                  {QKeySequence(Qt::CTRL | Qt::Key_S)});
-    // Not the platform's: without a theme it has none for this one.
+    // Not QKeySequence::SaveAs, which is empty without a platform theme.
     m_saveAsAction = m_actions.add("save-as", ActionGroup::File, tr("Save scene as…"),
                                    tr("Save the scene with its tissue to another file"),
                                    {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)});
@@ -65,7 +65,7 @@ void MainWindow::makeFileAndEditActions()
     m_filterAction =
         m_actions.add("filter", ActionGroup::Edit, tr("Find a structure…"),
                       tr("List only structures with these words in their names"), {QKeySequence(Qt::CTRL | Qt::Key_F)});
-    // F2 and Del belong to the list that has the keys: see ActionGroup::InList.
+    // F2 and Del are handled by the focused list: see ActionGroup::InList.
     m_renameAction = m_actions.add("rename", ActionGroup::Edit, tr("Rename the structure…"),
                                    tr("Write another name for the selected structure"));
     m_removeAction = m_actions.add("remove", ActionGroup::Edit, tr("Remove from the scene"),
@@ -195,7 +195,7 @@ void MainWindow::makeDeviceAndHelpActions()
     m_fitLumpAction = m_actions.add("fit-device-lump", ActionGroup::Device, tr("Zoom the hand's space to the lump"),
                                     tr("The device's whole way is 10 mm, about what is touched, pointed at or found"),
                                     {QKeySequence(Qt::Key_L)}, Symbol::Fit);
-    // Both layouts of "?" and the way back: whatever the keyboard, one of them is there.
+    // "?" on all keyboard layouts, with F1 as alternative.
     m_keysAction = m_actions.add(
         "keys", ActionGroup::Help, tr("All keys"), tr("Show all keys"),
         {QKeySequence(QStringLiteral("?")), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)},

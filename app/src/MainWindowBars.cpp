@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tool bar, chips and what they show of the parts' state.
+// Tool bar, status chips and the state that they show.
 #include "MainWindow.h"
 
 #include "ProgramFolders.h"
@@ -90,7 +90,7 @@ void MainWindow::showWhatPlays()
     const bool hasRecording = m_playback != nullptr && m_playback->recording() != nullptr;
     const bool isPlaying = hasRecording && m_playback->isPlaying();
     const bool isRecording = m_live.recording().isRecording;
-    const bool hasScene = m_model.rowCount() > 0; // also one that all was taken out of: undo brings it back
+    const bool hasScene = m_model.rowCount() > 0; // also true if all structures were removed: undo restores them
     m_playAction->setIcon(icon(isPlaying ? Symbol::Pause : Symbol::Play));
     m_playAction->setText(isPlaying ? tr("Pause") : tr("Play"));
     m_playAction->setEnabled(hasRecording && !isRecording);
@@ -104,7 +104,7 @@ void MainWindow::showWhatPlays()
                             m_fitAction, m_feltAction, m_snapshotAction, m_importFindingsAction}) {
         action->setEnabled(hasScene);
     }
-    // The limit is that of the hand whose force is shown: of a recording only while it plays.
+    // The force limit belongs to the hand whose force is shown: the recording's only during playback.
     const bool isLiveHand = m_palpation != nullptr && (m_palpation->isPalpating() || !m_live.usesPointer());
     const bool showsRecording = isPlaying || (hasRecording && !isLiveHand);
     const double limit_N = showsRecording ? m_playback->recording()->forceLimit_N() : m_live.deviceInfo().maxForce_N;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window and the hand's device.
+// Device selection in the window.
 #include "MainWindow.h"
 
 #include <palpate/ui/EngineTexts.h>
@@ -14,7 +14,7 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
 {
     m_devices->setPlugins(std::move(plugins));
     auto* menu = new QMenu(tr("&Device"), this);
-    menuBar()->insertMenu(menuBar()->actions().constLast(), menu); // before help
+    menuBar()->insertMenu(menuBar()->actions().constLast(), menu); // before the Help menu
     m_devices->fill(*menu);
     menu->addSeparator();
     for (QAction* action : {m_fitSceneAction, m_fitOrganAction, m_fitLumpAction}) {
@@ -52,7 +52,8 @@ void MainWindow::useCpu(int cpu)
 
 void MainWindow::chooseDevice(const std::string& id)
 {
-    // The simulated hand needs something to palpate, the recording has to be open: once all is there.
+    // Choose the device once all is loaded: the simulated hand needs a scene, and the playback device an open
+    // recording.
     const auto take = [this, id] {
         if (const core::Status status = m_devices->choose(id); !status.isOk()) {
             showError(ui::engineText(status));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be felt of lumps through an organ: colours on it, the table beside the session, progress and messages.
+// Palpability of lumps through an organ: map colours, table beside the session panel, progress and messages.
 #include "MainWindow.h"
 
 #include <palpate/ui/PanelScroll.h>
@@ -57,10 +57,11 @@ void MainWindow::showFelt(bool isShown)
     m_feltDock->setVisible(isShown);
     if (isShown) {
         if (dockWidgetArea(m_feltDock) == Qt::BottomDockWidgetArea && !m_feltDock->isFloating()) {
-            tabifyDockWidget(m_docks.back(), m_feltDock); // only now: a tab alone would leave its bar behind
+            // Only when visible: a hidden dock alone in its tab group would leave an empty tab bar.
+            tabifyDockWidget(m_docks.back(), m_feltDock);
         }
         m_feltDock->raise();
-        constexpr int kHeight_px = 200; // two lumps and what is said of one
+        constexpr int kHeight_px = 200; // two lumps and the details of one
         resizeDocks({m_feltDock}, {std::max(kHeight_px, m_feltDock->height())}, Qt::Vertical);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opening and saving: scenes, recordings, what is dropped on the window.
+// Opening and saving scenes and recordings; files dropped on the window.
 #include "FingertipMenu.h"
 #include "MainWindow.h"
 #include "Paths.h"
@@ -37,7 +37,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
         }
     }
     if (meshes.empty() && recording && m_model.rowCount() == 0) {
-        meshes.push_back(*recording); // alone: what it was made on is opened with it, see study::sceneOfRecording
+        meshes.push_back(*recording); // a recording alone: also opens its scene, see study::sceneOfRecording
     }
     if (!meshes.empty() && !mayDiscard()) {
         return;
@@ -56,10 +56,10 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     m_loader.open(meshes, unit_mm, frame);
 }
 
-/// As soon as the meshes are read; they are indexed meanwhile.
+/// Called as soon as the meshes are read, while they are being indexed.
 void MainWindow::offerMetres(double size_mm)
 {
-    // No organ is this small; reference libraries write metres into files that cannot say so.
+    // No organ is smaller; some libraries write metres to formats that cannot store a unit.
     constexpr double kSmallest_mm = 3.0;
     if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm ||
         std::any_of(m_opening.begin(), m_opening.end(), [](const std::filesystem::path& file) {
@@ -72,7 +72,7 @@ void MainWindow::offerMetres(double size_mm)
         tr("Read as metres"), [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
 }
 
-/// Reads the open meshes again, along other axes.
+/// Reloads the open meshes with other axes.
 void MainWindow::readAs(core::FileFrame frame)
 {
     if (m_model.rowCount() == 0) {
@@ -87,7 +87,7 @@ void MainWindow::readAs(core::FileFrame frame)
     m_loader.reopen(m_document->inFrame(frame), m_files);
 }
 
-/// What is known of the patient's sides: the button in the status bar and the cube in the view.
+/// Shows what is known of the patient orientation in the status bar and on the cube in the view.
 void MainWindow::showCoordinates()
 {
     m_coordinates->show(m_model.rows(), std::any_of(m_files.begin(), m_files.end(),
@@ -98,7 +98,7 @@ void MainWindow::showCoordinates()
 
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
-    if (scene->isReopened && m_isEditedMeanwhile) { // it lacks what was changed while it was read
+    if (scene->isReopened && m_isEditedMeanwhile) { // edits during reloading are missing: reload again
         readAs(scene->rows.front().loaded.description.frame);
         return;
     }
@@ -117,7 +117,8 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     m_model.setRows(std::move(scene->rows), scene->scene.buried);
     m_document->take(*scene);
     m_stack->setCurrentWidget(m_viewport);
-    m_stack->setMinimumSize(1, 1); // not the welcome page's: a message above the view must not make the window grow
+    // Drop the minimum size of the welcome page, or a message above the view would enlarge the window.
+    m_stack->setMinimumSize(1, 1);
     if (scene->scene.camera) {
         const meshio::SceneCamera& from = *scene->scene.camera;
         view.camera().SetPosition(from.position_W.x(), from.position_W.y(), from.position_W.z());
@@ -139,10 +140,11 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     m_viewport->setFocus();
     m_viewport->update();
     if (scene->files.size() == 1 && meshio::isSceneFile(m_files.front())) {
-        m_files.front() = m_document->file(); // unsaved changes that come back are those of their scene
+        m_files.front() = m_document->file(); // restored changes belong to their original scene file
     }
     showTitle();
-    if (m_files.size() == 1 && !m_files.front().empty()) { // parts opened one by one are no scene to come back to
+    // Several files opened one by one are not listed as a recent scene.
+    if (m_files.size() == 1 && !m_files.front().empty()) {
         remember(m_files.front());
     }
     const QString how = howToTouch();
@@ -157,7 +159,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     showWhatPlays();
     if (scene->areMeshes() && !scene->isReopened && !m_waitingRecording) {
         nameTissues(scene->layering, 0);
-        m_model.undoStack().setClean(); // nothing that a person did and would miss
+        m_model.undoStack().setClean(); // automatic changes do not make the document modified
     }
     if (!scene->isReopened) {
         layOut(*scene);
@@ -176,7 +178,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     Q_EMIT ready();
 }
 
-/// Touches as in the recording that was opened alone; any other scene with what a person chose.
+/// Sets the fingertip radius: as recorded if a recording was opened alone, otherwise as last chosen by the user.
 void MainWindow::takeFingertip()
 {
     const RecordedTouch* recording = session::isRecordingFile(m_files.front()) ? m_playback->recording() : nullptr;
@@ -270,7 +272,7 @@ bool MainWindow::saveSceneTo(const std::filesystem::path& path)
     return saved.isOk();
 }
 
-/// Asks what becomes of unsaved changes. @return false when they shall stay open
+/// Asks whether to save unsaved changes. @return false if the user cancels
 bool MainWindow::mayDiscard()
 {
     if (!m_document->isModified()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Findings: their commands, their panel, and the files that they come from and go to.
+// Findings: commands, panel, import and export.
 #include "MainWindow.h"
 #include "Paths.h"
 
@@ -46,7 +46,7 @@ void MainWindow::connectFindings()
     m_exportFindingsAction->setEnabled(false);
 }
 
-/// Brings the panel to the front; one that was closed is shown.
+/// Shows the panel if closed and raises its tab.
 void MainWindow::raiseFindings()
 {
     for (QDockWidget* dock : m_docks) {

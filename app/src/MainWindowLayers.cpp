@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies in something is felt through it or below it: set for mesh files, offered for a scene that says nothing of
-// layers.
+// Layout of nested structures: palpated through the outer structure or as layers below. Applied to mesh files,
+// offered for scenes without layer information.
 #include "LumpLayout.h"
 #include "MainWindow.h"
 
@@ -9,7 +9,7 @@ using namespace palpate::ui;
 
 namespace {
 
-/// One or two sentences as one line; of more, the first, and how many there are.
+/// Joins up to two sentences; of more, gives the first and the number of others.
 QString oneLine(const QStringList& sentences)
 {
     const QString& first = sentences.front();
@@ -38,15 +38,15 @@ void MainWindow::layOut(const OpenedScene& scene)
         const LumpLayout found(m_model, scene.layering, 0);
         if (isLayered) {
             feel(m_model, found.ways(), tr("Feel what is inside below what is around it"));
-            m_model.undoStack().setClean(); // nothing that a person did and would miss
+            m_model.undoStack().setClean(); // automatic changes do not make the document modified
             offerOtherLayout(found, oneLine(found.lines()));
         } else if (!found.lines().isEmpty()) {
-            m_message->showError(oneLine(found.lines())); // the same surface twice, or one with holes
+            m_message->showError(oneLine(found.lines())); // duplicate surface or surface with holes
         }
     }
 }
 
-/// Says how what lies in something is felt, and offers the other way.
+/// Shows how nested structures are palpated and offers the alternative.
 void MainWindow::offerOtherLayout(const LumpLayout& layout, const QString& line)
 {
     if (layout.lines().isEmpty()) {
@@ -63,7 +63,7 @@ void MainWindow::offerOtherLayout(const LumpLayout& layout, const QString& line)
     });
 }
 
-/// Offers layers to a scene that has all in one, by the first structure that would then be felt through another.
+/// Offers layers for a scene with a single layer. The message names the first structure whose contact would change.
 void MainWindow::offerLayers(const study::Layering& layering)
 {
     std::vector<bool> isFelt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Structures that come to the open scene and leave it; what their names say of their tissue; selecting in the view.
+// Adding and removing structures, tissue presets by name, selection in the view.
 #include "LumpLayout.h"
 #include "MainWindow.h"
 #include "Paths.h"
@@ -21,7 +21,7 @@ using namespace palpate::ui;
 
 namespace {
 
-/// The layer in which a structure lay by what is around it, before others were added.
+/// Layer of a structure by nesting in structures that were open before others were added.
 std::uint32_t layerBefore(const OpenedScene& scene, std::size_t row)
 {
     std::uint32_t layer = 0;
@@ -60,7 +60,7 @@ void MainWindow::chooseAdded()
     }
 }
 
-/// Opens files beside what is open; a recording among them is opened to be played.
+/// Adds files to the open scene; a recording among them is opened for playback.
 void MainWindow::add(const std::vector<std::filesystem::path>& files)
 {
     std::vector<std::filesystem::path> meshes;
@@ -123,7 +123,7 @@ void MainWindow::takeAdded(OpenedScene& scene)
     Q_EMIT ready();
 }
 
-/// What is added is felt through or below what it lies in, when all else is laid out so already; else that is offered.
+/// Lays out added structures by nesting if all others are laid out that way; otherwise offers to do so.
 void MainWindow::layOutAdded(const OpenedScene& scene)
 {
     const LumpLayout layout(m_model, scene.layering, static_cast<int>(scene.addedTo));
@@ -154,7 +154,7 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
     }
 }
 
-/// Gives structures from `first` on the tissue that their names say, and offers the way back.
+/// Applies tissue presets by name to structures from `first` on, and offers to undo.
 void MainWindow::nameTissues(const study::Layering& layering, int first)
 {
     std::vector<StructureModel::Edited> edits = tissueByName(m_model, layering, first);
@@ -183,7 +183,7 @@ void MainWindow::offerTissueBack(std::vector<StructureModel::Edited> before)
     }
     m_message->offer(line, tr("Undo"), [this, before] {
         std::vector<StructureModel::Edited> edits;
-        for (const StructureModel::Edited& one : before) { // name, layer and colour stay as they are by now
+        for (const StructureModel::Edited& one : before) { // keeps the current name, layer and colour
             edits.push_back({one.row, m_model.structure(one.row)});
             edits.back().description.tissue = one.description.tissue;
             edits.back().description.opacity = one.description.opacity;
@@ -193,7 +193,7 @@ void MainWindow::offerTissueBack(std::vector<StructureModel::Edited> before)
     });
 }
 
-/// Back to the page that the window starts with.
+/// Closes the scene and shows the welcome page.
 void MainWindow::closeScene()
 {
     if (!mayDiscard()) {
@@ -212,7 +212,7 @@ void MainWindow::closeScene()
     m_document->take({});
     m_files.clear();
     m_unit_mm = 1.0;
-    m_stack->setCurrentIndex(0); // the page that it started with
+    m_stack->setCurrentIndex(0); // welcome page
     setWindowTitle(tr("Palpate[*]"));
     setWindowModified(false);
     showWhatPlays();

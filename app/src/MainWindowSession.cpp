@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recording, playing, marking and measuring.
+// Recording, playback, marking and measuring.
 #include "MainWindow.h"
 #include "MeasuresDialog.h"
 #include "Paths.h"

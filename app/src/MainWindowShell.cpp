@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes round the parts: messages, engineering, keys from panel to panel, a window that fits the screen.
+// Window-wide features: messages, engineering panel, focus order of panels, window size.
 #include "MainWindow.h"
 
 #include <palpate/ui/MessageList.h>
@@ -80,7 +80,8 @@ void MainWindow::showEngineering(bool isShown)
     m_engineeringDock->setVisible(isShown);
     if (isShown) {
         if (dockWidgetArea(m_engineeringDock) == Qt::LeftDockWidgetArea && !m_engineeringDock->isFloating()) {
-            tabifyDockWidget(m_docks.front(), m_engineeringDock); // only now: a tab alone would leave its bar behind
+            // Only when visible: a hidden dock alone in its tab group would leave an empty tab bar.
+            tabifyDockWidget(m_docks.front(), m_engineeringDock);
         }
         m_engineeringDock->raise();
         showStatus();
@@ -108,7 +109,7 @@ void MainWindow::finishShell()
     connect(this, &MainWindow::ready, m_around, &app::ShowAround::goOn);
     connect(this, &MainWindow::openFailed, m_around, &app::ShowAround::giveUp);
     connect(&m_loader, &SceneLoader::cancelled, m_around, &app::ShowAround::giveUp);
-    const QSize room = screen()->availableSize() - QSize(16, 40); // what a window's frame takes
+    const QSize room = screen()->availableSize() - QSize(16, 40); // size of the window frame
     resize(QSize(1280, 800).boundedTo(room));
 }
 
@@ -140,7 +141,7 @@ void MainWindow::showError(const QString& line)
     m_message->showError(line);
 }
 
-/// Puts what was noticed while opening into the list of messages. @return the number of notes
+/// Adds notes from opening to the list of messages. @return the number of notes
 int MainWindow::tellNotes(const OpenedScene& scene)
 {
     for (const QString& note : scene.warnings) {
@@ -158,7 +159,7 @@ int MainWindow::tellNotes(const OpenedScene& scene)
     return static_cast<int>(scene.warnings.size());
 }
 
-/// Says once, when it becomes so, what keeps the servo thread from its time and what permits it.
+/// Lists warnings, once per change, about settings that keep the servo thread from real-time operation, with remedies.
 void MainWindow::tellRealtime(const servo::RealtimeReport& report)
 {
     if (report.isRealtime) {
@@ -181,7 +182,7 @@ void MainWindow::tellRealtime(const servo::RealtimeReport& report)
     }
 }
 
-/// What the pointer or the device is doing.
+/// State of pointer or device.
 QString MainWindow::handText() const
 {
     if (!m_live.usesPointer()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces that are inside out, staircases of voxels, or close to each other: what is said and offered.
+// Inverted, stair-stepped or nearly touching surfaces: messages and offers to fix them.
 #include "MainWindow.h"
 
 #include <palpate/study/Layers.h>
@@ -39,7 +39,7 @@ void MainWindow::connectSurfaces()
     });
 }
 
-/// One click mends what can be mended.
+/// Offers fixes with a single click.
 void MainWindow::offerSurfaces()
 {
     const auto name = [this](int row) { return readableName(m_model.structure(row).name); };
@@ -65,7 +65,7 @@ void MainWindow::offerSurfaces()
     }
 }
 
-/// Draws the surface that a structure has now; what lies in what may be another.
+/// Draws a structure's new surface and updates the nesting, which may have changed.
 void MainWindow::followSurface(int row)
 {
     m_viewport->view().setStructure(static_cast<std::size_t>(row), pictureOf(m_model, row));
@@ -84,7 +84,7 @@ void MainWindow::followSurface(int row)
         isFlat = isFlat && m_model.structure(static_cast<int>(i)).layer == 0;
     }
     m_model.setNesting(in);
-    if (isNestedAnew && isFlat) { // what lies in an organ that was inside out
+    if (isNestedAnew && isFlat) { // structures nested in an organ that was inverted before
         offerLayers(found);
     }
     m_viewport->update();

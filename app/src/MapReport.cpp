@@ -21,7 +21,7 @@ namespace palpate::app {
 
 namespace {
 
-/// What the known numbers lie between, and how many are not known.
+/// Range of the known values and number of unknown ones.
 struct Range
 {
     double least = 0.0, greatest = 0.0;

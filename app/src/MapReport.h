@@ -10,10 +10,10 @@
 
 namespace palpate::app {
 
-/// The arrays of a structure's mesh, and how maps vary its tissue, a line each.
+/// Describes the arrays of a structure's mesh and the maps that vary its tissue, one line each.
 [[nodiscard]] std::vector<std::string> mapLines(const meshio::LoadedStructure& structure);
 
-/// Adds `arrays` and `maps`, where there are any; resources/docs/info.md has their fields.
+/// Adds the fields `arrays` and `maps`, if not empty; see resources/docs/info.md.
 void addMaps(const meshio::LoadedStructure& structure, QJsonObject& object);
 
 } // namespace palpate::app

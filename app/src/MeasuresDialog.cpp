@@ -32,9 +32,9 @@ using namespace palpate;
 
 namespace {
 
-constexpr int kShort_ms = 300; // an export that takes no longer shows no progress
+constexpr int kShort_ms = 300; // shorter exports show no progress
 
-/// What an export is called, how its files end, and what they are.
+/// Title, file name extension and file dialog filter of an export.
 struct Kind
 {
     const char* title;
@@ -58,7 +58,7 @@ Kind kindOf(MeasuresDialog::Export what)
             QT_TRANSLATE_NOOP("MeasuresDialog", "Results (*.json)")};
 }
 
-/// @return true when something was felt whose surface is not there.
+/// Returns true if the surface of a touched structure is missing.
 bool lacksSurface(const session::RecordingReader& reader, const session::MeshesByHash& meshes)
 {
     for (const session::SceneRecord& scene : reader.scenes()) {
@@ -228,7 +228,7 @@ void MeasuresDialog::copy()
     }
 }
 
-/// Without a selection Ctrl+C in the text takes all of it, which the text alone would not do.
+/// Ctrl+C without a selection copies all tables; the text widget alone would copy nothing.
 bool MeasuresDialog::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy) &&
@@ -263,7 +263,7 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
     std::error_code error;
     if (found.isEmpty()) {
         path += kind.ending;
-        if (std::filesystem::exists(path, error)) { // what was confirmed is another name
+        if (std::filesystem::exists(path, error)) { // the file dialog confirmed a different name
             say(tr("Nothing was written: %1 is there already. Choose it by its whole name to replace it.")
                     .arg(toText(path)));
             return;
@@ -317,7 +317,7 @@ void MeasuresDialog::run(const std::function<QString(const std::function<bool(do
         return;
     }
     if (m_exporter.joinable()) {
-        m_exporter.join(); // it has said what came of it
+        m_exporter.join(); // the thread has already reported its result
     }
     m_isCancelled = false;
     m_progress->setValue(0);

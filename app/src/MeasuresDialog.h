@@ -19,26 +19,28 @@ class QProgressBar;
 class QPushButton;
 class QTextBrowser;
 
-/// The results of a recording, measured on a thread of its own, with buttons that copy and export them. What became of
-/// an export is said in a line below.
+/// Results of a recording, computed in a worker thread, with buttons to copy and export. A line below shows the
+/// result of an export.
 class MeasuresDialog : public QDialog
 {
     Q_OBJECT
   public:
-    /// @param meshes  surfaces of the open scene; those that are not among them are looked for where the recording says
+    /// Opens the dialog.
+    /// @param meshes  surfaces of the open scene; others are loaded from the paths in the recording
     MeasuresDialog(const std::filesystem::path& recording, palpate::session::MeshesByHash meshes,
                    QWidget* parent = nullptr);
-    ~MeasuresDialog() override; ///< cancels
+    ~MeasuresDialog() override; ///< cancels all work
 
     enum class Export
     {
-        Csv, ///< every tick
-        Vtp, ///< the path, and the touched surface beside it
-        Json ///< the results
+        Csv, ///< all ticks
+        Vtp, ///< the path, with the touched surface in a second file
+        Json ///< results
     };
-    /// Writes on a thread of its own. A name without an ending gets one; one of another kind is refused, in words.
+    /// Exports in a worker thread. A name without an extension gets one; a name with a wrong extension is rejected
+    /// with a message.
     void exportTo(Export what, std::filesystem::path path);
-    /// Puts all tables on the clipboard, for a spreadsheet.
+    /// Copies all tables to the clipboard for a spreadsheet.
     void copy();
 
   protected:
@@ -60,11 +62,11 @@ class MeasuresDialog : public QDialog
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;
     QPushButton* m_csv = nullptr;
-    std::vector<QPushButton*> m_ofMeasures; ///< need them to be there
+    std::vector<QPushButton*> m_ofMeasures; ///< enabled once the results are available
     std::shared_ptr<const palpate::session::SessionMeasures> m_measures;
     std::vector<ResultTable> m_tables;
     std::atomic<bool> m_isClosing{false};
-    std::atomic<bool> m_isCancelled{false}; ///< the export
+    std::atomic<bool> m_isCancelled{false}; ///< cancels the export
     bool m_isBusy = false;
     std::thread m_worker;
     std::thread m_exporter;

@@ -18,7 +18,7 @@
     return QString::fromStdU16String(path.u16string());
 }
 
-/// A new file "2026-11-21 05.12.33" in the user's folder of that kind.
+/// Path of a new file such as "2026-11-21 05.12.33" in the user's folder of this kind.
 [[nodiscard]] inline std::filesystem::path newFile(QStandardPaths::StandardLocation kind, const QString& ending)
 {
     const QString folder = QStandardPaths::writableLocation(kind) + QStringLiteral("/Palpate");

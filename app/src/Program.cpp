@@ -19,13 +19,13 @@ namespace palpate::app {
 
 namespace {
 
-/// Where standard input, output or error are closed, no other file may get their number: its reader would get the text.
-/// What is written there fails.
+/// Opens closed standard streams on /dev/null. Otherwise another file could get their descriptor and receive the
+/// output. Writing to these streams fails.
 void holdStandardStreams()
 {
     for (int number = 0; number <= STDERR_FILENO; ++number) {
         if (::fcntl(number, F_GETFD) < 0) {
-            (void)::open("/dev/null", O_RDONLY); // takes the lowest number that is free
+            (void)::open("/dev/null", O_RDONLY); // takes the lowest free descriptor
         }
     }
 }
@@ -35,7 +35,8 @@ void holdStandardStreams()
 int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
 {
     holdStandardStreams();
-    // First, while there is one thread and nothing is open. Without a server files are read here.
+    // Start the server first, while the process has one thread and no open files. Without a server, files are read in
+    // this process.
     if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
         printError(server.message() + "; meshes are read in this process");
     }

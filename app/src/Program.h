@@ -11,18 +11,19 @@ class App;
 
 namespace palpate::app {
 
-/// What the command line asked for; run after it was parsed. @return the exit code
+/// Action chosen by the command line, to run after parsing. @return the exit code
 using Chosen = std::function<int()>;
 
-/// The whole of a program's main: begins the server that reads files, runs `run`, says what it throws and makes sure
-/// that its output is written. @return the exit code
+/// Body of main: starts the file-reading server, calls `run`, reports exceptions and checks that all output was
+/// written.
+/// @return the exit code
 [[nodiscard]] int runProgram(int argc, char** argv, int (*run)(int argc, char** argv));
 
-/// What `--version` prints.
+/// Output of `--version`.
 [[nodiscard]] std::string versionText();
 
-/// @return the exit code where there is no more to do: help was asked for, or the command line is wrong and that was
-/// said
+/// Parses the command line. @return the exit code if the program is done: help was printed, or the command line was
+/// invalid and an error was printed
 [[nodiscard]] std::optional<int> parse(CLI::App& cli, int argc, char** argv);
 
 } // namespace palpate::app

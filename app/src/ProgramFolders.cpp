@@ -9,8 +9,9 @@ namespace palpate::app {
 
 namespace {
 
-/// @param installed  from the program's folder; @param inTree  from a folder around a build
-/// @param mark  a file that it has; @param first  asked before these
+/// Finds a folder.
+/// @param installed  relative to the program's folder; @param inTree  relative to a folder around the build
+/// @param mark  file that the folder must contain; @param first  folders to try first
 std::optional<std::filesystem::path> find(const char* installed, const char* inTree, const char* mark,
                                           std::vector<std::filesystem::path> first = {})
 {

@@ -6,10 +6,10 @@
 
 namespace palpate::app {
 
-/// The bundled phantom's folder: beside the installed program, in the source tree, or where PALPATE_DATA_DIR says.
+/// Folder of the bundled phantom: beside the installed program, in the source tree, or in PALPATE_DATA_DIR.
 [[nodiscard]] std::optional<std::filesystem::path> phantomFolder();
 
-/// @return the folder with the documents: installed beside the program, else the one in the source tree around a build.
+/// Folder of the documents: installed beside the program, otherwise in the source tree around the build.
 [[nodiscard]] std::optional<std::filesystem::path> docsFolder();
 
 } // namespace palpate::app

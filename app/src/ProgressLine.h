@@ -11,8 +11,8 @@
 
 namespace palpate::app {
 
-/// One line on stderr that is written over, at most ten times a second; a line for every tenth where stderr is not a
-/// terminal.
+/// Progress on stderr: one line that is overwritten at most ten times a second; a new line per 10 % if stderr is not
+/// a terminal.
 class ProgressLine
 {
   public:

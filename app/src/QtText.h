@@ -7,7 +7,7 @@
 
 namespace palpate::app {
 
-/// UTF-8 as Qt's JSON and widgets take it.
+/// Converts UTF-8 to QString.
 [[nodiscard]] inline QString text(const std::string& utf8)
 {
     return QString::fromStdString(utf8);

@@ -22,7 +22,7 @@ namespace {
 constexpr int kMostOfOneName = 1000;
 constexpr const char* kSideFiles[] = {"", "-journal", "-wal", "-shm"};
 
-/// Whether nothing has the name of a recording, nor that of a file which SQLite would take for a part of it.
+/// Returns whether no file has the name of the recording or of one of SQLite's side files.
 bool isFree(const std::filesystem::path& recording)
 {
     return std::none_of(std::begin(kSideFiles), std::end(kSideFiles), [&](const char* suffix) {
@@ -48,11 +48,11 @@ RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& pa
 
 core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)
 {
-    refresh(); // one that ended by itself just now is told of first
+    refresh(); // report a recording that has just failed first
     m_failure.clear();
     m_told.clear();
     m_hasFailed = false;
-    // The second that the name tells may be that of an older recording, or of another window's.
+    // The name has a resolution of one second: an older recording, or one of another window, may have the same name.
     const std::filesystem::path wanted = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
     core::Status started;
     bool isTaken = true;
@@ -113,7 +113,7 @@ void RecordingControl::refresh()
     }
     if (std::exchange(m_isWatching, false) && now.hasFailed) {
         m_failure = tr("recording failed at %1").arg(clockText(now.duration_s));
-        (void)m_live.stopRecording(); // it has ended; this closes what is left of it
+        (void)m_live.stopRecording(); // the recording has already ended; this closes the rest
         m_hasFailed = true;
         m_panel.showTitle(tr("%1 ended by itself").arg(toText(m_path.filename())));
         m_panel.showRecording(now.duration_s, lossesText(now.late, now.dropped));

@@ -9,38 +9,39 @@
 
 #include <filesystem>
 
-/// The recording that runs: begins and ends it, says in chip and session panel how it goes, and tells when it ended by
-/// itself.
+/// Controls the current recording: starts and stops, shows the state in chip and session panel, and reports failures.
 class RecordingControl : public QObject
 {
     Q_OBJECT
   public:
-    /// All must outlive this.
+    /// All parameters must outlive this.
     RecordingControl(palpate::ui::LiveTouch& live, palpate::ui::Chip& chip, palpate::ui::SessionPanel& panel,
                      QObject* parent = nullptr);
 
-    /// Records into a new file in the user's documents. @param scene, embeds  as LiveTouch::startRecording
+    /// Starts a recording in a new file in the user's documents. @param scene, embeds  as for
+    /// LiveTouch::startRecording
     palpate::core::Status start(const std::filesystem::path& scene, bool embeds);
-    /// @return what was lost, if anything
+    /// Stops the recording. @return a description of lost data, if any
     palpate::core::Status stop();
     [[nodiscard]] bool isRecording() const { return m_live.recording().isRecording; }
-    /// True from `start` until it was stopped, or `failed` told that it ended by itself.
+    /// True from `start` until the recording was stopped or `failed` was emitted.
     [[nodiscard]] bool isOn() const noexcept { return m_isWatching; }
-    /// The one that was last on ended by itself.
+    /// True if the latest recording failed.
     [[nodiscard]] bool hasFailed() const noexcept { return m_hasFailed; }
-    /// The file that is being written, or was last.
+    /// File of the current or latest recording.
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
-    /// True when nothing runs, or a person agreed to end it, and it is ended. @param window  that asks
+    /// Asks the user whether to end a recording in progress, and ends it. @param window  parent of the question
+    /// @return true if no recording is running any more
     [[nodiscard]] bool mayEnd(QWidget* window);
-    /// Chip and panel say how it goes.
+    /// Updates chip and panel.
     void refresh();
-    /// A person did something: what failed has been seen.
+    /// Clears the failure display: the user has acted since the failure.
     void acknowledge();
 
   Q_SIGNALS:
-    /// The recording ended by itself. @param line  why, and what is missing
+    /// The recording failed. @param line  the reason, and missing data
     void failed(const QString& line);
-    /// Writing fails for now. @param line  why
+    /// Writing fails at the moment. @param line  the reason
     void troubled(const QString& line);
 
   private:
@@ -48,8 +49,8 @@ class RecordingControl : public QObject
     palpate::ui::Chip& m_chip;
     palpate::ui::SessionPanel& m_panel;
     std::filesystem::path m_path;
-    QString m_failure;  ///< on the chip, until it is acknowledged
-    std::string m_told; ///< trouble that was told
+    QString m_failure;  ///< shown on the chip until acknowledged
+    std::string m_told; ///< latest problem reported
     bool m_isWatching = false;
     bool m_hasFailed = false;
 };

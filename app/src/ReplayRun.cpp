@@ -33,7 +33,7 @@ double seconds(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How surfaces were made of their meshes, where that is not as their files have them.
+/// Describes surface changes (smoothing, orientation) relative to the files; empty without changes.
 std::string looksOf(const meshio::LoadedScene& scene)
 {
     std::vector<study::RecordedLook> looks;
@@ -50,7 +50,7 @@ std::string looksOf(const meshio::LoadedScene& scene)
 ReplayRun::~ReplayRun()
 {
     if (m_writer) {
-        m_writer->discard(); // no part of a recording stands for the whole
+        m_writer->discard(); // never leave an incomplete recording under the final name
     }
 }
 
@@ -101,7 +101,7 @@ Status ReplayRun::checkOptions()
     };
     for (std::size_t i = 0; i < m_tissue.size(); ++i) {
         const core::TissueTerm& term = core::kTissueTerms[i];
-        const bool isAbove = term.member == &core::Tissue::stiffness_N_per_mm; // without it nothing is felt
+        const bool isAbove = term.member == &core::Tissue::stiffness_N_per_mm; // zero stiffness gives no contact
         const NumberRange range{.most = term.most, .isAbove = isAbove};
         if (Status status = number(term.option, m_options.tissue[i], range, m_tissue[i]); !status.isOk()) {
             return status;
@@ -145,7 +145,7 @@ Status ReplayRun::openOutputs()
         }
         m_json = std::move(file).value();
     }
-    // A recording is made once the scene is known; whether it can be is said before the work.
+    // The recording is created once the scene is known; check now whether this is possible, before the work.
     return m_options.record.empty() ? Status() : checkRecord();
 }
 
@@ -281,7 +281,7 @@ bool ReplayRun::take(const servo::TickRecord& tick, const session::StructureName
     return m_writeStatus.isOk();
 }
 
-/// A structure that the recording touched and the scene has, but does not touch by itself.
+/// Returns an error if the recording touched a structure that is not palpable in the scene.
 Status ReplayRun::checkTouchedAlike(const session::SceneRecord& record) const
 {
     for (const session::StructureRecord& structure : record.structures) {
@@ -385,7 +385,7 @@ core::Result<LiveHand> ReplayRun::liveHand()
     return made.status();
 }
 
-/// Limits tissues to what the device holds, as the window does.
+/// Limits tissue parameters to the device's limits, as the window does.
 void ReplayRun::boundBy(const device::DeviceInfo& info)
 {
     const double rate_Hz = 1.0 / m_motion.dt_s;

@@ -24,15 +24,15 @@
 
 namespace palpate::app {
 
-/// What the command line asks of a replay.
+/// Command line options of a replay.
 struct ReplayOptions
 {
     std::filesystem::path scene, motion, out, json, record;
     std::string unit = "mm", frame, radius, layers;
-    std::array<std::string, core::kTissueTerms.size()> tissue; ///< in the order of the terms; empty: as it is
-    std::string device;                                        ///< the hand's, when live; empty: the motion itself
+    std::array<std::string, core::kTissueTerms.size()> tissue; ///< in the order of kTissueTerms; empty: unchanged
+    std::string device; ///< the hand's device in a live replay; empty: plays the motion itself
     std::vector<std::filesystem::path> pluginFolders;
-    int cpu = -1; ///< that the servo loop runs on alone, when live; -1: on any
+    int cpu = -1; ///< CPU reserved for the servo loop in a live replay; -1: any
     bool isLive = false;
     bool isForced = false;
     bool isPartial = false;
@@ -40,7 +40,7 @@ struct ReplayOptions
     SurfaceOptions surfaces;
 };
 
-/// One replay, from the command line to its outputs.
+/// One replay, from checking the options to writing the outputs.
 class ReplayRun
 {
   public:
@@ -52,7 +52,7 @@ class ReplayRun
     ReplayRun(const ReplayRun&) = delete;
     ReplayRun& operator=(const ReplayRun&) = delete;
 
-    /// @return the exit code
+    /// Runs the replay. @return the exit code
     int run();
 
   private:
@@ -68,7 +68,7 @@ class ReplayRun
     core::Status feelLive();
     core::Result<LiveHand> liveHand();
     void boundBy(const device::DeviceInfo& info);
-    /// The hand holds a device, which feels what it is sent.
+    /// True if the hand holds a device and reacts to the force.
     bool hasDevice() const { return !m_options.device.empty() && m_options.device != "playback"; }
     core::Status finish();
 
@@ -81,22 +81,23 @@ class ReplayRun
     core::FileFrame m_frame = core::FileFrame::Untagged;
     session::TissueOverride m_tissue;
     std::optional<double> m_radius;
-    bool m_isRelayered = false; ///< by `--layers auto`
+    bool m_isRelayered = false; ///< changed by `--layers auto`
     session::Motion m_motion;
-    std::unique_ptr<session::RecordingReader> m_recording; ///< when the motion is one
+    std::unique_ptr<session::RecordingReader> m_recording; ///< set if the motion is a recording
     std::shared_ptr<const haptics::HapticScene> m_scene;
-    std::vector<session::StructureSource> m_sources; ///< when hashes are needed
-    std::string m_looks;               ///< for a recording of surfaces that were smoothed or turned; empty: of none
-    std::vector<char> m_isFeltThrough; ///< by structure: a lump without a surface of its own to touch
+    std::vector<session::StructureSource> m_sources; ///< set if hashes are needed
+    std::string m_looks; ///< for a recording with smoothed or reoriented surfaces; empty: unchanged surfaces
+    /// Per structure: a lump palpated through its organ, without a contact surface of its own.
+    std::vector<char> m_isFeltThrough;
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;
-    std::vector<std::string> m_losses; ///< what was lost, one line each
+    std::vector<std::string> m_losses; ///< one line per loss
     core::Status m_writeStatus;
-    std::unique_ptr<device::PluginHost> m_plugins; ///< when the hand's device is one's
+    std::unique_ptr<device::PluginHost> m_plugins; ///< set if the hand's device comes from a plugin
     std::optional<session::TickCsv> m_csv;
     std::optional<core::AtomicFile> m_json;
-    std::unique_ptr<session::RecordingWriter> m_writer; ///< until it has finished
+    std::unique_ptr<session::RecordingWriter> m_writer; ///< null after finishing
 };
 
 } // namespace palpate::app

@@ -19,7 +19,7 @@ namespace palpate::app {
 
 namespace {
 
-/// Nearest rank in ascending values.
+/// Quantile of ascending values by nearest rank.
 std::uint32_t atShare(const std::vector<std::uint32_t>& sorted, double share)
 {
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));

@@ -15,26 +15,26 @@
 
 namespace palpate::app {
 
-/// What the scene of a replay took to get ready.
+/// Preparation costs of a scene.
 struct SceneCost
 {
-    std::string name; ///< of the file
+    std::string name; ///< file name
     std::size_t structures = 0;
     std::size_t triangles = 0;
-    std::size_t bytes = 0;          ///< of all haptic copies
-    double load_s = 0.0;            ///< reading and repairing
-    double index_s = 0.0;           ///< building the haptic copies
-    std::vector<std::string> notes; ///< what a person should know of the surfaces, a sentence each
+    std::size_t bytes = 0;          ///< memory of all haptic surfaces
+    double load_s = 0.0;            ///< time for reading and repairing
+    double index_s = 0.0;           ///< time for building the haptic surfaces
+    std::vector<std::string> notes; ///< notes on the surfaces for the user, one sentence each
 };
 
-/// Order statistics of a duration, by nearest rank. [ns]
+/// Quantiles of a duration, by nearest rank. [ns]
 struct SolveTimes
 {
     std::uint32_t p50 = 0, p99 = 0, p999 = 0, max = 0;
     double mean = 0.0;
 };
 
-/// Collects what a replay says at its end.
+/// Collects the results printed at the end of a replay.
 class ReplaySummary
 {
   public:
@@ -43,10 +43,10 @@ class ReplaySummary
     void reserve(std::size_t ticks);
     void add(const servo::TickRecord& tick, const session::StructureNames& names);
     void setResimulation(const session::Resimulation& result) { m_resimulation = result; }
-    /// @param lost  ticks of the motion that were not felt
+    /// Sets real-time results. @param lost  ticks of the motion that were not simulated
     void setLive(std::int64_t lost, std::uint64_t overruns) { m_lost = lost, m_overruns = overruns; }
 
-    /// What can be felt of the scene's lumps. @param lines  for a person; @param json  the same as data
+    /// Sets the palpability of the scene's lumps. @param lines  text; @param json  the same as data
     void setLumps(std::vector<std::string> lines, QJsonArray json)
     {
         m_lumpLines = std::move(lines);

@@ -163,7 +163,7 @@ ResultTable layerTable(const session::SessionMeasures& m)
     return table;
 }
 
-/// A table of cells that are escaped here. A little narrower than the view: Qt rounds 100 % up.
+/// Converts a table to HTML and escapes all cells. The width is 99 %, because Qt rounds 100 % up.
 QString htmlOf(const ResultTable& table)
 {
     QString html = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='4' width='99%'>")

@@ -8,17 +8,17 @@
 
 #include <vector>
 
-/// A table of what a session says; the first row is its head.
+/// Table of session results; the first row is the header.
 struct ResultTable
 {
     QString title;
     std::vector<QStringList> rows;
 };
 
-/// What a session says in numbers, as a person reads it.
-/// @param isFingertip  the distance of the coverage is the radius of the fingertip that touched
+/// Makes tables of the session results for display.
+/// @param isFingertip  true: the coverage distance equals the fingertip radius
 [[nodiscard]] std::vector<ResultTable> resultTables(const palpate::session::SessionMeasures& measures,
                                                     bool isFingertip);
 [[nodiscard]] QString toHtml(const std::vector<ResultTable>& tables);
-/// Rows of cells with a tab between them, as spreadsheets take them; an empty line between two tables.
+/// Converts to tab-separated rows for spreadsheets, with an empty line between tables.
 [[nodiscard]] QString toTsv(const std::vector<ResultTable>& tables);

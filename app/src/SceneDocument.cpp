@@ -17,7 +17,7 @@ using namespace palpate;
 
 namespace {
 
-constexpr int kCopyDelay_ms = 1500; // after the newest edit
+constexpr int kCopyDelay_ms = 1500; // after the latest edit
 constexpr const char* kCopyOf = "copy_of";
 constexpr const char* kCopyOfHash = "copy_of_sha256";
 
@@ -71,12 +71,12 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_rest = scene.scene;
     m_rest.structures.clear();
     m_rest.findings.clear();
-    m_findings.reset(scene.scene.findings); // before a copy of unsaved changes is written, which holds them
+    m_findings.reset(scene.scene.findings); // before writing a copy of unsaved changes, which includes the findings
     m_unopened = scene.unopened;
     const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
     m_file = isScene ? scene.files.front() : std::filesystem::path();
     if (isScene && isCopy(m_file)) {
-        // Unsaved changes come back as such: of the file that they were made on, which is as it was.
+        // Restored changes stay unsaved changes of the original file, which is unmodified.
         QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(m_rest.extra)).object();
         m_file = toPath(extra.take(QLatin1String(kCopyOf)).toString());
         m_rest.sha256 = extra.take(QLatin1String(kCopyOfHash)).toString().toStdString();
@@ -86,7 +86,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         const std::filesystem::path& leftover = scene.files.front();
         if (writeCopy()) {
             discardLeftover(leftover);
-        } else { // all there is of them
+        } else { // the leftover copy is the only one
             m_copy = leftover;
             m_lock = std::move(m_claim);
         }
@@ -105,7 +105,7 @@ void SceneDocument::add(const ui::OpenedScene& scene)
     m_unopened.insert(m_unopened.end(), scene.unopened.begin(), scene.unopened.end());
 }
 
-/// A finding names its structure: it goes with the name, unless another structure has it.
+/// A finding refers to its structure by name: update the name unless another structure has the old or new name.
 void SceneDocument::followName(int row, const QString& before, const QString& after)
 {
     for (int other = 0; other < m_model.rowCount(); ++other) {
@@ -193,7 +193,7 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     m_rest.camera = camera;
     m_rest.camera->extra = unknown;
     meshio::SceneFile scene = content();
-    std::map<std::filesystem::path, std::string> hashes; // what is open now is what the scene means
+    std::map<std::filesystem::path, std::string> hashes; // hashes of the meshes as they are on disk now
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_model.presentCount()); ++i) {
         meshio::SceneStructure& structure = scene.structures[i];
         const auto [hash, isNew] = hashes.emplace(structure.mesh, std::string());
@@ -213,8 +213,8 @@ core::Status SceneDocument::save(const std::filesystem::path& file, const meshio
     return saved;
 }
 
-/// Chooses a name that no copy has: the number of a process comes again, also in a container or on another machine that
-/// shares the folder.
+/// Chooses a unique name. A process id is not enough: ids recur, also in containers or on machines that share the
+/// folder.
 bool SceneDocument::beginCopy()
 {
     QDir().mkpath(copyFolder());
@@ -271,7 +271,7 @@ std::optional<std::filesystem::path> SceneDocument::findLeftover()
         const std::filesystem::path copy = toPath(folder.filePath(name));
         QLockFile lock(lockOf(copy));
         lock.setStaleLockTime(0);
-        if (lock.tryLock(0)) { // not held: its program is gone
+        if (lock.tryLock(0)) { // lock is free: its process has ended
             return copy;
         }
     }

@@ -30,8 +30,8 @@ namespace {
 struct SessionOptions
 {
     std::filesystem::path file, scene, csv, vtp, json, out;
-    std::string distance;  ///< empty: as the fingertip was
-    bool isForced = false; ///< may replace a file
+    std::string distance;  ///< empty: fingertip radius of the recording
+    bool isForced = false; ///< allows replacing files
 };
 
 int runInfo(const SessionOptions& options)
@@ -106,7 +106,7 @@ int runRecover(const SessionOptions& options)
     return recovered.value().losses.empty() ? kDone : kSomeLost;
 }
 
-/// Measures with the surfaces as far as they are there, and says for which ones they are not.
+/// Computes the results with all available surfaces and prints which surfaces are missing.
 core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
                                                bool& isWhole)
 {
@@ -153,7 +153,7 @@ int runMeasure(const SessionOptions& options)
     if (!opened.isOk()) {
         return report(opened.status());
     }
-    const bool isPiped = options.json == "-"; // then nothing else is said there
+    const bool isPiped = options.json == "-"; // stdout then contains only JSON
     if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !isPiped && !status.isOk()) {
         return report(status);
     }
@@ -189,7 +189,7 @@ int exportAll(const SessionOptions& options, const RecordingReader& reader)
     if (options.csv.empty() && options.vtp.empty()) {
         return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
     }
-    // The path and the touched surface are two things: each is a file of its own.
+    // Path and touched surface are separate data sets, so each gets its own file.
     const std::filesystem::path surface = study::surfaceFileOf(options.vtp);
     std::vector<std::filesystem::path> outputs;
     if (!options.csv.empty()) {

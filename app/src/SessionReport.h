@@ -10,18 +10,18 @@
 
 namespace palpate::app {
 
-/// Says on stdout how a recording that was computed again compares: the same bits, or no more apart than rounding
-/// brings two builds. What is neither, and other bits from the very build that recorded them, goes to stderr.
-/// @return the exit code for it
+/// Prints to stdout how a re-simulated recording compares: bit-identical, or equal within the rounding between
+/// builds. Larger differences, and bit differences with the build that made the recording, are printed to stderr.
+/// @return the exit code
 [[nodiscard]] int reportAgreement(const std::filesystem::path& file, const session::RecordingInfo& info,
                                   const session::Resimulation& again);
 
-/// Says on stderr what of a recording is not as it was written, as far as it was read.
-/// @param code  exit code of a run that is done but for that
-/// @return kSomeLost where it was kDone and something is
+/// Prints damage of a recording to stderr, as far as the recording was read.
+/// @param code  exit code of the run apart from damage
+/// @return kSomeLost if `code` is kDone and there is damage, otherwise `code`
 [[nodiscard]] int reportDamage(const std::filesystem::path& file, const std::vector<std::string>& faults, int code);
 
-/// Prints what a recording holds, in about ten lines.
+/// Prints a summary of a recording, in about ten lines.
 void printRecording(const std::filesystem::path& file, const session::RecordingReader& reader);
 
 } // namespace palpate::app

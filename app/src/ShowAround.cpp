@@ -70,7 +70,7 @@ QWidget* ShowAround::panel(const char* name) const
     return m_window->findChild<QDockWidget*>(QLatin1String(name));
 }
 
-/// A panel that is closed or behind another one's tab comes to the front.
+/// Shows a closed panel and raises a panel behind another tab.
 void ShowAround::bringForward(QWidget* part)
 {
     if (auto* dock = qobject_cast<QDockWidget*>(part)) {

@@ -13,27 +13,27 @@ class Tour;
 
 namespace palpate::app {
 
-/// *Help › Show me around*: four callouts on the list of structures, the view, the touch and the findings. Nothing that
-/// is open is touched; where nothing is, the phantom is opened first.
+/// Guided tour, *Help › Show me around*: four callouts on structure list, view, touch panel and findings. The open
+/// scene is not changed; without a scene, the phantom is opened first.
 class ShowAround : public QObject
 {
     Q_OBJECT
   public:
-    /// @param window  over which the callouts stand; owns this. Its panels are known by their names.
-    /// @param view    the 3D view in it
+    /// Makes the command. @param window  shows the callouts; owns this. Panels are found by object name.
+    /// @param view  the 3D view of the window
     ShowAround(QMainWindow* window, ui::ActionList& actions, QWidget* view);
 
     [[nodiscard]] ui::Tour& tour() noexcept { return *m_tour; }
-    /// @param hasScene   something is open and shown
-    /// @param isOpening  something is being opened: the callouts wait for it
+    /// Starts the tour. @param hasScene   true: a scene is open and shown
+    /// @param isOpening  true: a scene is being opened, and the tour waits for it
     void begin(bool hasScene, bool isOpening);
-    /// What was being opened is drawn: the callouts begin, if they wait for it.
+    /// Call when the opened scene is shown: starts a waiting tour.
     void goOn();
-    /// What was asked for does not come.
+    /// Call when opening failed or was cancelled.
     void giveUp() { m_isWaiting = false; }
 
   Q_SIGNALS:
-    /// The command was given.
+    /// The command was triggered.
     void wanted();
     void phantomWanted();
 
@@ -46,7 +46,7 @@ class ShowAround : public QObject
     QWidget* m_view = nullptr;
     ui::Tour* m_tour = nullptr;
     bool m_isWaiting = false;
-    bool m_isPhantom = false; ///< opened for this
+    bool m_isPhantom = false; ///< opened for the tour
 };
 
 } // namespace palpate::app

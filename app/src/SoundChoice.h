@@ -15,17 +15,17 @@ class TouchPanel;
 
 namespace palpate::app {
 
-/// The command *Sound of touch*: what the touch panel shows is heard too, live and in playback. Off at each start:
-/// no one is startled.
+/// Command *Sound of touch*: sonifies the values of the touch panel, live and in playback. Off at each start, so that
+/// the sound never surprises the user.
 class SoundChoice : public QObject
 {
     Q_OBJECT
   public:
     SoundChoice(ui::ActionList& actions, QObject* parent);
 
-    /// Lets the sound follow a panel.
+    /// Connects the sound to a touch panel.
     void follow(const ui::TouchPanel& touch);
-    /// Greys the command when a menu with it opens and nothing can be heard here; its text then says why.
+    /// Disables the command when its menu opens and no sound output is available; the text then shows the reason.
     void watch(const QMenu& menu);
 
   Q_SIGNALS:

@@ -11,7 +11,7 @@ namespace palpate::app {
 
 namespace {
 
-/// "liver, spleen, kidney and 3 more"
+/// Shortens a list of names: "liver, spleen, kidney and 3 more".
 std::string named(const std::vector<std::string>& names)
 {
     constexpr std::size_t kMost = 3;

@@ -11,7 +11,7 @@
 
 namespace palpate::app {
 
-/// What is done to surfaces before they are touched: the options `--smooth` and `--outwards`.
+/// Surface processing before contact: options `--smooth` and `--outwards`.
 struct SurfaceOptions
 {
     bool isSmoothed = false;
@@ -21,12 +21,12 @@ struct SurfaceOptions
     void applyTo(meshio::ReadOptions& read) const;
 };
 
-/// @return sentences about surfaces that can be felt but are inside out or staircases, with the options that mend them;
-/// about the staircases themselves, too
-/// @param felt  made of `scene`, structure by structure
+/// Describes palpable surfaces that are inverted or stair-stepped, with the options that fix them, and the voxel
+/// staircases.
+/// @param felt  made from `scene`, structure by structure
 [[nodiscard]] std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt);
 
-/// Prints these and study::neighbourNotes, each as a line "note: …". @return them
+/// Prints these sentences and study::neighbourNotes, each as a line "note: …". @return the sentences
 std::vector<std::string> printTouchNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt);
 
 } // namespace palpate::app

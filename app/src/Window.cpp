@@ -32,11 +32,11 @@ using namespace palpate;
 
 namespace {
 
-constexpr int kSettle_ms = 1400; // panels, refined picture and servo have settled
-constexpr int kPress_ms = 1200;  // the scripted hand is in contact and has slid
+constexpr int kSettle_ms = 1400; // until panels, refined picture and servo loop have settled
+constexpr int kPress_ms = 1200;  // until the scripted hand is in contact and has slid
 constexpr int kGiveUp_ms = 120000;
 
-/// Touches what was opened and takes the picture.
+/// Touches the opened scene and takes the screenshot.
 class ScreenshotRun : public QObject
 {
   public:
@@ -69,7 +69,7 @@ class ScreenshotRun : public QObject
         }
         ui::Playback& playback = m_window.playback();
         if (playback.recording() != nullptr) {
-            // Into the recording to its strongest moment, then a little of it as it runs.
+            // Seeks to shortly before the moment of greatest force and plays up to it.
             playback.seek(std::max(0.0, playback.peakTime_s() - 0.3));
             playback.play();
             QTimer::singleShot(300, this, [this] {
@@ -98,7 +98,7 @@ class ScreenshotRun : public QObject
         shoot();
     }
 
-    /// Shoots when the device's hand has pressed for a while.
+    /// Takes the screenshot when the device's hand has been in contact for a while.
     void waitForDevice()
     {
         auto* look = new QTimer(this);
@@ -141,8 +141,9 @@ class ScreenshotRun : public QObject
     QPointF m_place;
 };
 
-/// The folder for sockets and the like that Qt and what it loads expect in XDG_RUNTIME_DIR: where there is none, or it
-/// is another user's, they say so and take one that anyone may have made. It goes with the object.
+/// Private runtime folder. Qt and its libraries expect a folder for sockets in XDG_RUNTIME_DIR. If the folder is
+/// missing or belongs to another user, they print a warning and use a folder that anyone may have created. Deleted
+/// with the object.
 class RuntimeFolder
 {
   public:
@@ -154,7 +155,7 @@ class RuntimeFolder
         if (given.isDir() && given.ownerId() == ::getuid() && (given.permissions() & kOfOthers) == 0) {
             return;
         }
-        m_own = std::make_unique<QTemporaryDir>(); // for this user alone
+        m_own = std::make_unique<QTemporaryDir>(); // accessible to this user only
         if (m_own->isValid()) {
             qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
         }
@@ -164,8 +165,8 @@ class RuntimeFolder
     std::unique_ptr<QTemporaryDir> m_own;
 };
 
-/// Qt waits without end where its file of settings is a pipe, and writes to what a link leads to. Then the settings are
-/// those of a folder that goes with the object.
+/// Temporary settings folder. Used if the settings file is a pipe, on which Qt would block forever, or a link, whose
+/// target Qt would write to. Deleted with the object.
 class SettingsFolder
 {
   public:
@@ -193,21 +194,21 @@ class SettingsFolder
     std::unique_ptr<QTemporaryDir> m_own;
 };
 
-/// Qt needs an encoding that has every character; where the locale names another, it says so and takes C.UTF-8. Taken
-/// here, numbers and dates stay as the user has them.
+/// Selects a UTF-8 encoding. With any other encoding in the locale, Qt prints a warning and switches to C.UTF-8.
+/// Setting only LC_CTYPE here keeps the user's number and date formats.
 void useUtf8()
 {
     if (std::setlocale(LC_CTYPE, "") != nullptr && std::string_view(::nl_langinfo(CODESET)) == "UTF-8") {
         return;
     }
-    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // it would come before LC_CTYPE
+    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // LC_ALL would override LC_CTYPE
         qputenv("LANG", qgetenv("LC_ALL"));
         qunsetenv("LC_ALL");
     }
     qputenv("LC_CTYPE", "C.UTF-8");
 }
 
-/// Whether Qt will find a display, as far as the environment tells; without one it ends the program by a signal.
+/// Returns whether the environment offers a display; without a display, Qt aborts the program.
 bool hasDisplay()
 {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
@@ -230,7 +231,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     const RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
-    if (!QOpenGLContext().create()) { // without one a widget for OpenGL crashes
+    if (!QOpenGLContext().create()) { // without OpenGL, an OpenGL widget crashes
         app::printError("the display (" + QGuiApplication::platformName().toStdString() +
                         ") has no OpenGL, expected one that has; app/run.sh draws without a display");
         return app::kFailed;

@@ -8,25 +8,26 @@
 #include <string>
 #include <vector>
 
-/// What the command line asks of the window.
+/// Command line options of the window.
 struct WindowOptions
 {
-    /// Mesh and scene files to open as one scene, and at most one recording (`*.palpate`) to play in it.
+    /// Mesh and scene files to open as one scene, and at most one recording (`*.palpate`) to play in that scene.
     std::vector<std::filesystem::path> files;
-    double unit_mm = 1.0; ///< what one unit of a mesh file is [mm]; a scene file says its own
-    palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged; ///< of mesh files; Untagged: as they say
-    /// Without a person at hand: opens the files, touches the scene with a scripted hand (or plays the recording),
-    /// writes a PNG of the whole window in contact, prints one line of what it saw to stdout and exits.
+    double unit_mm = 1.0; ///< millimetres per unit of mesh files; scene files state their unit
+    /// Axes of mesh files; Untagged: as the files state.
+    palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged;
+    /// Runs without user: opens the files, touches the scene with a scripted hand (or plays the recording), writes a
+    /// PNG of the whole window during contact, prints a one-line summary to stdout and exits.
     std::optional<std::filesystem::path> screenshot;
     int screenshotWidth = 1280;
     int screenshotHeight = 800;
-    std::string device;                               ///< the hand's; empty: the mouse
-    std::optional<int> cpu;                           ///< that the servo loop runs on alone; none: as kept
-    std::vector<std::filesystem::path> pluginFolders; ///< to look for device plugins in first
-    bool darkPalette = false;                         ///< for the screenshot: the dark palette instead of the system's
+    std::string device;     ///< the hand's device; empty: the mouse
+    std::optional<int> cpu; ///< CPU reserved for the servo loop; empty: as saved for the device
+    std::vector<std::filesystem::path> pluginFolders; ///< plugin folders searched first
+    bool darkPalette = false;                         ///< screenshot only: dark palette instead of the system's
 };
 
-/// Runs the desktop application until its window closes.
-/// @param argc,argv  for Qt, which takes its own options out of them
-/// @return the exit code: 0 done, 2 a file could not be opened in screenshot mode, 1 anything else
+/// Runs the desktop application until the window closes.
+/// @param argc,argv  for Qt, which removes its own options
+/// @return the exit code: 0 success, 2 a file could not be opened in screenshot mode, 1 any other failure
 int runWindow(int argc, char** argv, const WindowOptions& options);
