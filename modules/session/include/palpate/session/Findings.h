@@ -16,38 +16,39 @@
 
 namespace palpate::session {
 
-// A finding is the event "finding" of a recording, a note without a place the event "note" (older recordings: its text
-// alone). "finding-edited" says anew what the one of that id is; "finding-undone", of the same content, takes it back:
-// by its id, in older recordings the newest of that name.
+// Findings are stored as recording events: "finding" with a position, "note" without one (older recordings store only
+// the text of a note). "finding-edited" replaces the content of the finding with the same id. "finding-undone" carries
+// the content of a finding and removes it, matched by id or, in older recordings, the newest finding of that name.
 
-/// @return the event's `json`; where it was recorded is left out: here.
+/// Serializes a finding for the event's `json`. The place of recording is left out because the event is stored there.
 [[nodiscard]] std::string findingJson(const core::Finding& finding);
-/// The same without what only an event needs. What a finding lacks is not said.
+/// Serializes a finding without the fields that only an event needs. Unset fields are omitted.
 [[nodiscard]] QJsonObject toJson(const core::Finding& finding);
-/// Reads what `toJson` wrote; a field that is missing or wrong is left out.
+/// Parses the output of `toJson`. Missing or invalid fields keep their defaults.
 [[nodiscard]] core::Finding findingFrom(const QJsonObject& json);
-/// The findings and notes that a recording ends with, each with the tick in which it was marked, by tick. What is none
-/// is left out.
+/// Returns the findings and notes that remain at the end of a recording, each with the tick at which the user marked
+/// the
+/// finding, in tick order. Invalid events are skipped.
 [[nodiscard]] std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events);
 
-/// What the hand did at one finding; definitions in resources/docs/measures.md.
+/// Hand activity near one finding; definitions in resources/docs/measures.md.
 struct FindingMeasures
 {
-    core::Finding finding;                ///< of a note the measures are zero
-    double marked_s = 0.0;                ///< since the session's first tick
-    std::optional<double> firstTouched_s; ///< when the contact first came within the distance; none: it never did
-    double dwell_s = 0.0;                 ///< contact within the distance
-    double meanForce_N = 0.0;             ///< over that dwell
+    core::Finding finding;                ///< all measures of a note are zero
+    double marked_s = 0.0;                ///< time since the first tick of the session
+    std::optional<double> firstTouched_s; ///< first time the contact came within the distance; empty if never
+    double dwell_s = 0.0;                 ///< contact time within the distance
+    double meanForce_N = 0.0;             ///< mean over the dwell time
     double peakForce_N = 0.0;
     double peakDepth_mm = 0.0;
-    std::int64_t visits = 0; ///< how often the contact came within the distance
+    std::int64_t visits = 0; ///< number of times the contact came within the distance
 };
 
-/// Adds up, tick by tick, what was done near each finding of a recording.
+/// Accumulates FindingMeasures for each finding of a recording, tick by tick.
 class FindingAccumulator
 {
   public:
-    /// @param distance_mm  from the finding to the god-object
+    /// @param distance_mm  maximum distance between finding and god-object [mm]
     FindingAccumulator(const std::vector<RecordingEvent>& events, std::int64_t firstTick, double dt_s,
                        double distance_mm);
     void add(const servo::TickRecord& tick);

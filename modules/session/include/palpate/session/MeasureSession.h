@@ -19,73 +19,75 @@
 
 namespace palpate::session {
 
-/// Repaired meshes by geometryHash.
+/// Repaired meshes, keyed by geometryHash.
 using MeshesByHash = std::map<std::string, std::shared_ptr<const geometry::RepairedMesh>>;
 
 struct MeasureOptions
 {
-    /// How near the contact must come to a point of a surface, or to a finding, to have touched it: about the radius
-    /// of a fingertip's contact. [mm]
+    /// Distance within which the contact counts as touching a surface point or a finding [mm]. The default is about the
+    /// radius of a fingertip's contact.
     double distance_mm = 5.0;
-    const std::atomic<bool>* isCancelled = nullptr; ///< asked now and then; may be null
+    const std::atomic<bool>* isCancelled = nullptr; ///< polled during the measurement; may be null
 };
 
-/// What was done on one structure's surface.
+/// Measures for the surface of one structure.
 struct SurfaceMeasures
 {
     std::string structure;
     double area_mm2 = 0.0;
     double coveredArea_mm2 = 0.0;
-    double longestDwell_s = 0.0;             ///< at one point
-    std::unique_ptr<TouchedSurface> surface; ///< null when it was never touched
+    double longestDwell_s = 0.0;             ///< maximum over all surface points
+    std::unique_ptr<TouchedSurface> surface; ///< null if never touched
     [[nodiscard]] double coverage() const noexcept { return area_mm2 > 0.0 ? coveredArea_mm2 / area_mm2 : 0.0; }
 };
 
-/// How an organ was searched for one lump in it: see resources/docs/measures.md. All but `recorded_percent` is an
-/// estimate, as what can be felt is.
+/// How thoroughly an organ was searched for one of its lumps; see resources/docs/measures.md. All fields except
+/// `recorded_percent` are model estimates.
 struct LumpSearch
 {
     std::string lump, organ;
-    double told_mm2 = 0.0;    ///< of the organ's surface, where a trained hand tells the lump when it presses
-    double pressed_mm2 = 0.0; ///< of that, where the hand pressed deep enough to
-    /// Greatest change of the force under the hand over the lump, by that of the organ alone at the same depth, in the
-    /// recording's own ticks [%]; nothing where none was deep enough to say.
+    double told_mm2 = 0.0;    ///< organ surface from which a trained hand detects the lump when pressing
+    double pressed_mm2 = 0.0; ///< part of told_mm2 where the hand pressed deep enough
+    /// Greatest relative change of force over the lump, compared with the organ alone at the same depth, from the
+    /// recorded
+    /// ticks [%]. Empty if no tick was deep enough.
     std::optional<double> recorded_percent;
-    /// Greatest change of the stiffness that the model predicts for the places and depths reached [%]; nothing where
-    /// the lump's stiffness ratio is not known.
+    /// Greatest relative change of stiffness predicted by the model for the places and depths reached [%]. Empty if the
+    /// lump's stiffness ratio is unknown.
     std::optional<double> predicted_percent;
 
-    /// Nothing: no hand tells it from anywhere.
+    /// Searched fraction of the detectable area. Empty if the lump cannot be detected from anywhere.
     [[nodiscard]] std::optional<double> share() const
     {
         return told_mm2 > 0.0 ? std::optional(pressed_mm2 / told_mm2) : std::nullopt;
     }
 };
 
-/// Everything that a session says in numbers; definitions in resources/docs/measures.md.
+/// All measures of a session; definitions in resources/docs/measures.md.
 struct SessionMeasures
 {
-    double distance_mm = 0.0; ///< that was measured with
+    double distance_mm = 0.0; ///< distance used for the measurement
     Measures sums;
-    std::vector<Phase> phases;                                 ///< of the hand as a whole
-    std::map<std::string, std::vector<Phase>> structurePhases; ///< of each structure that was touched, by name
+    std::vector<Phase> phases;                                 ///< from the overall contact
+    std::map<std::string, std::vector<Phase>> structurePhases; ///< per touched structure, by name
     std::vector<FindingMeasures> findings;
-    std::vector<SurfaceMeasures> surfaces; ///< of each structure that could be felt and whose mesh is there
-    std::vector<LumpSearch> lumps;         ///< empty here; see study/SearchedLumps.h
-    std::vector<std::string> unmeasured;   ///< structures whose mesh is not there
-    std::int64_t lostTicks = 0;            ///< that the disk was too slow for
-    std::optional<std::int64_t> lateTicks; ///< periods that the servo left out; nothing: it is not said
-    std::vector<std::string> damaged;      ///< what is not as it was written, see RecordingReader::faults
+    std::vector<SurfaceMeasures> surfaces; ///< all palpable structures with an available mesh
+    std::vector<LumpSearch> lumps;         ///< not filled in here; see study/SearchedLumps.h
+    std::vector<std::string> unmeasured;   ///< structures without an available mesh
+    std::int64_t lostTicks = 0;            ///< ticks dropped because the disk was too slow
+    std::optional<std::int64_t> lateTicks; ///< periods skipped by the servo; empty if unknown
+    std::vector<std::string> damaged;      ///< data with failed checksums, see RecordingReader::faults
 };
 
-/// @return the least distance with which these surfaces are measured: they are split to triangles half as long, at
-///         most some ten million, which take 3 GB. [mm]
+/// Returns the smallest measuring distance for these surfaces [mm]. Triangles are split to edges of half the distance;
+/// the
+/// limit keeps their number below about ten million (3 GB).
 [[nodiscard]] double leastDistance_mm(const MeshesByHash& meshes);
 
-/// Reads a recording once and measures it. Ticks that are not as they were written are left out.
-/// @param meshes  the surfaces that were felt, as far as they are there
-/// @return OutOfRange for a distance below `leastDistance_mm`, Cancelled, or what could not be read
-/// @par Thread Any; the reader must serve no other meanwhile.
+/// Measures a recording in a single pass. Ticks with a failed checksum are skipped.
+/// @param meshes  available surfaces of the palpable structures
+/// @return OutOfRange for a distance below `leastDistance_mm`, Cancelled, or the read error
+/// @par Thread Any. Do not use the reader from other threads at the same time.
 [[nodiscard]] core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
                                                            const MeasureOptions& options = {});
 

@@ -9,59 +9,60 @@
 
 namespace palpate::session {
 
-/// Faster over the surface than this is searching, slower is pressing. [mm/s]
+/// Threshold of the tangential contact speed between searching (faster) and pressing (slower) [mm/s].
 inline constexpr double kSearchSpeed_mm_per_s = 10.0;
-/// The speed is taken over this long. [s]
+/// Averaging interval of the contact speed [s].
 inline constexpr double kPhaseBlock_s = 0.1;
 
-/// A stretch of contact in which the hand did one thing.
+/// Interval of contact with a single kind of hand movement.
 struct Phase
 {
     enum class Kind
     {
         Search, ///< the god-object moves over the surface
-        Press   ///< it stays about where it is
+        Press   ///< the god-object is nearly stationary
     };
     Kind kind = Kind::Press;
     std::int64_t firstTick = 0;
     std::int64_t ticks = 0;
-    double start_s = 0.0; ///< since the session's first tick
+    double start_s = 0.0; ///< time since the first tick of the session
     double time_s = 0.0;
     double meanForce_N = 0.0;
     double peakForce_N = 0.0;
 };
 
-/// All phases of one kind.
+/// Totals over all phases of one kind.
 struct PhaseSummary
 {
     std::int64_t phases = 0;
     double time_s = 0.0;
-    double meanForce_N = 0.0; ///< over its ticks
+    double meanForce_N = 0.0; ///< mean over the ticks of these phases
     double peakForce_N = 0.0;
 };
 
 [[nodiscard]] PhaseSummary summary(const std::vector<Phase>& phases, Phase::Kind kind);
 
-/// Tells searching from pressing, tick by tick; definition in resources/docs/measures.md.
+/// Classifies contact into searching and pressing, tick by tick; definition in resources/docs/measures.md.
 class PhaseAccumulator
 {
   public:
-    /// @param firstTick  of the session; none: the first that is added
+    /// @param firstTick  first tick of the session; defaults to the first added tick
     explicit PhaseAccumulator(double dt_s, std::optional<std::int64_t> firstTick = {});
-    /// Takes what the hand did as a whole: the reported god-object and all of the force.
+    /// Adds a tick with the reported god-object and the total force.
     void add(const servo::TickRecord& tick);
-    /// Takes what it did on one structure. @param touched  its contact in this tick, null: none
+    /// Adds a tick for a single structure.
+    /// @param touched  contact with the structure in this tick; null if none
     void add(const servo::TickRecord& tick, const haptics::Contact* touched);
     [[nodiscard]] std::vector<Phase> result() const;
 
   private:
-    /// Consecutive ticks in contact, at most kPhaseBlock_s of them.
+    /// Consecutive ticks in contact, at most kPhaseBlock_s long.
     struct Block
     {
         Phase phase;
         core::Vec3 first_WG = core::Vec3::Zero(), last_WG = core::Vec3::Zero();
         double sumForce_N = 0.0;
-        bool goesOn = false; ///< the contact was there before it
+        bool goesOn = false; ///< continues the contact of the previous block
     };
     struct Touch
     {
@@ -78,7 +79,7 @@ class PhaseAccumulator
     bool m_wasTouching = false;
     std::optional<Block> m_block;
     std::vector<Phase> m_phases;
-    bool m_isOpen = false; ///< the contact has lasted since the last phase
+    bool m_isOpen = false; ///< contact without a break since the last phase
 };
 
 } // namespace palpate::session

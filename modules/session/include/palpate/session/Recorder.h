@@ -14,49 +14,54 @@
 
 namespace palpate::session {
 
-/// Lets a loop record from its next tick on. Ticks and beginnings of an earlier recording that were not taken are
-/// thrown away.
-/// @return where it begins, or nothing when the loop does not answer
+/// Enables recording in the servo loop from the next tick. Discards unread ticks and start states of an earlier
+/// recording.
+/// @return the start state, or nothing if the loop does not respond
 [[nodiscard]] std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop);
 
-/// How a recording is going.
+/// Progress of a recording.
 struct RecorderStatus
 {
     bool isRecording = false;
-    std::int64_t ticks = 0;    ///< written
-    std::uint64_t dropped = 0; ///< lost because the disk was too slow
-    std::uint64_t late = 0;    ///< periods that the servo left out meanwhile, because a tick took too long
-    double duration_s = 0.0;   ///< of what is recorded
+    std::int64_t ticks = 0;    ///< number of ticks written
+    std::uint64_t dropped = 0; ///< ticks lost because the disk was too slow
+    std::uint64_t late = 0;    ///< periods skipped by the servo because a tick took too long
+    double duration_s = 0.0;   ///< recorded duration
     std::uint64_t fileBytes = 0;
-    std::string problem;    ///< newest disk error, one line; empty while all is well
-    bool hasFailed = false; ///< it ended by itself; `problem` says why and what is missing
+    std::string problem;    ///< most recent disk error, one line; empty without errors
+    bool hasFailed = false; ///< the recording ended after an error; `problem` gives the reason and the loss
 };
 
-/// Records what the servo loop does, on a thread of its own: drains the loop's ring into a recording. The servo never
-/// waits; when the disk is slow the ring fills, drops and counts. A disk that is full ends the recording at once, other
-/// errors when they last for a minute; the file says so in its last event. The touch goes on.
-/// @par Thread All functions from one thread (the window's), which `start` and `stop` may hold for a disk access.
+/// Records the ticks of a servo loop: a background thread moves them from the loop's ring buffer into the file. The
+/// servo
+/// never waits. On a slow disk the ring fills up, and further ticks are dropped and counted. A full disk ends the
+/// recording
+/// immediately; other disk errors end the recording after one minute. The last event in the file gives the reason.
+/// Haptic
+/// rendering continues in either case.
+/// @par Thread All functions from the same thread (the GUI thread). `start` and `stop` may block for a disk access.
 class Recorder
 {
   public:
-    /// @param loop  must outlive this; nothing else may pop its ticks meanwhile
+    /// @param loop  must outlive this object; nothing else may pop ticks during a recording
     explicit Recorder(servo::ServoLoop& loop);
-    ~Recorder(); ///< stops
+    ~Recorder(); ///< calls stop()
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Starts recording from the next tick.
-    /// @param info   device and rate; the start state comes from the loop
-    /// @param scene  what the loop feels now, with its generation
-    /// @return one line when the file cannot be made or the loop is not running
+    /// Starts recording with the next tick.
+    /// @param info   device and rate; the start state is taken from the loop
+    /// @param scene  current scene of the loop with its generation
+    /// @return a one-line error if the file cannot be created or the loop is not running
     core::Status start(const std::filesystem::path& path, const RecordingInfo& info, const SceneRecord& scene);
-    /// Tells of a scene that was handed to the loop; call it right after ServoLoop::setScene.
+    /// Records a new scene. Call directly after ServoLoop::setScene.
     void addScene(const SceneRecord& scene);
-    /// Notes an event at the tick that is the newest now. @param json  an object
+    /// Records an event at the most recent tick. @param json  an object
     void addEvent(const std::string& kind, const std::string& json);
-    /// Asks to stop and returns at once; `status().isRecording` turns false when the file is closed.
+    /// Requests the end of the recording without blocking. `status().isRecording` becomes false once the file is
+    /// closed.
     void requestStop();
-    /// Stops and closes the file. @return what was lost, if anything
+    /// Stops recording and closes the file. @return an error that lists any lost data
     core::Status stop();
 
     [[nodiscard]] RecorderStatus status() const;

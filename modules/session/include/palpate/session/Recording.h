@@ -17,29 +17,30 @@
 
 namespace palpate::session {
 
-/// Version of the schema in resources/docs/recording.md, kept as the database's `user_version`.
+/// Version of the schema in resources/docs/recording.md, stored as the database's `user_version`.
 inline constexpr int kRecordingVersion = 4;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 
-/// @return version of Palpate, as "0.1.0".
+/// Returns the version of Palpate, such as "0.1.0".
 [[nodiscard]] std::string palpateVersion();
-/// @return what this build was made from: a commit and compiler, "unknown" without version control.
+/// Returns the commit and compiler of this build; "unknown" without version control.
 [[nodiscard]] std::string buildId();
-/// @return true when a build id stands for one source: not one with changes that no commit has, nor an unknown one.
+/// Returns true if a build id identifies the source uniquely: a known commit without uncommitted changes.
 [[nodiscard]] bool isExactBuild(std::string_view id);
 
-/// Where the surface of a structure came from; what a HapticScene does not know about itself.
+/// Origin of a structure's surface. A HapticScene does not store this information.
 struct StructureSource
 {
-    std::string mesh;                                  ///< path of the file
-    std::string part;                                  ///< structure inside the file, empty: all of it
-    double unit_mm = 1.0;                              ///< what one unit of the file was taken as [mm]
-    core::FileFrame frame = core::FileFrame::Untagged; ///< chosen for the file; Untagged: as its tag says, else LPS
+    std::string mesh;     ///< path of the file
+    std::string part;     ///< structure inside the file; empty: the whole file
+    double unit_mm = 1.0; ///< length of one file unit [mm]
+    core::FileFrame frame =
+        core::FileFrame::Untagged; ///< coordinate frame chosen for the file; Untagged: the file's tag, else LPS
     bool flipped = false;
     std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
     core::Transform X_WM = core::Transform::Identity(); ///< pose
-    /// The surface itself, when it shall go into the recording; null: only its name and hash do.
+    /// Surface to embed in the recording; null stores only the name and the hash.
     std::shared_ptr<const geometry::RepairedMesh> embed;
 };
 
@@ -50,55 +51,60 @@ struct StructureRecord
     StructureSource source;
     haptics::Tissue tissue;
     std::uint32_t layer = 0;
-    bool palpable = true;           ///< false: it had no haptic surface then
-    std::string lawTable;           ///< bytes of the table that a law other than a linear one was felt by; empty: none
-    std::string maps;               ///< what varied over the surface, as JSON with the maps' hashes; empty: nothing
-    haptics::TissueMaps tissueMaps; ///< the maps themselves; empty also where the recording has lost them
+    bool palpable = true;           ///< false: the structure had no haptic surface
+    std::string lawTable;           ///< binary table of a nonlinear force law; empty: linear
+    std::string maps;               ///< surface maps as JSON with the hashes of their data; empty: no maps
+    haptics::TissueMaps tissueMaps; ///< map data; also empty if the recording has lost the data
 };
 
-/// What was felt: the structures by the numbers that ticks refer to.
+/// Haptic scene of a recording. Ticks refer to the structures by index.
 struct SceneRecord
 {
     std::uint32_t generation = 0; ///< see servo::ServoLoop::setScene
     std::vector<StructureRecord> structures;
-    double fingertip_mm = 0.0; ///< radius of the ball that touched, 0 = a point
+    double fingertip_mm = 0.0; ///< radius of the fingertip ball [mm]; 0: point contact
 };
 
 /// Describes a haptic scene for a recording.
-/// @param sources  one entry a structure of `scene`, in its order; missing ones are left empty
+/// @param sources  one entry per structure of `scene`, in the same order; missing entries are left empty
 [[nodiscard]] SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
                                         std::span<const StructureSource> sources);
 
-/// Something that happened at a tick. The writer adds "scene" (first tick of a generation), "tissue", "hidden",
-/// "shown", "layer" and "structures" (what changed with it), "clutch" (the hand let go or came back); the recorder
-/// "dropped", "disk", "timing" (how the loop kept time) and "ended" (why it ended by itself); the window "note",
-/// "finding", "finding-edited", "finding-undone", "device-lost" and "fault"; recovery "recovered".
+/// Event at a tick. Event kinds by origin:
+/// - writer: "scene" (first tick of a generation); "tissue", "hidden", "shown", "layer" and "structures" (changes of
+/// that
+///   scene); "clutch" (hand released or returned)
+/// - recorder: "dropped", "disk", "timing" (servo timing), "ended" (reason of an early end)
+/// - window: "note", "finding", "finding-edited", "finding-undone", "device-lost", "fault"
+/// - recovery: "recovered"
 struct RecordingEvent
 {
     std::int64_t tick = 0;
     std::string kind;
-    std::string json = "{}"; ///< an object with what belongs to the kind
+    std::string json = "{}"; ///< object with the data of this kind
 };
 
-/// What is said once about a recording.
+/// Metadata of a recording.
 struct RecordingInfo
 {
     int version = kRecordingVersion;
-    /// Version whose rules its ticks were computed by: less than `version` in a recovered copy of an older recording.
+    /// Schema version whose rules apply to the ticks; less than `version` in a recovered copy of an older recording.
     int tickVersion = kRecordingVersion;
     std::string palpate = palpateVersion();
     std::string build = buildId();
-    std::string startedUtc; ///< ISO 8601; filled by the writer
-    std::string scene;      ///< path of the scene or mesh that was opened, empty when there is none
-    /// The same from the recording's folder, where it lay in it or below: with it a moved pair is found.
+    std::string startedUtc; ///< ISO 8601; set by the writer
+    std::string scene;      ///< path of the opened scene or mesh; empty if none
+    /// Path of the scene relative to the recording's folder, if the scene was in that folder or below. Used to find the
+    /// scene
+    /// after both were moved together.
     std::string sceneBeside;
-    std::string sceneSha256; ///< of the scene file when recording began, 64 hex digits; empty: not said
-    std::string looks;       ///< how the structures of the first scene looked, JSON; empty: not said
+    std::string sceneSha256; ///< hash of the scene file at the start of the recording, 64 hex digits; empty: unknown
+    std::string looks;       ///< appearance of the structures in the first scene, JSON; empty: unknown
     double rate_Hz = 1000.0;
-    double dt_s = 1e-3; ///< period that the solver was given [s]
+    double dt_s = 1e-3; ///< integration period of the solver [s]
     device::DeviceInfo device;
-    std::int64_t firstTick = 0;        ///< tick that `start` precedes
-    std::uint32_t firstGeneration = 0; ///< scene at `start`
+    std::int64_t firstTick = 0;        ///< tick that follows `start`
+    std::uint32_t firstGeneration = 0; ///< scene generation at `start`
     haptics::PalpatorState start;
 };
 

@@ -18,42 +18,45 @@
 
 namespace palpate::session {
 
-/// Why a recording ends where it does.
+/// Reason why a recording ends.
 enum class RecordingEnd : std::uint8_t
 {
-    Closed,     ///< ended by the program that recorded it
-    DiskFull,   ///< the disk was full: what was felt after is not in it
-    DiskFailed, ///< the disk could not be written for another reason
-    CutOff      ///< it was not closed: a crash, or a disk that took not even the reason
+    Closed,     ///< closed by the recording program
+    DiskFull,   ///< disk full: later ticks are missing
+    DiskFailed, ///< another write error
+    CutOff      ///< not closed, after a crash or when the disk could not even store the reason
 };
 
-/// How much a recording holds.
+/// Size and completeness of a recording.
 struct RecordingExtent
 {
     std::int64_t firstTick = 0;
-    std::int64_t lastTick = -1; ///< < firstTick: no tick
-    std::int64_t ticks = 0;     ///< rows
+    std::int64_t lastTick = -1; ///< < firstTick: no ticks
+    std::int64_t ticks = 0;     ///< number of rows
     std::int64_t dropped = 0;   ///< ticks missing between first and last
     double duration_s = 0.0;
-    bool isComplete = false; ///< closed by its writer when all was in it
+    bool isComplete = false; ///< closed by the writer without missing data
     RecordingEnd end = RecordingEnd::CutOff;
-    std::optional<std::int64_t> late; ///< periods that the servo left out meanwhile; nothing: it is not said
+    std::optional<std::int64_t> late; ///< periods skipped by the servo; empty if unknown
 };
 
-/// How a recording ended, as one clause: "complete", "ended at 8.7 s because the disk was full; what was felt after is
-/// not in it".
+/// Describes the end of a recording in one clause, such as "complete" or "ended at 8.7 s because the disk was full;
+/// what
+/// was felt after is not in it".
 [[nodiscard]] std::string endingText(const RecordingExtent& extent);
 
-/// Reads a recording, which anyone may have made. Opens fast and never holds the whole file: rows are streamed, each
-/// block of ticks (a quarter of a second) once it has been held against its checksum. Nothing is written, to the file
-/// or beside it.
-/// @par Thread One at a time; several readers may be open on one file.
+/// Reads a recording from an untrusted source. Opens quickly and never loads the whole file: rows are streamed, and
+/// each
+/// block of ticks (a quarter of a second) is verified against the checksum before use. Never writes to the file or its
+/// folder.
+/// @par Thread One thread at a time. Several readers may be open on one file.
 class RecordingReader
 {
   public:
-    /// @return one line for a file that is missing, not a recording, damaged, or of a newer version; BadFormat for one
-    ///         whose tables or numbers are none of Palpate's. Of a recording that was cut off by a crash the last
-    ///         transaction is rolled back, in memory.
+    /// Opens a recording. After a crash, the last incomplete transaction is rolled back in memory.
+    /// @return a one-line error if the file is missing, not a recording, damaged or of a newer version; BadFormat if
+    /// tables or
+    ///         numbers cannot have been written by Palpate
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& path);
     ~RecordingReader();
     RecordingReader(const RecordingReader&) = delete;
@@ -63,37 +66,40 @@ class RecordingReader
     [[nodiscard]] const RecordingInfo& info() const noexcept;
     [[nodiscard]] const RecordingExtent& extent() const noexcept;
     [[nodiscard]] const std::vector<SceneRecord>& scenes() const noexcept;    ///< by generation, ascending
-    [[nodiscard]] const std::vector<RecordingEvent>& events() const noexcept; ///< by tick
-    /// @return the scene of a generation, null when it was not described.
+    [[nodiscard]] const std::vector<RecordingEvent>& events() const noexcept; ///< by tick, ascending
+    /// Returns the scene of a generation, or null if the recording does not describe that generation.
     [[nodiscard]] const SceneRecord* scene(std::uint32_t generation) const noexcept;
-    /// @return name of a structure by its number in the scene of a generation, empty when it was not described; valid
-    /// as long as the reader.
+    /// Returns the name of a structure from the scene generation and the index, empty if unknown. Valid for the
+    /// lifetime of
+    /// the reader.
     [[nodiscard]] std::string_view structureName(std::uint32_t generation, std::uint32_t number) const noexcept;
-    /// @return name of the structure that a tick touches, empty in free space.
+    /// Returns the name of the structure in contact, empty in free space.
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick) const;
 
-    /// Gives the ticks first … last in order, until `sink` returns false. `time_ns` counts from the first tick. Blocks
-    /// that are not as they were written are left out; `faults` names them. All numbers are finite.
-    /// Recordings before version 3 held no layers and no normal: what comes is one contact with all of the force, and
-    /// the direction of the spring.
+    /// Passes the ticks first … last in order to `sink` until `sink` returns false. `time_ns` counts from the first
+    /// tick.
+    /// Blocks with a failed checksum are skipped and listed by `faults`. All numbers are finite.
+    /// Recordings before version 3 contain neither layers nor normals. For these, a tick has a single contact with the
+    /// total
+    /// force, and the direction of the spring as normal.
     core::Status forEach(std::int64_t first, std::int64_t last,
                          const std::function<bool(const servo::TickRecord&)>& sink) const;
-    /// @return the newest tick at or before `tick` that is as it was written, nothing before the first one or when the
-    ///         file cannot be read.
+    /// Returns the latest intact tick at or before `tick`; nothing before the first tick or after a read error.
     [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
-    /// @return what is not as it was written in what was read so far, a line each ("ticks 250 to 499: found other bits
-    ///         than were written (checksum)"): after opening metadata, scenes, events and the last block, later also
-    ///         each block of ticks that was asked for.
+    /// Returns one line for each damaged part found so far ("ticks 250 to 499: found other bits than were written
+    /// (checksum)"). Opening checks metadata, scenes, events and the last block; every requested block of ticks is
+    /// checked
+    /// when read.
     [[nodiscard]] std::vector<std::string> faults() const;
 
-    /// Reads the path of the HIP, one sample a tick at which there was a hand: 24 bytes a tick in memory.
+    /// Reads the path of the HIP with one sample per tick with a hand present. Needs 24 bytes of memory per tick.
     [[nodiscard]] core::Result<Motion> motion() const;
-    /// @return hashes of the surfaces that the recording holds itself.
+    /// Returns the hashes of the embedded surfaces.
     [[nodiscard]] std::vector<std::string> embeddedHashes() const;
-    /// Gives a surface that the recording holds itself. @param sha256  its geometryHash, as a scene's source says it
+    /// Reads an embedded surface. @param sha256  geometryHash as in StructureSource::sha256
     [[nodiscard]] core::Result<geometry::RepairedMesh> embedded(const std::string& sha256) const;
-    /// Checks every checksum and the database. @return Mismatch naming the first part that is not as written, such as
-    ///         a range of ticks
+    /// Verifies all checksums and the database.
+    /// @return Mismatch with the first damaged part, such as a range of ticks
     [[nodiscard]] core::Status verify() const;
 
   private:
@@ -102,7 +108,7 @@ class RecordingReader
     std::unique_ptr<Private> m_d;
 };
 
-/// @return true when the file starts as a SQLite database: a recording rather than a CSV.
+/// Returns true if the file starts like a SQLite database, which distinguishes a recording from a CSV file.
 [[nodiscard]] bool isRecordingFile(const std::filesystem::path& path);
 
 } // namespace palpate::session

@@ -15,69 +15,78 @@
 
 namespace palpate::session {
 
-/// Writes a recording (`*.palpate`), as resources/docs/recording.md says. At every moment the file is a clean prefix:
-/// only whole transactions, each of a quarter of a second of ticks with its checksum.
-/// @par Thread One at a time, never the servo thread: it waits for the disk.
+/// Writes a recording (`*.palpate`); the format is documented in resources/docs/recording.md. The file is a valid
+/// prefix of
+/// the recording at any time: it contains only complete transactions, each with a quarter of a second of ticks and
+/// their
+/// checksum.
+/// @par Thread One thread at a time, never the servo thread: writing blocks on the disk.
 class RecordingWriter
 {
   public:
-    /// What a commit waits for.
+    /// When to wait for the disk.
     enum class Sync
     {
-        EachCommit, ///< the disk: what was committed survives a power loss; for recording in real time
-        AtEnd,      ///< nothing until `finish`: survives a killed program only; for writing as fast as possible
+        EachCommit, ///< after each commit: committed data survives a power loss; for real-time recording
+        AtEnd,      ///< only in `finish`: survives a killed process, not a power loss; for fast writing
     };
 
-    /// Where events come from.
+    /// Source of the events.
     enum class Events
     {
-        Derived, ///< change of scene and clutch are told from the ticks, beside those that are added
-        AsGiven, ///< only those that are added: for a copy
+        Derived, ///< scene changes and clutch events are derived from the ticks, in addition to added events
+        AsGiven, ///< only added events: for copies
     };
     enum class Ending
     {
         Complete, ///< the session ended here
-        CutOff,   ///< it went on, but this is all there is
+        CutOff,   ///< the session continued, but the rest is missing
     };
 
-    /// Makes the file with its schema and `info`, and holds a lock on it: no two writers have one file. Beside it there
-    /// must be no file that SQLite would take for a part of it (-journal, -wal, -shm).
-    /// @param old  Refuse: there must be nothing of this name, and the file has it from now on. Replace: written
-    /// beside;
-    ///             `finish` gives it the name, until then an older file stays as it is. A file that another program is
-    ///             recording into is refused.
-    /// @return one line that names the file when it cannot be written
+    /// Creates the file with the schema and `info` and locks the file against other writers. The folder must not
+    /// contain a
+    /// file that SQLite would treat as part of the database (-journal, -wal, -shm).
+    /// @param old  Refuse: fails if the name exists; the file has its final name immediately. Replace: writes a
+    /// temporary
+    ///             file that `finish` renames, so that an older file stays unchanged until then. A file that another
+    ///             program is recording into is never replaced.
+    /// @return a one-line error with the file name if the file cannot be written
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
     create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit,
            Events events = Events::Derived, core::OldFile old = core::OldFile::Refuse);
-    ~RecordingWriter(); ///< commits what is left
+    ~RecordingWriter(); ///< commits the remaining data
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-    /// Adds a tick; ticks ascend. Commits each quarter of a second of ticks.
-    /// @return the disk's error. The tick is kept and written by the next commit that succeeds, up to a minute of
-    ///         ticks; after that it is lost and counted, and the next one carries `kDroppedBefore`.
+    /// Adds a tick. Tick numbers must ascend. Commits after each quarter of a second of ticks.
+    /// @return the disk error. The tick is kept and written with the next successful commit, for up to one minute of
+    /// ticks.
+    ///         Later ticks are dropped and counted, and the next stored tick carries `kDroppedBefore`.
     core::Status append(const servo::TickRecord& tick);
-    /// Describes a scene generation, once; before or after its first tick. Surfaces to be embedded go in with it.
+    /// Describes a scene generation. Call once per generation, before or after the first tick. Also stores the surfaces
+    /// to
+    /// embed.
     core::Status addScene(const SceneRecord& scene);
     core::Status addEvent(const RecordingEvent& event);
-    /// Ends the transaction: what was added until now survives a crash. @return the disk's error; nothing is lost by it
+    /// Commits the transaction, so that all data added so far survives a crash. @return the disk error; no data is lost
     core::Status commit();
-    /// Commits, waits for the disk and closes the file. After an error it may be tried again; after it nothing may be
-    /// added.
+    /// Commits, waits for the disk and closes the file. Can be repeated after an error. Nothing may be added after
+    /// success.
     core::Status finish(Ending ending = Ending::Complete);
-    /// Removes the file instead, where it is still the one that was made.
+    /// Removes the file instead, unless another file has taken the name.
     void discard();
-    /// Ends a recording that the disk takes no more of: gives up the room that was kept for this, then stores what is
-    /// not yet committed and an event that says why it ends; where there is no room for all of that, events alone, and
-    /// the ticks are lost. Once; nothing may be added after it.
-    /// @param why  its tick becomes that of the last tick that is stored
-    /// @return the disk's error when not even the events could be stored
+    /// Closes a recording when the disk accepts no more data. Releases the reserved space, then stores the uncommitted
+    /// data
+    /// and an event with the reason. If the space is too small for both, only the events are stored and the ticks are
+    /// lost.
+    /// Call at most once; nothing may be added afterwards.
+    /// @param why  event with the reason; its tick is set to the last stored tick
+    /// @return the disk error if not even the events could be stored
     core::Status abandon(RecordingEvent why);
 
-    [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or about to be
-    [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk took nothing for too long
-    /// Time of the newest tick that is committed, as ticks have it; nothing before the first. [ns]
+    [[nodiscard]] std::int64_t ticksWritten() const noexcept;  ///< committed or pending
+    [[nodiscard]] std::uint64_t ticksDropped() const noexcept; ///< lost because the disk accepted no data for too long
+    /// Time stamp of the newest committed tick [ns], on the clock of the ticks; empty before the first commit.
     [[nodiscard]] std::optional<std::int64_t> newestStored_ns() const noexcept;
 
   private:

@@ -10,19 +10,19 @@
 
 namespace palpate::session {
 
-/// What came out of a damaged or cut-off recording.
+/// Result of the recovery of a damaged or incomplete recording.
 struct Recovery
 {
-    std::int64_t ticks = 0;          ///< in the copy
-    std::vector<std::string> losses; ///< what is missing in it, one line each; empty: nothing is
+    std::int64_t ticks = 0;          ///< number of ticks in the copy
+    std::vector<std::string> losses; ///< missing data, one line each; empty: complete
 };
 
-/// Makes the best readable copy of a recording: everything whose checksum holds, and what is readable where the
-/// checksum itself is gone. What is known to differ from what was written is left out and named.
-/// @param from  only read; a journal that a crash left beside it is taken into account
-/// @param to    a file or link of this name is replaced once the copy is whole; one that another program is recording
-///              into is refused
-/// @return one line when not even the metadata's table can be read, or `to` cannot be written
+/// Writes the best readable copy of a recording: all data with a valid checksum, and all readable data whose checksum
+/// itself is lost. Data known to be damaged is omitted and listed in the result.
+/// @param from  opened read-only; a journal left by a crash is applied
+/// @param to    an existing file or link is replaced once the copy is complete, unless another program is recording
+/// into it
+/// @return a one-line error if the metadata table cannot be read or `to` cannot be written
 [[nodiscard]] core::Result<Recovery> recoverRecording(const std::filesystem::path& from,
                                                       const std::filesystem::path& to);
 

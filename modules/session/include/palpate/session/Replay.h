@@ -18,60 +18,64 @@
 
 namespace palpate::session {
 
-/// Takes a tick; returns false to stop.
+/// Tick callback. Return false to stop.
 using TickSink = std::function<bool(const servo::TickRecord&)>;
 
-/// Feeds a motion to the Palpator as fast as possible, one sample a tick: the code that the servo thread runs. The
-/// god-object starts at the first HIP. `fSent_W` is the model's force: there is no device.
-/// @par Cost `solve_ns` is the Palpator's step alone, by the monotonic clock.
+/// Runs a motion through the Palpator as fast as possible with one sample per tick, using the same code as the servo
+/// thread. The god-object starts at the first HIP. `fSent_W` is the model force because there is no device.
+/// @par Cost `solve_ns` measures the Palpator's step only, with the monotonic clock.
 void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
 
-/// Values for core::kTissueTerms, in their order and units; none: as it is.
+/// Overrides for core::kTissueTerms, in the same order and units; empty entries keep the value.
 using TissueOverride = std::array<std::optional<double>, core::kTissueTerms.size()>;
 
-/// Gives every structure these values instead of its own: with any of them it is a spring and a damper alone, without
-/// friction, map or another law.
+/// Applies the overrides to every structure. With any override, structures become a plain spring and damper: friction,
+/// maps and other force laws are removed.
 [[nodiscard]] haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueOverride& given);
 
-/// Surfaces by geometryHash.
+/// Surfaces, keyed by geometryHash.
 using SurfacesByHash = std::map<std::string, std::shared_ptr<const geometry::SurfaceIndex>>;
 
-/// Builds a recorded scene again. @return Mismatch with one line that names the structure whose geometry is missing
+/// Rebuilds a recorded scene. @return Mismatch with the name of the structure whose geometry is missing
 [[nodiscard]] core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const SceneRecord& record,
                                                                                      const SurfacesByHash& surfaces);
 
-/// How a re-simulation compares with what was recorded.
+/// Comparison of a re-simulation with the recording.
 ///
-/// Another compiler, or a later version, may round otherwise in a sum. What follows from that is bounded by the skin of
-/// the surfaces, the gap that the solver keeps for its rounding and in multiples of which it tells places apart: see
-/// kSkinsOfRounding. What lies beyond is another way that the god-object took.
+/// Other compilers or later versions may round sums differently. The effect is bounded by multiples of the surface
+/// skin,
+/// the margin that the solver keeps for rounding and for distinguishing positions; see kSkinsOfRounding. A larger
+/// difference
+/// means that the god-object took a different path.
 struct Resimulation
 {
-    std::int64_t compared = 0;                   ///< ticks computed again
-    std::int64_t unverified = 0;                 ///< ticks after a loss, until the state was known again
-    std::int64_t differing = 0;                  ///< ticks of which any bit differs
-    std::optional<std::int64_t> firstDifference; ///< the first of them; nothing: all bits are equal
-    std::string difference;                      ///< what differed there, one line
-    double farthest_mm = 0.0;                    ///< largest distance of a god-object from the recorded one
-    double farthest_N = 0.0;                     ///< the same of the forces
-    double rounding_mm = 0.0;                    ///< how far apart rounding can bring god-objects, on any of the scenes
-    std::optional<std::int64_t> firstBeyond;     ///< first tick that differs by more than rounding
-    std::string beyond;                          ///< what differed there, and by how much, one line
+    std::int64_t compared = 0;                   ///< recomputed ticks
+    std::int64_t unverified = 0;                 ///< ticks after a loss, before the state was known again
+    std::int64_t differing = 0;                  ///< ticks with any different bit
+    std::optional<std::int64_t> firstDifference; ///< first differing tick; empty: all bits are equal
+    std::string difference;                      ///< first difference, one line
+    double farthest_mm = 0.0;                    ///< largest distance between recorded and recomputed god-object
+    double farthest_N = 0.0;                     ///< largest difference between recorded and recomputed force
+    double rounding_mm = 0.0;                ///< maximum god-object distance that rounding explains, over all scenes
+    std::optional<std::int64_t> firstBeyond; ///< first tick with a difference beyond rounding
+    std::string beyond;                      ///< that difference with its amount, one line
 
-    /// Every bit of every god-object and force, and what was touched.
+    /// True if all bits of all god-objects, forces and contacts are equal.
     bool isSame() const noexcept { return !firstDifference.has_value(); }
     bool isWithinRounding() const noexcept { return !firstBeyond.has_value(); }
 };
 
-/// Two god-objects nearer to each other than this many skins of their layer are one place to the solver: it follows a
-/// way out of a corner only when that leads closer by as much (resources/docs/god-object.md). The rounding of one plane
-/// distance is at most an eighth of a skin, so that this holds in a crease of 2 degrees, too. A force may differ by as
-/// much times the stiffness.
+/// Rounding tolerance in skins of the layer. The solver treats god-objects within this distance as one position: the
+/// god-object
+/// leaves a corner only if this brings it closer by at least this distance (resources/docs/god-object.md). The rounding
+/// error
+/// of a plane distance is at most one eighth of a skin, so the tolerance also holds in a crease of 2 degrees. The force
+/// tolerance is this distance times the stiffness.
 inline constexpr double kSkinsOfRounding = 16.0;
 
-/// Computes a recording again from its start state, HIPs, resets and scene changes and compares every god-object and
-/// force, and the triangle and the number of constraints that gave them, bit for bit.
-/// @param sink  told each tick as computed now; may be empty
+/// Recomputes a recording from its start state, HIPs, resets and scene changes. Compares every god-object and force and
+/// their triangle and number of constraints bit for bit.
+/// @param sink  receives each recomputed tick; may be empty
 [[nodiscard]] core::Result<Resimulation> resimulate(const RecordingReader& recording, const SurfacesByHash& surfaces,
                                                     const TickSink& sink = {});
 

@@ -7,7 +7,7 @@
 
 namespace palpate::session {
 
-/// @return the name of a structure by its number in a tick's scene, empty when that has none of this number.
+/// Returns the name of a structure from its index in the tick's scene, empty if there is no such index.
 using StructureNames = std::function<std::string_view(std::uint32_t number)>;
 
 } // namespace palpate::session

@@ -13,21 +13,21 @@
 
 namespace palpate::session {
 
-/// Writes ticks as CSV, the columns of session/src/TickColumns.h; with 17 significant digits, which give the same
-/// doubles back. Atomic as core::AtomicFile is.
+/// Writes ticks as CSV with the columns of session/src/TickColumns.h. Numbers have 17 significant digits and read back
+/// bit-exactly. Atomic like core::AtomicFile.
 class TickCsv
 {
   public:
-    /// What the rows tell.
+    /// Content of the rows.
     enum class Rows
     {
-        Ticks,  ///< what was computed
-        Device, ///< and the force that a device was given
-        Session ///< with time, sent force, depth and events; cells of a tick without a hand are empty
+        Ticks,  ///< computed values
+        Device, ///< computed values and the force sent to a device
+        Session ///< with time, sent force, depth and events; cells are empty without a hand
     };
     [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path, Rows rows = Rows::Ticks);
-    /// @param tick    of Rows::Session: `time_ns` counts from the recording's first tick
-    /// @param events  of this tick, for Rows::Session
+    /// @param tick    for Rows::Session, `time_ns` counts from the first tick of the recording
+    /// @param events  events of this tick, for Rows::Session
     void write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events = {});
     [[nodiscard]] core::Status finish();
 

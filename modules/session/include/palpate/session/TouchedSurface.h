@@ -13,31 +13,32 @@
 
 namespace palpate::session {
 
-/// One structure's surface and what was done on it, a number a vertex; definitions in resources/docs/measures.md.
+/// Contact measures at the vertices of one structure's surface; definitions in resources/docs/measures.md.
 ///
-/// Triangles longer than half the distance are split, so that a coarse mesh is measured as finely as a fine one: the
-/// vertices are sample points of the surface, each standing for its share of the area.
+/// Triangles with edges longer than half the distance are split, so that coarse and fine meshes are measured at the
+/// same
+/// resolution. The vertices are sample points, each with its share of the area.
 class TouchedSurface
 {
   public:
-    /// @param distance_mm  > 0: how near the contact must come to touch a point of the surface
+    /// @param distance_mm  > 0: distance within which the contact touches a surface point [mm]
     TouchedSurface(const geometry::TriangleMesh& mesh, double distance_mm);
 
-    /// Takes a tick in contact. @param p_WG  contact point [mm]
-    /// @return the nearest of the vertices that were given; nothing where none is within the distance
-    /// @par Cost of the vertices within about the distance
+    /// Adds a tick in contact. @param p_WG  contact point [mm]
+    /// @return the nearest original vertex; empty if there is none within the distance
+    /// @par Cost proportional to the number of vertices within about the distance
     std::optional<std::uint32_t> add(const core::Vec3& p_WG, double force_N, double depth_mm, double dt_s);
 
-    /// The vertices that were given come first.
+    /// Split mesh; the original vertices come first.
     [[nodiscard]] const geometry::TriangleMesh& mesh() const noexcept { return m_mesh; }
-    /// Time that the contact was within the distance of each vertex. [s]
+    /// Time that the contact was within the distance of each vertex [s].
     [[nodiscard]] const std::vector<double>& dwell_s() const noexcept { return m_dwell_s; }
-    /// Greatest force meanwhile. [N]
+    /// Maximum force during that time [N].
     [[nodiscard]] const std::vector<double>& peakForce_N() const noexcept { return m_peakForce_N; }
-    /// Greatest depth of the hand below the surface meanwhile. [mm]
+    /// Maximum depth of the hand below the surface during that time [mm].
     [[nodiscard]] const std::vector<double>& peakDepth_mm() const noexcept { return m_peakDepth_mm; }
     [[nodiscard]] double area_mm2() const noexcept { return m_area_mm2; }
-    /// Area of which the contact came within the distance. [mm²]
+    /// Area within the distance of any contact [mm²].
     [[nodiscard]] double coveredArea_mm2() const;
 
   private:
@@ -50,14 +51,14 @@ class TouchedSurface
     [[nodiscard]] Cell cellOf(const core::Vec3& p) const;
 
     double m_distance_mm;
-    std::size_t m_given; ///< vertices that were given
+    std::size_t m_given; ///< number of original vertices
     geometry::TriangleMesh m_mesh;
-    std::vector<double> m_share_mm2; ///< area that a vertex stands for
+    std::vector<double> m_share_mm2; ///< area share of each vertex
     std::vector<double> m_dwell_s;
     std::vector<double> m_peakForce_N;
     std::vector<double> m_peakDepth_mm;
     double m_area_mm2 = 0.0;
-    std::vector<std::uint32_t> m_order; ///< vertices, those of a cell together
+    std::vector<std::uint32_t> m_order;                                                  ///< vertices, grouped by cell
     std::unordered_map<Cell, std::pair<std::uint32_t, std::uint32_t>, CellHash> m_cells; ///< range in m_order
 };
 
