@@ -15,69 +15,71 @@
 
 namespace palpate::study {
 
-/// A lump of a scene.
+/// Lump in a scene.
 struct LumpOf
 {
-    std::size_t structure;               ///< number in the scene
-    std::optional<StiffnessRatio> ratio; ///< its modulus by the organ's; nothing: not known
+    std::size_t structure;               ///< index in the scene
+    std::optional<StiffnessRatio> ratio; ///< young's modulus of the lump divided by that of the organ; empty: unknown
     friend bool operator==(const LumpOf&, const LumpOf&) = default;
 };
 
-/// An organ of a scene with the lumps in it.
+/// Organ of a scene and the lumps inside.
 struct OrganWithLumps
 {
-    std::size_t organ; ///< number in the scene
-    double radius_mm;  ///< of the finger's contact: as the scene says, else 5
+    std::size_t organ; ///< index in the scene
+    double radius_mm;  ///< radius of the finger's contact [mm]: from the scene, else kUsualRadius_mm
     std::vector<LumpOf> lumps;
 
-    /// @param scene  that it was found in
+    /// @param scene  scene that contains the organ
     [[nodiscard]] std::vector<buried::BuriedLump> shapes(const meshio::LoadedScene& scene) const;
     friend bool operator==(const OrganWithLumps&, const OrganWithLumps&) = default;
 };
 inline constexpr double kUsualRadius_mm = 5.0;
 
-/// What can be felt through one organ of a scene.
+/// Result of the lump computation for one organ.
 struct FeltOrgan
 {
     OrganWithLumps organ;
     buried::FeltSurface felt;
 };
 
-/// @return true for a structure that is a lump when it lies in an organ and no scene says so: its name is that of a
-/// lump or says nothing, or its ratio is given.
+/// Returns true if a structure inside an organ is treated as a lump without an explicit entry in the scene: the name is
+/// that of a lump or of unknown anatomy, or the scene gives a stiffness ratio.
 [[nodiscard]] bool mayBeLump(const meshio::SceneStructure& structure);
 
-/// Finds the lumps of a scene: what the scene says lies inside an organ, and what may be a lump, is palpable and lies
-/// in a palpable closed surface by its shape (see Layers.h). A lump in a lump belongs to the organ around both.
-/// @param ratios  by the structures' names; before what the scene says
-/// @return NotFound where a name of `ratios` is no lump; Empty where the scene has none
+/// Finds the lumps of a scene. These are the structures that the scene places inside an organ, and palpable candidates
+/// (see mayBeLump) that lie geometrically in a palpable closed surface (see Layers.h). A lump inside another lump
+/// belongs
+/// to the organ around both.
+/// @param ratios  stiffness ratios by structure name; override those of the scene
+/// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
 [[nodiscard]] core::Result<std::vector<OrganWithLumps>>
 organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {});
 
-/// The same as buried::feltSurface, of an organ of a scene.
+/// Computes buried::feltSurface for an organ of a scene.
 [[nodiscard]] core::Result<buried::FeltSurface>
 feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const buried::FeltOptions& options);
 
-/// Computes what can be felt of all lumps of a scene, touched lightly and pressed 2, 4 and 8 mm.
-/// @param known  results that still hold are taken from here
-/// @param notes  gets a sentence of each organ that cannot be judged, and of each lump that was left out
+/// Computes how palpable all lumps of a scene are, for light touch and for presses of 2, 4 and 8 mm.
+/// @param known  earlier results; reused if still valid
+/// @param notes  receives a sentence for each organ that cannot be evaluated and for each omitted lump
 /// @return empty for a scene without lumps; Cancelled
 [[nodiscard]] core::Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene,
                                                               std::vector<FeltOrgan> known = {},
                                                               std::vector<std::string>* notes = nullptr,
                                                               const std::function<bool(double)>& progress = {});
 
-/// @return those lumps alone that a choice takes, of the organs that then have any
+/// Filters lumps by a predicate. @return organs with at least one accepted lump
 [[nodiscard]] std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
                                                     const std::function<bool(std::size_t structure)>& isTaken);
 
-/// Makes the lumps of a scene that are felt through their organs: each organ gets what they make of it, and they are
-/// not touched themselves, whatever their layers. A scene whose lumps are felt by their own layers stays as it is;
-/// notes become warnings. Where a structure says what it lies in, those that say so are felt through it and no others.
-/// A lump whose stiffness ratio is not known is left as it is, with a warning.
-/// @param progress  told the share done; false cancels. May be empty
-/// @param felt  gets what was computed; may be null
-/// @return Cancelled; a scene without lumps is fine
+/// Computes the effect of buried lumps on their organs, for scenes whose lumps are transmitted through the organ. The
+/// surface of such a lump is removed from contact, whatever its layer. Scenes whose lumps have layers of their own stay
+/// unchanged; notes become warnings. If any structure names its organ in the scene file, only such structures are
+/// transmitted. A lump with an unknown stiffness ratio stays unchanged and causes a warning.
+/// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
+/// @param felt      receives the computed results; may be null
+/// @return Cancelled; Ok for a scene without lumps
 [[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {},
                                       std::vector<FeltOrgan>* felt = nullptr);
 

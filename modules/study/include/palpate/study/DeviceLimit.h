@@ -11,38 +11,42 @@
 
 namespace palpate::study {
 
-/// @return the largest slope of force by depth that a hand can meet on this structure [N/mm].
+/// Returns the largest slope of force over depth on this structure [N/mm].
 [[nodiscard]] double greatestStiffness(const haptics::HapticStructure& structure);
-/// @return the largest damping that a hand can meet on it [N·s/mm].
+/// Returns the largest damping on this structure [N·s/mm].
 [[nodiscard]] double greatestDamping(const haptics::HapticStructure& structure) noexcept;
 
-/// The most that tissues are given on a device.
-/// @param held_N_per_mm  that it holds in the scene, see servo::heldStiffness_N_per_mm; infinite: no bound, and 5 N/mm
-///                       are taken. Where it states no damping, 0.02 N·s/mm
+/// Returns the largest tissue parameters allowed on a device.
+/// @param held_N_per_mm  stiffness that the device can render in scene units, see servo::heldStiffness_N_per_mm;
+///                       infinite: use 5 N/mm. A device without a stated damping gets 0.02 N·s/mm
 [[nodiscard]] haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept;
 
-/// Keeps the sum of what can be met together within what a device holds.
+/// Reduces the tissues so that the combined stiffness and damping stay within the device's limits.
 ///
-/// A hand pressed through an outer layer into an inner one feels both: layers are springs in parallel, and so are their
-/// dampers. The most that it can meet is therefore the sum over the layers of the greatest in each, wherever they lie:
-/// a hand in one may still hold the god-object of another. The outermost layer gets what it asks for as far as the
-/// device holds it, each next one what is left. A law keeps its shape where it is no steeper than that.
-/// @param greatest    that the device holds; other terms than stiffness and damping bound each structure alone
-/// @param structures  those without a surface count for nothing
+/// A hand that presses through an outer into an inner layer feels both: layers act as springs and dampers in parallel.
+/// The
+/// upper bound is the sum of the maximum of each layer, independent of position, because a hand in one layer may still
+/// hold
+/// the god-object of another. The outermost layer takes as much as requested and available; each inner layer gets the
+/// rest.
+/// A force law below the limit keeps its shape.
+/// @param greatest    limits of the device; terms other than stiffness and damping apply to each structure separately
+/// @param structures  structures without a surface are ignored
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);
 
-/// What `boundBy` changed, in one line: "at most 0.4 N/mm of liver (asked for 2 N/mm), at most …"; empty: nothing.
+/// Describes the changes made by `boundBy` in one line, such as "at most 0.4 N/mm of liver (asked for 2 N/mm), at most
+/// …". Empty without changes.
 /// @param asked,held  before and after
 [[nodiscard]] std::string boundedText(std::span<const haptics::HapticStructure> asked,
                                       std::span<const haptics::HapticStructure> held);
 
-/// What the layers but that of one structure take of a device's limit.
+/// Part of a device's limit used by the layers other than that of one structure.
 struct TakenElsewhere
 {
-    haptics::Tissue tissue{0.0, 0.0}; ///< stiffness and damping, summed
-    std::vector<std::size_t> by;      ///< the structure that takes most of the stiffness of each layer, outermost first
+    haptics::Tissue tissue{0.0, 0.0}; ///< sum of stiffness and damping
+    std::vector<std::size_t> by;      ///< stiffest structure of each layer, outermost layer first
 };
-/// @param structures  as they are felt, from `boundBy`
+/// @param structures  after `boundBy`
 [[nodiscard]] TakenElsewhere takenElsewhere(std::span<const haptics::HapticStructure> structures,
                                             std::size_t structure);
 

@@ -8,31 +8,33 @@
 
 namespace palpate::study {
 
-/// A surface in the way of a straight press.
+/// Surface along the path of a straight press.
 struct PressedSurface
 {
-    const haptics::HapticStructure* structure = nullptr; ///< never null; outlives this
-    std::uint32_t triangle = 0;                          ///< where the press comes in: position in the SurfaceIndex
-    core::Vec3 p_W = core::Vec3::Zero();                 ///< on that triangle [mm]
-    double entry_mm = 0.0;                               ///< way of the press after which it touches
-    double slant = 1.0; ///< depth below the surface for a mm of way: cosine between press and normal, > 0
+    const haptics::HapticStructure* structure = nullptr; ///< never null; must outlive this object
+    std::uint32_t triangle = 0;                          ///< entry triangle: position in the SurfaceIndex
+    core::Vec3 p_W = core::Vec3::Zero();                 ///< entry point on that triangle [mm]
+    double entry_mm = 0.0;                               ///< travel of the press at first contact [mm]
+    double slant = 1.0; ///< depth per travel: cosine of the angle between press and normal, > 0
 
-    /// What the structure pushes back with at rest: its law at that depth, times what the maps of stiffness and of
-    /// lumps below say at the place that the press comes in at. Without damping, friction and the force along the
-    /// surface that a map's gradient adds. [N]
-    /// @param depth_mm  below the surface; 0 and less: no force
+    /// Static reaction force: the force law at this depth, scaled by the stiffness and lump maps at the entry point.
+    /// Excludes
+    /// damping, friction and the tangential force of a map gradient. [N]
+    /// @param depth_mm  depth below the surface; no force at 0 and below
     [[nodiscard]] double force_N(double depth_mm) const noexcept;
 };
 
-/// What a straight press meets after a way, each surface taken as a plane and their forces as numbers added up. [N]
+/// Returns the total reaction force after a travel [N]. Each surface is approximated by a plane; the force magnitudes
+/// are
+/// added.
 [[nodiscard]] double forceOfPress_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept;
 
-/// How far a press goes in that is made with a force: the shortest way on which the surfaces push back with it, by
-/// bisection. Never shorter for a greater force. Where a law falls, a rise and fall within 1/256 of the way is passed
-/// over.
-/// @param force_N  0 and less: up to where the first surface is touched
-/// @param deepest_mm  of ways; also the answer where the force is not met up to there, or nothing is in the way
-/// @par Cost A few hundred look-ups of a law, microseconds. Not for the servo thread.
+/// Returns the shortest travel of a press at which the surfaces balance a force [mm], by bisection. Monotonic in the
+/// force.
+/// For a force law with a falling part, a rise and fall within 1/256 of the travel may be missed.
+/// @param force_N     0 and below: travel to the first contact
+/// @param deepest_mm  maximum travel; also the result if the force is not reached or there is no surface
+/// @par Cost A few hundred evaluations of force laws, microseconds. Not for the servo thread.
 [[nodiscard]] double wayOfPress_mm(std::span<const PressedSurface> surfaces, double force_N,
                                    double deepest_mm) noexcept;
 

@@ -11,21 +11,23 @@
 
 namespace palpate::study {
 
-/// A map's numbers as a hand feels them.
+/// Map values converted to absolute units.
 struct FeltMap
 {
-    std::string unit; ///< "N/mm", "N·s/mm"; "times the tissue's own" where the tissue's law or friction is scaled
-    std::vector<float> values; ///< one for each of the map's; NaN: the map says nothing there, the tissue's own is felt
-    double own = 1.0;          ///< what is felt there
-    double least = 0.0, greatest = 0.0; ///< of the known values; 0 without any
+    std::string unit; ///< "N/mm", "N·s/mm"; "times the tissue's own" if the map scales a force law or friction
+    std::vector<float> values; ///< one per map value; NaN: no map value, so that the tissue's own value applies
+    double own = 1.0;          ///< value used for NaN
+    double least = 0.0, greatest = 0.0; ///< range of the known values; 0 if none is known
 };
 
-/// @param most  in the unit of `FeltMap`, what the device holds; values above it are felt as it
+/// @param most  limit of the device in the unit of `FeltMap`; larger values are clamped
 [[nodiscard]] FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue,
                               double most = std::numeric_limits<double>::infinity());
 
-/// A number over a surface at a place on it; NaN where it is not known.
-/// @param values  one for each vertex, or each triangle; @param triangle  number in `surface`; @param p_W  on it [mm]
+/// Interpolates values at a point on a surface; NaN if unknown.
+/// @param values    one per vertex or per triangle
+/// @param triangle  index in `surface`
+/// @param p_W       point on that triangle [mm]
 [[nodiscard]] double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,
                              bool isPerTriangle, std::size_t triangle, const core::Vec3& p_W);
 

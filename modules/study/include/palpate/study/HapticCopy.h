@@ -10,28 +10,29 @@
 
 namespace palpate::study {
 
-/// How a structure is felt: its name, tissue and layer.
-/// @param surface  its index; null: nothing of it is felt
+/// Creates a haptic structure with the name, tissue and layer of a description.
+/// @param surface  surface index; null if the structure is not palpable
 [[nodiscard]] haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,
                                                        std::shared_ptr<const geometry::SurfaceIndex> surface);
 
-/// What varies over a structure, for the tick: in the order of the index, with the structure's own values where a map
-/// says nothing.
-/// @param surface  the index of the structure's surface
-/// @par Cost O(triangles) for each map.
+/// Converts the surface maps of a structure to the triangle order of the index. The structure's own values fill the
+/// gaps.
+/// @param surface  surface index of the structure
+/// @par Cost O(triangles) per map.
 [[nodiscard]] haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure,
                                              const geometry::SurfaceIndex& surface);
 
-/// Builds the index that a surface is felt by.
+/// Builds the surface index for haptic rendering.
 /// @par Cost O(n log n), on two threads.
 [[nodiscard]] std::shared_ptr<const geometry::SurfaceIndex> indexed(const geometry::RepairedMesh& surface);
 
-/// Makes what the servo touches. Structures keep their numbers; one that is not palpable or has no triangle has no
-/// surface. The window leaves out what is hidden as well, and bounds tissues by its device: see ui/StructureModel.h.
-/// @par Cost that of `indexed`, for each palpable structure.
+/// Builds the haptic scene for the servo. Structures keep their indices. A structure that is not palpable or has no
+/// triangles gets no surface. The window also omits hidden structures and limits tissues to the device: see
+/// ui/StructureModel.h.
+/// @par Cost that of `indexed` for each palpable structure.
 [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScene& scene);
 
-/// @return triangles that can be touched.
+/// Returns the number of palpable triangles.
 [[nodiscard]] std::size_t triangleCount(const haptics::HapticScene& scene);
 
 } // namespace palpate::study

@@ -6,8 +6,8 @@
 
 namespace palpate::study {
 
-/// @return an input and the files that belong to it, whether they are there or not: meshes and maps of a scene file,
-/// mesh files of a folder, scene and meshes of a recording. What cannot be read belongs to itself alone.
+/// Returns an input and its dependencies, whether they exist or not: meshes and maps of a scene file, mesh files of a
+/// folder, scene and meshes of a recording. An unreadable input has no dependencies.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const std::filesystem::path& input);
 
 } // namespace palpate::study

@@ -16,62 +16,66 @@
 
 namespace palpate::study {
 
-/// A structure as containment sees it.
+/// Surface of a structure for the containment test.
 struct LayeredSurface
 {
-    const geometry::RepairedMesh* surface = nullptr; ///< null: lies in nothing
-    const geometry::SurfaceIndex* index = nullptr;   ///< of `surface`; null where it is not felt: nothing lies in it
+    const geometry::RepairedMesh* surface = nullptr; ///< null: never inside another structure
+    const geometry::SurfaceIndex* index =
+        nullptr; ///< index of `surface`; null if not palpable: contains no other structure
 };
 
-/// What lies in what, and the layers in which all of it is felt.
+/// Containment of structures and the resulting haptic layers.
 struct Layering
 {
     struct Structure
     {
-        std::uint32_t layer = 0;             ///< 0 is the outermost
-        std::optional<std::size_t> in;       ///< the smallest structure that it lies in
-        std::optional<std::size_t> twin;     ///< an earlier structure that is the same surface
-        std::optional<std::size_t> unsureIn; ///< would lie in this one, which has no sure inside: not layered
-        /// How many structures lie around it, one in the other; more than `layer` when it was merged into the last.
+        std::uint32_t layer = 0;         ///< 0 is the outermost layer
+        std::optional<std::size_t> in;   ///< smallest enclosing structure
+        std::optional<std::size_t> twin; ///< earlier structure with the same surface
+        std::optional<std::size_t>
+            unsureIn; ///< would be inside this structure, but its interior is not reliable: not layered
+        /// Number of nested structures around this one. Exceeds `layer` if merged into the last layer.
         std::uint32_t depth = 0;
     };
     std::vector<Structure> structures;
 
-    /// True when something lies below something else.
+    /// Returns true if any structure lies below another one.
     [[nodiscard]] bool isLayered() const;
-    /// @return the structures' numbers, each followed by what lies in it, else ascending.
+    /// Returns the indices in ascending order, but with each structure followed by its contents.
     [[nodiscard]] std::vector<std::size_t> order() const;
-    /// @return the same of structures that were put into that order.
+    /// Returns the layering of structures that were permuted into that order.
     [[nodiscard]] Layering inOrder(const std::vector<std::size_t>& order) const;
-    /// What a person should know, one sentence an entry. What the hand passes through is in none of those about layers.
-    /// @param names   of the structures
-    /// @param isFelt  one entry a structure
+    /// Returns messages for the user, one sentence each. Non-palpable structures are left out of messages about layers.
+    /// @param names   names of the structures
+    /// @param isFelt  one entry per structure: palpable
     [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
                                                      const std::vector<bool>& isFelt) const;
-    /// @return the smallest structure around one that is felt itself.
+    /// Returns the smallest palpable structure around another one.
     [[nodiscard]] std::optional<std::size_t> feltAround(std::size_t structure, const std::vector<bool>& isFelt) const;
 };
 
-/// A surface with an inside that can be relied on: closed everywhere, its normals outwards. Edges of more than two
-/// triangles may be there: each is passed equally often both ways, or the surface would not count as closed.
+/// Returns true if the surface has a reliable interior: closed everywhere, normals outwards. Edges with more than two
+/// triangles are allowed, because a surface counts as closed only if such edges are traversed equally often in both
+/// directions.
 [[nodiscard]] bool hasSureInside(const geometry::MeshReport& report) noexcept;
 
-/// @return true when none of up to kSamples vertices of `inner`, evenly spread, is outside of `outer`.
-/// @par Cost some 2 us a sample
+/// Returns true if none of up to kSamples evenly distributed vertices of `inner` is outside of `outer`.
+/// @par Cost about 2 µs per sample
 [[nodiscard]] bool isWhollyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer);
 
-/// Finds out what lies in what: B in A when A has a sure inside, encloses the larger volume, and holds at least
-/// kInsideShare of up to kSamples vertices of B, evenly spread. B's layer is one below the deepest that it lies in, at
-/// most haptics::kMaxLayers - 1. Twins share a layer.
-/// @par Cost Boxes first; else two or three rays a vertex: 0.5 ms for a pair that is inside. All cores, any thread but
-///      the servo's; the result does not depend on the number of cores.
+/// Determines the nesting of structures. B is in A if A has a reliable interior and the larger volume, and at least
+/// kInsideShare of up to kSamples evenly distributed vertices of B are inside A. The layer of B is one below the
+/// deepest
+/// layer around B, at most haptics::kMaxLayers - 1. Structures with equal surfaces share a layer.
+/// @par Cost Bounding boxes first, then two or three rays per vertex: 0.5 ms for a nested pair. Uses all cores; not for
+///      the servo thread. The result does not depend on the number of cores.
 [[nodiscard]] Layering layering(std::span<const LayeredSurface> surfaces);
 inline constexpr double kInsideShare = 0.9;
 inline constexpr std::size_t kSamples = 256;
 
-/// Gives the structures of a scene, and a felt copy of it, the layers that follow from what lies in what.
-/// @param felt  made of `scene`, structure by structure (see `hapticScene`)
-/// @return sentences about what was done, for a person
+/// Assigns the layers from the nesting to the structures of a scene and of the haptic scene.
+/// @param felt  haptic scene with the same structures (see `hapticScene`)
+/// @return messages about the changes for the user
 std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt);
 
 } // namespace palpate::study

@@ -15,8 +15,8 @@
 
 namespace palpate::study {
 
-/// Touch in real time: a device, the servo loop that serves it, what it feels, and the recorder of it.
-/// @par Thread All functions from one thread.
+/// Real-time haptic session: device, servo loop, haptic scene and recorder.
+/// @par Thread All functions from the same thread.
 class LiveSession
 {
   public:
@@ -25,34 +25,34 @@ class LiveSession
     LiveSession(const LiveSession&) = delete;
     LiveSession& operator=(const LiveSession&) = delete;
 
-    /// Hands a scene to the servo, which feels it from its next tick on, and tells a recording that runs.
-    /// @param sources  where its structures came from, in their order, each with the surface to embed if it can be felt
+    /// Passes a scene to the servo, effective from the next tick, and to a running recording.
+    /// @param sources  origin of each structure, in order, with the surface to embed if palpable
     void setScene(std::shared_ptr<const haptics::HapticScene> scene, std::vector<session::StructureSource> sources);
 
     /// Starts the servo thread on a device. @param device  must outlive the run. @return as ServoLoop::start
     core::Status start(device::HapticDevice& device, const servo::ServoOptions& options);
-    /// Ends a recording, then the servo thread. What was lost is in the file.
+    /// Stops recording, then the servo thread. Losses are noted in the file.
     void stop();
 
-    /// The loop; its scene and its recorded ticks are this object's business.
+    /// Servo loop. Do not set its scene or pop its ticks during a recording.
     [[nodiscard]] servo::ServoLoop& loop() noexcept { return m_loop; }
     [[nodiscard]] const servo::ServoLoop& loop() const noexcept { return m_loop; }
 
-    /// Records from the next tick on.
-    /// @param scene   file that was opened; empty when it is several
-    /// @param embeds  put the surfaces into the recording too
-    /// @param looks   how they look, see `looksText`; empty: not said
-    /// @return one line when the file cannot be made or the loop is not running
+    /// Starts recording with the next tick.
+    /// @param scene   opened file; empty for several files
+    /// @param embeds  embed the surfaces in the recording
+    /// @param looks   appearance of the structures, see `looksText`; empty: unknown
+    /// @return a one-line error if the file cannot be created or the loop is not running
     core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
                                 bool embeds = false, std::string looks = {});
-    /// Notes something in the recording, at this tick; nothing when there is none. @param json  an object
+    /// Records an event at the current tick. No effect without a recording. @param json  an object
     void note(const std::string& kind, const std::string& json) { m_recorder.addEvent(kind, json); }
-    /// @return what was lost, if anything
+    /// Stops recording. @return an error that lists any lost data
     core::Status stopRecording() { return m_recorder.stop(); }
     [[nodiscard]] session::RecorderStatus recording() const { return m_recorder.status(); }
 
-    /// For a caller that takes the ticks without a recorder: from the next tick on `loop().popTick` gives each.
-    /// @return what that tick began from, or Internal when the servo thread does not answer
+    /// Enables `loop().popTick` from the next tick, for callers that process ticks without a recorder.
+    /// @return the state before that tick, or Internal if the servo thread does not respond
     [[nodiscard]] core::Result<servo::RecordingStart> takeTicks();
 
   private:
@@ -64,7 +64,7 @@ class LiveSession
     std::shared_ptr<const haptics::HapticScene> m_scene;
     std::vector<session::StructureSource> m_sources;
     std::uint32_t m_generation = 0; ///< of `m_scene`
-    bool m_embeds = false;          ///< of the present recording
+    bool m_embeds = false;          ///< for the current recording
 };
 
 } // namespace palpate::study

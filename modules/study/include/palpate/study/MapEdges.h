@@ -12,7 +12,7 @@
 
 namespace palpate::study {
 
-/// How a hand holds a device: a mass on the tip, a spring and a damper to where it wants to be.
+/// Model of the hand that holds a device: a mass at the tip, and a spring and a damper to the intended position.
 struct Grip
 {
     std::string name;
@@ -21,57 +21,62 @@ struct Grip
     double damping_Ns_per_mm = 0.0;
 };
 
-/// The two grips that a device is judged with. The light one is the hard case: little mass, little damping (0.16 of
-/// critical on a Touch). It is a choice below what is published; "a fingertip" is of the middle of what Hajian & Howe
-/// measured at low force, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
+/// Grips used to evaluate a device. The light grip is the worst case with little mass and little damping (0.16 of
+/// critical
+/// on a Touch); its values are an assumption below published ones. "a fingertip" is the middle of the range measured at
+/// low
+/// force by Hajian & Howe, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
 [[nodiscard]] const std::vector<Grip>& grips();
 
-/// A hand's push when it rests [N]: 3 N, or 40 % of what the device can.
+/// Returns the force of a resting hand [N]: 3 N, limited to 40 % of the device's maximum.
 [[nodiscard]] double restingPush_N(double maxForce_N) noexcept;
 
-/// A device in its loop, as far as it counts for how far a tip swings.
+/// Properties of a device and its control loop that determine the oscillation of the tip.
 struct HeldDevice
 {
-    device::DeviceMechanics mechanics; ///< without a hand
-    double added_Ns_per_mm = 0.0;      ///< damping that the passivity controller is sure to add
-    double delay_s = 0.0;              ///< from a motion to the force that answers it, half a period with it
-    double push_N = 0.0;               ///< of the hand that rests
-    double scale = 1.0;                ///< mm of the scene for a mm of the device
+    device::DeviceMechanics mechanics; ///< of the device alone
+    double added_Ns_per_mm = 0.0;      ///< guaranteed damping by the passivity controller
+    double delay_s = 0.0;              ///< delay from a motion to the resulting force, including half a period
+    double push_N = 0.0;               ///< force of the resting hand
+    double scale = 1.0;                ///< mm of the scene per mm of the device
 };
-/// @param delayTicks  after the tick that computed it, a force acts so many ticks late
+/// @param delayTicks  delay of the force after the tick that computed it
 [[nodiscard]] HeldDevice heldDevice(const device::DevicePreset& preset, double rate_Hz, int delayTicks);
-/// The same of a device by what it says of itself: its mechanics are its preset's where there is one of its id; else
-/// of what it doesn't say the least is taken, no friction and no damping of its own.
-/// @param scale  mm of the scene for a mm of the device
-/// @return nothing for a device without motors, which nothing can keep swinging
+/// Creates the same from the description of a device. Uses the mechanics of the preset with the same id. Unknown
+/// properties get the most unfavourable values: no friction and no damping in the device.
+/// @param scale  mm of the scene per mm of the device
+/// @return empty for a device without motors, which cannot sustain an oscillation
 [[nodiscard]] std::optional<HeldDevice> heldDevice(const device::DeviceInfo& info, double rate_Hz, int delayTicks,
                                                    double scale = 1.0);
 
-/// A swing of the tip from which on it counts as one, peak to peak. [mm of the device]
+/// Smallest peak-to-peak oscillation of the tip that is reported [mm of the device].
 inline constexpr double kLeastSwing_mm = 0.05;
 
-/// Where the maps of a structure bend most for a device: at an edge of its triangles, from flat to rising or from
-/// rising to steeper.
+/// Mesh edge where the slope of a structure's map changes most for a device: from flat to rising or from rising to
+/// steeper.
 struct MapEdge
 {
     std::size_t structure = 0;
-    core::Vec3 p_W = core::Vec3::Zero(); ///< middle of the edge [mm]
-    double jump_N = 0.0;                 ///< by which the push aside jumps there, with a hand that rests there
-    /// Of the tip about it, that the device can't be sure to damp, peak to peak [mm of the device].
+    core::Vec3 p_W = core::Vec3::Zero(); ///< midpoint of the edge [mm]
+    double jump_N = 0.0;                 ///< jump of the tangential force at the edge, with a resting hand
+    /// Peak-to-peak oscillation of the tip around the edge without guaranteed damping [mm of the device].
     double swing_mm = 0.0;
-    bool isOfLumps = false; ///< most of the jump is by lumps felt below, not by the map of stiffness
+    bool isOfLumps = false; ///< caused mostly by buried lumps, not by the stiffness map
 };
 
-/// A tip that a map pushes aside comes to rest where that push begins, and the push switched on and off late is a relay
-/// in the loop: it keeps the tip swinging, however soft the tissue. Where the swing is below kLeastSwing_mm the tip
-/// rests. The push is `W grad s` of a map of stiffness, `s sum_j W_j grad s_j` of lumps felt below
-/// (haptics/FeltPress.h) and both together where there are both. A map of a number per triangle has no gradient, so no
-/// push: it steps, and a hand that rests on the step stays at rest. Friction of the tissue takes the push, and so all
-/// of this, away.
-/// @return for each structure that has such an edge the one with the largest swing over both grips
+/// Finds the map edges that can make a device oscillate. The gradient of a map pushes the tip sideways until the tip
+/// rests
+/// at the edge where the gradient begins. There the force is switched with a delay, like a relay in the loop, and
+/// sustains
+/// an oscillation even on soft tissue. Below kLeastSwing_mm the tip rests. The force is `W grad s` for a stiffness map,
+/// `s sum_j W_j grad s_j` for buried lumps (haptics/FeltPress.h), and their sum for both. A map with values per
+/// triangle
+/// has steps but no gradient, so there is no such force. Tissue friction removes the force and thus the oscillation.
+/// @return for each structure with such an edge the worst edge over both grips
 /// @par Cost O(triangles). Any thread.
-/// @par Source resources/docs/stability.md, "A map's edges": the relay's describing function against the damping, the
-///             friction and the mass of device and hand.
+/// @par Source resources/docs/stability.md, "A map's edges": describing function of a relay, with the damping, friction
+/// and
+///     mass of device and hand.
 [[nodiscard]] std::vector<MapEdge> mapEdges(const haptics::HapticScene& scene, const HeldDevice& device);
 
 } // namespace palpate::study

@@ -6,15 +6,18 @@
 
 namespace palpate::study {
 
-/// The force [N] that a recorded structure's own law gives at a depth, without maps, lumps below and damping.
+/// Returns the force [N] of a recorded structure's force law at a depth, without maps, buried lumps and damping.
 [[nodiscard]] double lawForce_N(const session::StructureRecord& on, double depth_mm);
 
-/// Finds by how much maps and lumps below scaled the laws of what a recorded tick touches, which a recording does not
-/// keep: the force along the spring is `s F(d) - b v`, and all but s is known. Where a map varied the damping, the
-/// tissue's own is taken for it.
-/// @param tick  its contacts' `stiffnessScale` are set; 1 where nothing varied
-/// @param scene  that was felt; @param v_WH  velocity of the HIP in that tick [mm/s]
-/// @par Cost A table of each law that is not linear.
+/// Reconstructs the stiffness scale from maps and buried lumps for the contacts of a recorded tick, because recordings
+/// do
+/// not store the scale s. Solves `s F(d) - b v` along the spring for s. Uses the tissue's own damping b even if a map
+/// varies
+/// the damping.
+/// @param tick   sets `stiffnessScale` of the contacts; 1 without maps
+/// @param scene  scene of that tick
+/// @param v_WH   velocity of the HIP in that tick [mm/s]
+/// @par Cost One table per nonlinear law.
 void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH);
 
 } // namespace palpate::study

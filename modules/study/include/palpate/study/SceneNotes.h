@@ -15,48 +15,50 @@
 
 namespace palpate::study {
 
-/// Surfaces of one layer that are nearer than this without touching have a gap that a point contact falls into; a
-/// fingertip of 0.5 mm rides over it. [mm]
+/// Surfaces of one layer that are closer than this without touching leave a gap into which a point contact can fall. A
+/// fingertip of 0.5 mm bridges the gap. [mm]
 inline constexpr double kNarrowGap_mm = 0.2;
-/// Surfaces as near as this touch: the god-object's skin, and more than files round coordinates by. [mm]
+/// Surfaces within this distance count as touching: the god-object's skin, and more than the rounding of coordinates in
+/// files. [mm]
 inline constexpr double kTouching_mm = 1e-4;
 
-/// Neighbours in a layer that touch and differ by more than this factor in stiffness have a seam that is felt.
+/// A seam between touching neighbours of one layer is palpable above this stiffness ratio.
 inline constexpr double kFeltSeam = 2.0;
 
-/// A structure as its neighbours matter.
+/// Structure properties for the neighbour tests.
 struct NeighbourSurface
 {
     std::string name;
     std::uint32_t layer = 0;
     const geometry::RepairedMesh* surface = nullptr;
-    const geometry::SurfaceIndex* index = nullptr; ///< null: not felt, so that it counts for nothing
+    const geometry::SurfaceIndex* index = nullptr; ///< null: not palpable, ignored
     double stiffness_N_per_mm = 0.0;               ///< see pressStiffness
 };
 
-/// @return force by depth of a light press, 2 mm deep [N/mm]; maps and what lies below do not count
+/// Returns force divided by depth of a light press of 2 mm [N/mm], without maps and buried lumps.
 [[nodiscard]] double pressStiffness(const core::Tissue& tissue);
 
-/// @return those of a scene, in its order. What is felt through its organ does not count: its own surface is not
-/// touched. They are valid as long as `scene` and `felt` are.
-/// @param felt  made of `scene`, structure by structure (see `hapticScene`)
+/// Returns the structures of a scene in order, without lumps that are transmitted through their organ because these
+/// have
+/// no contact surface. Valid for the lifetime of `scene` and `felt`.
+/// @param felt  haptic scene with the same structures (see `hapticScene`)
 [[nodiscard]] std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene,
                                                        const haptics::HapticScene& felt);
 
-/// @return a sentence for each two structures of one layer that come nearer than kNarrowGap_mm without touching, of
-/// which none lies in the other; and for each two that touch or cross and differ in stiffness by more than kFeltSeam:
-/// the force steps where the hand passes from one to the other (resources/docs/god-object.md, "Several structures in
-/// one contact").
-/// @par Cost See geometry::nearestWithin, on all cores. Any thread but the servo's.
+/// Returns a sentence for each pair of structures in one layer that are closer than kNarrowGap_mm without touching or
+/// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kFeltSeam: the force
+/// steps
+/// where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
+/// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
 [[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
-/// The same, and finds out itself what lies in what.
+/// Computes the layering and calls the function above.
 [[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
 
-/// @return a sentence for each structure that lies in another one of its layer, and is therefore not felt through it.
+/// Returns a sentence for each structure inside another one of the same layer, which cannot be felt through that one.
 [[nodiscard]] std::vector<std::string> unfeltLumpNotes(std::span<const NeighbourSurface> surfaces,
                                                        const Layering& found);
 
-/// Both of these for a scene.
+/// Returns both kinds of notes for a scene.
 [[nodiscard]] std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene,
                                                       const haptics::HapticScene& felt);
 

@@ -9,13 +9,15 @@
 
 namespace palpate::study {
 
-/// Tells a search that could not have found a lump from one that missed it: where a trained hand tells each lump of a
-/// scene when it presses, and over how much of that the hand of a recording pressed deep enough. Places that the model
-/// does not judge are left out.
-/// @param scene  that the recording was made on; @param distance_mm  how near the contact must come to a place
-/// @param progress  told the share done; false cancels. May be empty
-/// @return none for a scene without lumps; an organ that can't be judged has none; Cancelled, or what could not be read
-/// @par Thread Any; the reader must serve no other meanwhile.
+/// Evaluates how thoroughly lumps were searched for, to distinguish a lump that was missed from one that could not be
+/// found: computes where a trained hand detects each lump when pressing, and which part of that area was pressed deep
+/// enough
+/// in the recording. Places that the model cannot evaluate are omitted.
+/// @param scene        scene of the recording
+/// @param distance_mm  distance within which the contact counts as touching a place [mm]
+/// @param progress     progress callback (0 to 1). Return false to cancel. May be empty
+/// @return empty for a scene without lumps; organs that cannot be evaluated are omitted; Cancelled, or the read error
+/// @par Thread Any. Do not use the reader from other threads at the same time.
 [[nodiscard]] core::Result<std::vector<session::LumpSearch>>
 searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene, double distance_mm,
               const std::function<bool(double)>& progress = {});

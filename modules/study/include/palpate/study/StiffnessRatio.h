@@ -12,22 +12,22 @@
 
 namespace palpate::study {
 
-/// Where a stiffness ratio comes from.
+/// Origin of a stiffness ratio.
 enum class RatioSource : std::uint8_t
 {
-    Typed,     ///< `young_ratio`, or given by the person
-    Moduli,    ///< `young_kPa` of the lump and of its organ
-    Tissue,    ///< stiffness of the lump's tissue by that of the organ's, where a person or a scene file chose them
-    Published, ///< measured ratios of such lumps in such organs; the names say which
+    Typed,     ///< `young_ratio`, or entered by the user
+    Moduli,    ///< `young_kPa` of the lump and of the organ
+    Tissue,    ///< stiffness ratio of the two tissues, if chosen by the user or a scene file
+    Published, ///< measured ratios for the kinds of lump and organ given by the names
 };
 
-/// @return "as typed", "from the moduli", "from the tissues' stiffness", "published for such lumps"
+/// Returns "as typed", "from the moduli", "from the tissues' stiffness" or "published for such lumps".
 [[nodiscard]] std::string_view sourceText(RatioSource source) noexcept;
 
-/// How many times as stiff as its organ a lump is [1].
+/// Stiffness of a lump divided by that of the organ [1].
 struct StiffnessRatio
 {
-    double low = 1.0, typical = 1.0, high = 1.0; ///< the same three times where one number is known
+    double low = 1.0, typical = 1.0, high = 1.0; ///< all equal if the ratio is a single number
     RatioSource source = RatioSource::Typed;
     std::string_view citation{}; ///< of a published range; else empty
 
@@ -39,40 +39,42 @@ struct StiffnessRatio
     friend bool operator==(const StiffnessRatio&, const StiffnessRatio&) = default;
 };
 
-/// Published ratios of the moduli, lump by organ.
+/// Published modulus ratio for a kind of lump in an organ.
 struct PublishedRatio
 {
     meshio::AnatomyKind lump;
-    meshio::AnatomyKind organ; ///< Other: in any organ
+    meshio::AnatomyKind organ; ///< Other: any organ
     StiffnessRatio ratio;
     std::string_view name; ///< "malignant tumour of the liver"
 };
-/// All that is known, in the order of a list for a person.
+/// Returns all published ratios, in display order.
 [[nodiscard]] std::span<const PublishedRatio> publishedRatios();
-/// @return nullptr where nothing is published for such a lump in such an organ.
+/// Returns nullptr if there is no published ratio for this lump and organ.
 [[nodiscard]] const PublishedRatio* publishedRatio(meshio::AnatomyKind lump, meshio::AnatomyKind organ);
 
-/// Decides how stiff a lump is against its organ, for window, command line and scene files alike. In this order: what
-/// is typed; the moduli of both; the tissues' stiffnesses where they were chosen; what is published for such names.
-/// @return nothing where none of these says it: then nothing may be said of what a hand feels, see `ratioQuestion`
-/// @param typed  a ratio from the command line, before all else
+/// Determines the stiffness ratio of a lump and its organ; shared by window, command line and scene files. Sources in
+/// order:
+/// entered ratio; moduli of both; stiffness of both tissues if chosen explicitly; published ratio for the names.
+/// @return empty without any source. Palpability must then not be reported, see `ratioQuestion`
+/// @param typed  ratio from the command line; takes precedence
 [[nodiscard]] std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
                                                            const meshio::SceneStructure& organ,
                                                            std::optional<double> typed = std::nullopt);
 
-/// The stiffness that a fingertip of 5 mm radius feels of healthy tissue [N/mm]; nothing for kinds that have none.
+/// Returns the stiffness of healthy tissue under a fingertip of 5 mm radius [N/mm]; empty for kinds without a value.
 /// @par Source resources/docs/felt.md#tissue-by-name
 [[nodiscard]] std::optional<double> tissueStiffness_N_per_mm(meshio::AnatomyKind kind);
 
-/// The stiffness that a structure's name says a fingertip of 5 mm radius feels [N/mm]; nothing for a name that says
-/// none. Of a lump that of its organ times the published ratio.
-/// @param organ  that the structure lies in; null: none
+/// Returns the stiffness under a fingertip of 5 mm radius that the name of a structure implies [N/mm]; empty for other
+/// names. For a lump: that of the organ times the published ratio.
+/// @param organ  name of the enclosing structure; null: none
 /// @par Source resources/docs/felt.md#tissue-by-name
 [[nodiscard]] std::optional<double> namedStiffness_N_per_mm(const std::string& name,
                                                             const std::string* organ = nullptr);
 
-/// @return what must be known of a lump, and the published ratios to choose from: "lump x in thing: how many times as
-/// stiff as thing it is is not known; ..."
+/// Returns a question about the ratio with the published choices: "lump x in thing: how many times as stiff as thing it
+/// is
+/// is not known; ...".
 [[nodiscard]] std::string ratioQuestion(const std::string& lump, const std::string& organ);
 
 } // namespace palpate::study

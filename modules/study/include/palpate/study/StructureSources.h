@@ -12,23 +12,24 @@
 
 namespace palpate::study {
 
-/// Says for a recording where a structure came from.
-/// @param sha256  geometryHash of its surface, empty when it is not known
+/// Describes the origin of a structure for a recording.
+/// @param sha256  geometryHash of the surface; empty if unknown
 [[nodiscard]] session::StructureSource sourceOf(const meshio::SceneStructure& description, std::string sha256);
-/// Says it of all structures of a scene; takes the hash of each geometry (4 ns a byte).
-/// @param embeds  give the surfaces with them
+/// Describes the origin of all structures of a scene. Hashes every geometry (4 ns per byte).
+/// @param embeds  include the surfaces
 [[nodiscard]] std::vector<session::StructureSource> sourcesOf(const meshio::LoadedScene& scene, bool embeds = false);
-/// How a scene describes a structure of a recording: what a recording does not hold, such as colours, is as in a new
-/// SceneStructure.
+/// Converts a recorded structure to a scene description. Properties that a recording does not store, such as colours,
+/// get
+/// the defaults of SceneStructure.
 [[nodiscard]] meshio::SceneStructure descriptionOf(const session::StructureRecord& record);
 
-/// The surfaces of a scene by their hash.
+/// Returns the surfaces of a scene by hash.
 [[nodiscard]] session::MeshesByHash meshesByHash(const meshio::LoadedScene& scene);
-/// The indices of a haptic scene by the hash of their surface, to rebuild a recording's scenes.
-/// @param sources  from `sourcesOf` of the same scene
+/// Returns the surface indices of a haptic scene by the hash of the surface, to rebuild the scenes of a recording.
+/// @param sources  from `sourcesOf` for the same scene
 [[nodiscard]] session::SurfacesByHash surfacesByHash(const haptics::HapticScene& scene,
                                                      const std::vector<session::StructureSource>& sources);
-/// Builds the index of each. @par Cost that of `indexed`, for each.
+/// Builds the index of each surface. @par Cost that of `indexed` for each surface.
 [[nodiscard]] session::SurfacesByHash indexedByHash(const session::MeshesByHash& meshes);
 
 } // namespace palpate::study
