@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Run at build time: writes OUT from IN when the commit changed, so that a recording can say what made it.
+# Run at build time: writes OUT from IN if the commit has changed. Recordings store this build id.
 set(commit "unknown")
 find_package(Git QUIET)
 if(GIT_FOUND)

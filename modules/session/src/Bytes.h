@@ -13,7 +13,7 @@
 
 namespace palpate::session::internal {
 
-// Numbers and texts as a recording's blobs and checksums hold them.
+// Encoding of numbers and texts in the blobs and checksums of a recording.
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
 template<class T>
@@ -24,7 +24,7 @@ void put(std::string& out, T value)
     out.append(bytes, sizeof value);
 }
 
-/// NULL stands for every NaN in a table, so that its bits cannot count.
+/// Normalizes NaN: tables store every NaN as NULL, so its bits must not affect the checksum.
 inline void putNumber(std::string& out, double value)
 {
     put(out, std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
@@ -43,7 +43,7 @@ inline void putText(std::string& out, std::string_view text)
     out += text;
 }
 
-/// Takes a value off the front. @pre there are enough bytes
+/// Removes a value from the front. @pre `in` is long enough
 template<class T>
 void take(std::string_view& in, T& value)
 {

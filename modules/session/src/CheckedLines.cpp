@@ -15,11 +15,11 @@ using core::Status;
 
 namespace {
 
-/// A line whose own hash was hit must not make the next one a fault: so far back it is looked whether one follows on
-/// what the line before covers rather than on what it says.
+/// A damaged hash in one row must not invalidate the next row. The expected hash is therefore also computed from the
+/// content of up to this many earlier rows instead of their stored hashes.
 constexpr int kLinesBack = 4;
 
-/// @return what is wrong with the numbers of a line of ticks, or nothing.
+/// Returns the error in the range or row count of a check for ticks; empty if valid.
 std::string wrongRange(const Check& check)
 {
     if (check.first < 0 || check.last < check.first || check.last > kMostTick) {
@@ -71,7 +71,7 @@ Status CheckedLines::read()
     std::stable_sort(m_eventsById.begin(), m_eventsById.end(),
                      [](const auto* a, const auto* b) { return a->first < b->first; });
     const bool isOld = m_tables.version() < 2;
-    bool hasMeta = isOld; // covered by the first line of ticks
+    bool hasMeta = isOld; // covered by the first check for ticks
     std::int64_t expectedId = 1;
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const Check& check = m_lines[i];
@@ -128,10 +128,10 @@ void CheckedLines::takeLine(std::size_t line)
     }
 }
 
-/// Takes a line of ticks unless its range makes no sense. Of two that overlap the one that is as written stays.
+/// Adds a check for ticks unless its range is invalid. Of two overlapping ranges, the intact one is kept.
 void CheckedLines::takeTicks(std::size_t line)
 {
-    constexpr int kMostOverlaps = 100; // each has a block read, and only malice makes many
+    constexpr int kMostOverlaps = 100; // each overlap reads a block; only a malicious file has many
     const Check& check = m_lines[line];
     if (std::string wrong = wrongRange(check); !wrong.empty()) {
         note("checks: " + wrong);
@@ -153,7 +153,7 @@ void CheckedLines::takeTicks(std::size_t line)
 
 void CheckedLines::findUnchecked()
 {
-    const bool isOld = m_tables.version() < 2; // which had checks of ticks alone
+    const bool isOld = m_tables.version() < 2; // checks for ticks only
     for (const SceneRecord& scene : m_scenes) {
         if (isOld) {
             m_covered.scenes.insert(scene.generation);
@@ -173,7 +173,7 @@ void CheckedLines::findUnchecked()
     }
 }
 
-/// Looks before the first and behind the last block; what lies between blocks is found with them.
+/// Searches before the first and after the last block. Rows between blocks are found when reading the blocks.
 void CheckedLines::findUncheckedTicks()
 {
     const auto numbers = m_tables.tickNumbers();
@@ -207,7 +207,7 @@ CheckedLines::EventsById::const_iterator CheckedLines::firstEvent(std::int64_t i
                             [](const auto* event, std::int64_t least) { return event->first < least; });
 }
 
-/// Of a line of ticks: nothing unless it is a block's, so that no row is covered twice.
+/// Ticks that are not in an accepted block give empty content, so that no row is covered twice.
 CheckedLines::Content CheckedLines::contentOf(std::size_t line) const
 {
     const Check& check = m_lines[line];
@@ -233,8 +233,8 @@ CheckedLines::Content CheckedLines::contentOf(std::size_t line) const
     return content;
 }
 
-/// The hash that a line has to have: after the one before as that is stored where it gives this line's, else as that
-/// is computed.
+/// Returns the expected hash of a row. Uses the stored hash of the previous row if this gives a match, else the
+/// recomputed hash.
 std::string CheckedLines::expectedHash(std::size_t line, const std::string& bytes, int depth) const
 {
     std::string stored = sha256(hashBefore(line) + bytes);
@@ -264,7 +264,7 @@ std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t numbe
     const Check& check = m_blocks[number];
     auto out = std::make_shared<Block>();
     std::string content, wrong;
-    std::optional<std::pair<std::int64_t, std::int64_t>> strays; // rows before the block that no line covers
+    std::optional<std::pair<std::int64_t, std::int64_t>> strays; // preceding rows without a check
     const std::int64_t after = number > 0 ? m_blocks[number - 1].last + 1 : 0;
     const Status status = m_tables.readTicks(after, check.last, [&](const servo::TickRecord& tick) {
         if (tick.tick < check.first) {

@@ -26,7 +26,7 @@ bool isSame(const Contact& a, const Contact& b)
            sameBits(a.p_WG, b.p_WG) && sameBits(a.n_W, b.n_W) && sameBits(a.f_W + zero, b.f_W + zero);
 }
 
-/// False for a NaN, too.
+/// Also false for NaN.
 bool isWithin(const core::Vec3& v, double most)
 {
     return std::all_of(v.begin(), v.end(), [most](double value) { return std::abs(value) <= most; });
@@ -116,7 +116,7 @@ bool unpackLayers(std::string_view layers, servo::TickRecord& tick)
         }
     }
     if (!isPossible) {
-        felt.contactCount = 1; // what its own columns say
+        felt.contactCount = 1; // from the tick's own columns
         felt.contacts[0] = ownContact(tick);
     }
     return isPossible;

@@ -8,23 +8,23 @@
 
 namespace palpate::session::internal {
 
-/// The one contact that a tick's own columns tell of.
-/// @return the outermost layer, with all of the force; friction as the flags say
-/// @pre the tick touches something
+/// Returns the contact described by a tick's own columns: the outermost layer with the total force; friction according
+/// to the flags.
+/// @pre the tick is in contact
 [[nodiscard]] haptics::Contact ownContact(const servo::TickRecord& tick);
 
-/// The column `layers` of resources/docs/recording.md. @return empty where `ownContact` is all there are, bit for bit,
-/// or nothing is touched
+/// Packs the contacts for the column `layers` of resources/docs/recording.md. @return empty without contact, or if
+/// `ownContact` describes all contacts bit for bit
 [[nodiscard]] std::string packLayers(const servo::TickRecord& tick);
 
-/// Fills a tick's contacts from the column `layers` and its own columns; each depth is the length of its spring,
-/// or where structures share a layer its part along the structure's normal.
-/// @param layers  what packLayers made
-/// @return false for another form, or numbers beyond Bounds.h; the contact is then what the tick's own columns say
+/// Restores a tick's contacts from the column `layers` and its own columns. The depth of a contact is the length of its
+/// spring, or, for structures that share a layer, its component along the structure's normal.
+/// @param layers  output of packLayers
+/// @return false for an invalid format or numbers beyond Bounds.h; the contact then follows the tick's own columns
 bool unpackLayers(std::string_view layers, servo::TickRecord& tick);
 
-/// @return true for the same contacts, bit for bit but for the sign of a zero in a share of the force: the sum over the
-/// layers, which a tick keeps, has none to give back. Depths follow from the rest.
+/// Returns true if the contacts are equal bit for bit. Ignores the sign of zero force components, which cannot be
+/// restored from the stored sum over the layers. Depths are derived from the rest.
 [[nodiscard]] bool sameContacts(const haptics::TickResult& a, const haptics::TickResult& b);
 
 } // namespace palpate::session::internal

@@ -19,12 +19,12 @@ namespace palpate::session::internal {
 namespace {
 constexpr int kBusyTimeout_ms = 2000;
 
-// Of SQLite's virtual machine. A full scan takes about 40 steps a row, and no row has less than 40 bytes.
+// Steps of SQLite's virtual machine. A full scan takes about 40 steps per row, and each row has at least 40 bytes.
 constexpr std::int64_t kFreeSteps = 100'000'000;
 constexpr std::int64_t kStepsPerByte = 16;
 constexpr int kStepsPerCall = 10'000;
 
-/// @return bytes that a file has on the disk: of a sparse one what is there of it.
+/// Returns the allocated size of a file; less than the length for a sparse file.
 std::int64_t bytesOnDisk(const std::filesystem::path& path)
 {
     struct stat found
@@ -33,7 +33,7 @@ std::int64_t bytesOnDisk(const std::filesystem::path& path)
     return ::stat(path.c_str(), &found) == 0 ? std::int64_t{found.st_blocks} * 512 : 0;
 }
 
-/// @return true for a database whose changes go to a write-ahead log, by its header.
+/// Returns true if the header selects a write-ahead log.
 bool hasWriteAheadLog(const std::filesystem::path& path)
 {
     constexpr std::size_t kWriteVersion = 18, kReadVersion = 19; // 1: rollback journal, 2: write-ahead log
@@ -45,7 +45,7 @@ bool hasWriteAheadLog(const std::filesystem::path& path)
 
 struct Database::Work
 {
-    std::int64_t most = 0; ///< steps for the statements between two calls of startWork
+    std::int64_t most = 0; ///< step budget between two calls of startWork
     std::int64_t left = 0;
 };
 
@@ -187,7 +187,7 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
     }
     sqlite3_extended_result_codes(handle, 1);
     sqlite3_busy_timeout(handle, kBusyTimeout_ms);
-    // A damaged or hostile file must not run code of its own through views and triggers.
+    // Prevents a damaged or malicious file from running code through views and triggers.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     if (mode == Mode::Read) {
@@ -196,10 +196,10 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
     return database;
 }
 
-/// Bounds what a file of anyone's can make SQLite do.
+/// Sets limits for untrusted files.
 void Database::limit()
 {
-    constexpr std::int64_t kLeastLength = 1'000'000; // SQLite's own texts, of the schema and of errors
+    constexpr std::int64_t kLeastLength = 1'000'000; // for SQLite's own schema and error texts
     sqlite3* const handle = m_database.get();
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
@@ -219,7 +219,7 @@ void Database::limit()
     sqlite3_progress_handler(
         handle, kStepsPerCall, [](void* work) { return (static_cast<Work*>(work)->left -= kStepsPerCall) < 0 ? 1 : 0; },
         m_work.get());
-    // Nothing of it goes to a file, nor is a mapped file cut off under its reader.
+    // No temporary files. No memory mapping either, because truncating a mapped file crashes the reader.
     sqlite3_exec(handle, "PRAGMA temp_store=MEMORY; PRAGMA mmap_size=0; PRAGMA cell_size_check=ON", nullptr, nullptr,
                  nullptr);
 }
@@ -272,7 +272,7 @@ bool Database::isFull() const
         return false;
     }
     const int code = sqlite3_errcode(m_database.get());
-    // A journal that cannot be made, or a quota, has a code that says less.
+    // SQLite's code is unspecific for a journal that cannot be created or an exceeded quota, so check errno.
     const bool isOfSystem = (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_CANTOPEN;
     const int system = isOfSystem ? sqlite3_system_errno(m_database.get()) : 0;
     return code == SQLITE_FULL || system == ENOSPC || system == EDQUOT || system == EFBIG;

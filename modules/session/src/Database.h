@@ -16,11 +16,11 @@ struct sqlite3_stmt;
 
 namespace palpate::session::internal {
 
-/// A text of the file's or of SQLite's, which quotes the file, fit for a one-line message: without control characters,
-/// cut to what fits.
+/// Converts text from the file or from SQLite messages (which quote the file) to a single line: removes control
+/// characters and limits the length.
 [[nodiscard]] std::string oneLine(std::string_view text);
 
-/// A prepared statement. Columns and parameters count from 0.
+/// Prepared statement. Columns and parameters count from 0.
 class Statement
 {
   public:
@@ -39,7 +39,7 @@ class Statement
         Done,
         Failed
     };
-    /// Runs to the next row. After Done or Failed the statement is ready for new values.
+    /// Runs to the next row. After Done or Failed, the statement can be bound again.
     Step step();
     void reset();
 
@@ -54,8 +54,8 @@ class Statement
     [[nodiscard]] Type type(int column) const;
     [[nodiscard]] bool isNull(int column) const { return type(column) == Type::Null; }
     [[nodiscard]] bool isInteger(int column) const { return type(column) == Type::Integer; }
-    [[nodiscard]] std::int64_t integer(int column) const; ///< 0 for what is no number
-    [[nodiscard]] double real(int column) const;          ///< NaN for what is no number
+    [[nodiscard]] std::int64_t integer(int column) const; ///< 0 if not a number
+    [[nodiscard]] double real(int column) const;          ///< NaN if not a number
     [[nodiscard]] std::string bytes(int column) const;    ///< of a text or blob
     [[nodiscard]] bool isPrepared() const noexcept { return m_statement != nullptr; }
 
@@ -67,36 +67,36 @@ class Statement
     std::unique_ptr<sqlite3_stmt, Finalize> m_statement;
 };
 
-/// A SQLite connection whose errors become one line that names the file.
+/// SQLite connection that reports errors as one line with the file name.
 class Database
 {
   public:
     enum class Mode
     {
-        Read,      ///< a file of anyone's: see ReadOnlyVfs
-        ReadWrite, ///< one that this process has made
+        Read,      ///< untrusted file: see ReadOnlyVfs
+        ReadWrite, ///< file created by this process
         Create
     };
 
     /// @return for Read also BadFormat, for a database with a write-ahead log or with a journal that checkJournal
-    ///         refuses
+    ///         rejects
     [[nodiscard]] static core::Result<Database> open(const std::filesystem::path& path, Mode mode);
 
     core::Status execute(const std::string& sql);
-    /// Lets the coming statements take as many steps as any honest file of this size needs, and no more: pages that
-    /// lead to each other in circles are then an error rather than an endless scan. `prepare` does the same.
+    /// Resets the step budget for the following statements to the maximum that a valid file of this size needs. Cyclic
+    /// pages then cause an error instead of an endless scan. `prepare` also resets the budget.
     void startWork() const;
-    /// Bytes of the file when it was opened; 0 for one that is created.
+    /// Size of the file when opened [bytes]; 0 for a new file.
     [[nodiscard]] std::int64_t fileSize() const noexcept { return m_fileSize; }
-    /// @return a statement that is not prepared after an error; see `error`.
+    /// @return an unprepared statement after an error; see `error`.
     [[nodiscard]] Statement prepare(const char* sql) const;
-    /// @return the first column of the first row, 0 without one
+    /// @return first column of the first row, 0 without rows
     [[nodiscard]] std::int64_t integer(const char* sql) const;
-    /// The newest error as one line, with the code NoSpace for a full disk. @param doing  "cannot be written"
+    /// Returns the latest error as one line; code NoSpace for a full disk. @param doing  "cannot be written"
     [[nodiscard]] core::Status error(std::string_view doing) const;
-    [[nodiscard]] bool isFull() const;   ///< the newest error is that of a full disk, quota or file size
-    [[nodiscard]] int errorCode() const; ///< SQLite's extended code
-    /// True after SQLite rolled back on its own or outside of a transaction.
+    [[nodiscard]] bool isFull() const;   ///< the latest error is a full disk, quota or file size limit
+    [[nodiscard]] int errorCode() const; ///< extended error code of SQLite
+    /// Returns true outside of a transaction, for example after an automatic rollback.
     [[nodiscard]] bool isIdle() const;
 
   private:
@@ -113,7 +113,7 @@ class Database
 
     std::filesystem::path m_path;
     std::int64_t m_fileSize = 0;
-    std::unique_ptr<ReadOnlyVfs> m_files; ///< of Mode::Read; outlives the connection
+    std::unique_ptr<ReadOnlyVfs> m_files; ///< for Mode::Read; must outlive the connection
     std::unique_ptr<Work, FreeWork> m_work;
     std::unique_ptr<sqlite3, Close> m_database;
 };

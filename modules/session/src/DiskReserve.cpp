@@ -11,7 +11,7 @@ namespace palpate::session::internal {
 DiskReserve::DiskReserve(const std::filesystem::path& beside, std::size_t bytes)
 {
     if (const auto made = core::Scratch::create(beside, core::Scratch::Kind::File); made.isOk()) {
-        m_file = ::fcntl(made.value()->descriptor(), F_DUPFD_CLOEXEC, 0); // the name goes with the scratch
+        m_file = ::fcntl(made.value()->descriptor(), F_DUPFD_CLOEXEC, 0); // the name is removed with the scratch file
     }
     if (m_file < 0) {
         return;

@@ -6,18 +6,18 @@
 
 namespace palpate::session::internal {
 
-/// Room on a disk that is kept for the last words of a recording: a file without a name, gone with the program however
-/// it ends. Where there is no room, or the file system keeps none, there is no reserve.
+/// Disk space reserved for the final events of a recording: an unnamed file that disappears with the process. Without
+/// free space or without support by the file system, nothing is reserved.
 class DiskReserve
 {
   public:
-    /// @param beside  on the disk that is meant
+    /// @param beside  any path on the same disk
     DiskReserve(const std::filesystem::path& beside, std::size_t bytes);
     ~DiskReserve() { release(); }
     DiskReserve(const DiskReserve&) = delete;
     DiskReserve& operator=(const DiskReserve&) = delete;
 
-    /// Gives the room back to the disk.
+    /// Releases the disk space.
     void release() noexcept;
 
   private:

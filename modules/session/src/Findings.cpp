@@ -46,14 +46,14 @@ QJsonArray list(const core::Vec3& v)
     return {v.x(), v.y(), v.z()};
 }
 
-/// The event of a recording that a finding is; nothing when it is none.
+/// Returns the finding of an event; empty if there is none.
 std::optional<core::Finding> findingIn(const RecordingEvent& event)
 {
     QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
     if (event.kind == "note" && !json.contains("text")) {
         return std::nullopt;
     }
-    if (event.kind == "note" && !json.contains("note")) { // of older recordings, which hold the text alone
+    if (event.kind == "note" && !json.contains("note")) { // older recordings contain only the text
         json["note"] = json.value("text");
         json["name"] = "Note";
     }
@@ -137,7 +137,7 @@ std::string findingJson(const core::Finding& finding)
 {
     QJsonObject json = toJson(finding);
     if (!finding.hasPlace) {
-        json["text"] = QString::fromStdString(finding.note); // where older versions look
+        json["text"] = QString::fromStdString(finding.note); // key used by older versions
         json["note"] = json.value("text");
     }
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
@@ -147,7 +147,7 @@ std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector
 {
     using Marked = std::pair<std::int64_t, core::Finding>;
     std::vector<Marked> findings;
-    std::map<std::string, std::int64_t> firstTicks; // by id: what is deleted and brought back was marked when it was
+    std::map<std::string, std::int64_t> firstTicks; // by id: restored findings keep the original time of marking
     const auto newest = [&](const core::Finding& finding) {
         return std::find_if(findings.rbegin(), findings.rend(), [&](const Marked& one) {
             return finding.id.empty() ? one.second.name == finding.name : one.second.id == finding.id;

@@ -12,9 +12,9 @@ namespace palpate::session::internal {
 core::Status checkJournal(const std::filesystem::path& database)
 {
     constexpr std::string_view kMagic{"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8};
-    constexpr std::size_t kEnd = 16; // length of the name, its checksum, the magic
+    constexpr std::size_t kEnd = 16; // name length, name checksum, magic number
     std::error_code error;
-    std::filesystem::path journal = std::filesystem::canonical(database, error); // as SQLite looks for it
+    std::filesystem::path journal = std::filesystem::canonical(database, error); // as resolved by SQLite
     journal = error ? database : journal;
     journal += "-journal";
     const auto refuse = [&journal](const std::string& what) {
@@ -33,7 +33,7 @@ core::Status checkJournal(const std::filesystem::path& database)
     std::array<char, kEnd> end{};
     file.seekg(-static_cast<std::streamoff>(kEnd), std::ios::end);
     if (!file.read(end.data(), kEnd)) {
-        return {}; // shorter: it names nothing
+        return {}; // too short for a name
     }
     const bool hasName = std::any_of(end.begin(), end.begin() + 4, [](char c) { return c != 0; });
     if (hasName && std::string_view(end.data() + 8, kMagic.size()) == kMagic) {

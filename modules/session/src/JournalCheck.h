@@ -7,9 +7,9 @@
 
 namespace palpate::session::internal {
 
-/// Looks at the journal that a crash may have left beside a database, before SQLite does.
-/// @return BadFormat for one that is a link, a pipe or a device, and for the journal of several databases: rolling that
-///         back deletes a file of any name, which the journal holds. Palpate never writes one.
+/// Checks a journal that a crash may have left next to a database, before SQLite opens both.
+/// @return BadFormat for a link, pipe or device, and for a journal of a multi-file transaction. Rolling back the latter
+///         deletes an arbitrary file named in the journal. Palpate never writes such a journal.
 /// @par Source https://www.sqlite.org/atomiccommit.html, section 5 (multi-file commit)
 [[nodiscard]] core::Status checkJournal(const std::filesystem::path& database);
 

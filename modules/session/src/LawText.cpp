@@ -16,7 +16,7 @@ QString text(std::string_view utf8)
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-/// @return nothing unless they are pairs of numbers.
+/// @return empty if any entry is not a pair of numbers.
 std::optional<std::vector<core::ForceLaw::Point>> parsePoints(const QJsonArray& array)
 {
     std::vector<core::ForceLaw::Point> points;

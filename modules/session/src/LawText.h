@@ -9,9 +9,9 @@
 
 namespace palpate::session::internal {
 
-/// A law as the column `law` holds it: JSON, numbers by their keys. @return empty for a linear one
+/// Serializes a force law for the column `law` as JSON. @return empty for a linear law
 [[nodiscard]] std::string lawText(const core::ForceLaw& law);
-/// @return nothing when the text is no law, or one of its numbers is missing or out of its range.
+/// Parses a force law. @return empty for an invalid text or for missing or out-of-range numbers.
 [[nodiscard]] std::optional<core::ForceLaw> parseLaw(std::string_view text);
 
 } // namespace palpate::session::internal

@@ -24,7 +24,7 @@ namespace {
 struct NamedMap
 {
     const char* quantity;
-    bool isAboveZero; ///< 0 is no number of it
+    bool isAboveZero; ///< zero is not allowed
 };
 /// In the order of `TissueMaps::all`.
 constexpr std::array kMaps{NamedMap{"stiffness", true}, NamedMap{"damping", false},  NamedMap{"friction", false},
@@ -45,7 +45,7 @@ std::string hashOf(std::string_view bytes)
     return QByteArray(hash.data(), static_cast<qsizetype>(hash.size())).toHex().toStdString();
 }
 
-/// @return what is wrong with the numbers of a map; null where nothing is
+/// Returns the error in the values of a map; null if valid.
 const char* faultIn(const Corners& corners, double factor, bool isAboveZero)
 {
     const bool isPossible = std::all_of(corners.begin(), corners.end(), [isAboveZero](const std::array<float, 3>& at) {

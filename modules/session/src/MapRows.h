@@ -10,17 +10,17 @@
 
 namespace palpate::session::internal {
 
-/// What the column `maps` of a structure says: a JSON array with quantity, factor and the SHA-256 of each map's
-/// numbers. Empty without a map.
+/// Serializes maps for the column `maps` of a structure: a JSON array with quantity, factor and SHA-256 of the values
+/// of each map. Empty without maps.
 [[nodiscard]] std::string mapsText(const haptics::TissueMaps& maps);
 
-/// Gives each map's SHA-256 (64 hex digits) and its numbers, three floats for each triangle in the index's order.
+/// Passes the SHA-256 (64 hex digits) and the values of each map, three floats per triangle in index order.
 void forEachMap(const haptics::TissueMaps& maps,
                 const std::function<void(const std::string& sha256, std::string_view bytes)>& take);
 
-/// The inverse: finds the numbers by their hash and checks them.
-/// @param find  gives the bytes of a hash; nothing where they are not there
-/// @param wrong  says what could not be had, one line; empty when nothing
+/// Restores maps from the serialized text and verifies the hashes.
+/// @param find  returns the bytes for a hash; empty if missing
+/// @param wrong  receives the missing or damaged data in one line; empty without errors
 [[nodiscard]] haptics::TissueMaps mapsOf(const std::string& text,
                                          const std::function<std::optional<std::string>(const std::string&)>& find,
                                          std::string& wrong);

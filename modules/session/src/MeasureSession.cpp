@@ -30,7 +30,7 @@ double areaOf(const geometry::TriangleMesh& mesh)
     return area_mm2;
 }
 
-/// The surfaces of a recording's scenes, found by what a tick says.
+/// Finds the surfaces of a recording from the scene and structure of a tick.
 class Surfaces
 {
   public:
@@ -85,7 +85,7 @@ class Surfaces
   private:
     struct Place
     {
-        std::unique_ptr<TouchedSurface> surface; ///< made at the first touch
+        std::unique_ptr<TouchedSurface> surface; ///< created at the first contact
     };
 
     TouchedSurface* surfaceOf(std::uint32_t generation, std::uint32_t number)
@@ -110,17 +110,17 @@ class Surfaces
     const MeshesByHash& m_meshes;
     double m_distance_mm;
     std::map<std::pair<std::string, std::string>, Place> m_places; ///< by name and hash
-    /// What the contact in this place was looked up for last.
+    /// Cached lookup for one contact index.
     struct Last
     {
         std::uint32_t scene = 0;
-        std::uint32_t structure = std::numeric_limits<std::uint32_t>::max(); ///< none
+        std::uint32_t structure = std::numeric_limits<std::uint32_t>::max(); ///< no cached structure
         TouchedSurface* surface = nullptr;
     };
     std::array<Last, haptics::kMaxContacts> m_last{};
 };
 
-/// Phases of each structure by itself.
+/// Classifies the phases of each structure separately.
 class StructurePhases
 {
   public:
@@ -170,7 +170,7 @@ double leastDistance_mm(const MeshesByHash& meshes)
     for (const auto& [hash, mesh] : meshes) {
         area_mm2 += areaOf(mesh->mesh);
     }
-    // A triangle with edges of half the distance d has sqrt(3)/16 d^2.
+    // An equilateral triangle with edge d/2 has the area sqrt(3)/16 d^2.
     return std::sqrt(16.0 / std::numbers::sqrt3 * area_mm2 / kMostTriangles);
 }
 

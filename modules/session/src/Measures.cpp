@@ -15,7 +15,7 @@ double mean(const std::vector<double>& values)
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// By nearest rank: the smallest value that at least this share of all do not exceed.
+/// Nearest-rank percentile: the smallest value that is not exceeded by at least this share of all values.
 double percentile(std::vector<double> values, double share)
 {
     if (values.empty()) {
@@ -41,7 +41,7 @@ MeasureAccumulator::MeasureAccumulator(double dt_s)
 {
 }
 
-/// @param goesOn  the tick follows the one before it
+/// @param goesOn  continues from the previous tick
 void MeasureAccumulator::Samples::add(std::int64_t tick, bool goesOn, double force_N, double depth_mm)
 {
     contacts += goesOn && last && *last + 1 >= tick ? 0 : 1;

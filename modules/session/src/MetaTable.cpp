@@ -24,16 +24,16 @@ std::string text(double value)
     return out;
 }
 
-/// What only recordings have to which it applies.
+/// Keys present only in recordings to which they apply.
 constexpr std::pair<const char*, std::string RecordingInfo::*> kOptional[] = {
     {"scene_beside", &RecordingInfo::sceneBeside},
     {"scene_sha256", &RecordingInfo::sceneSha256},
     {"looks", &RecordingInfo::looks}};
 
-/// Only of a copy whose ticks are those of an older version.
+/// Present only in a copy with ticks of an older version.
 constexpr const char* kTickVersion = "tick_version";
 
-/// Takes values out of the table and keeps the first complaint.
+/// Reads values from the table and keeps the first error.
 class MetaReader
 {
   public:
@@ -132,7 +132,7 @@ MetaTable toMeta(const RecordingInfo& info)
 
 bool isPeriodOf(double dt_s, double rate_Hz)
 {
-    constexpr double kRounding = 1e-9; // of a quotient that was written with 17 digits
+    constexpr double kRounding = 1e-9; // of a quotient with 17 digits
     return dt_s >= kLeastPeriod_s && dt_s <= kMostPeriod_s && std::abs(dt_s * rate_Hz - 1.0) <= kRounding;
 }
 

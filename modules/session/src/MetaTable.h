@@ -16,20 +16,21 @@ namespace palpate::session::internal {
 /// Keys and values of the table `meta`.
 using MetaTable = std::map<std::string, std::string>;
 
-/// Key that only the writer's orderly end adds.
+/// Key added only when the writer closes the recording properly.
 inline constexpr const char* kComplete = "complete";
 
 [[nodiscard]] MetaTable toMeta(const RecordingInfo& info);
-/// @return true for a period that a recording may have, when it is that of the rate.
+/// Returns true for a valid period that matches the rate.
 [[nodiscard]] bool isPeriodOf(double dt_s, double rate_Hz);
-/// @return BadFormat with one line (without the file's name) for a value that is missing or wrong
+/// @return BadFormat with one line (without file name) for a missing or invalid value
 [[nodiscard]] core::Result<RecordingInfo> fromMeta(const MetaTable& meta);
-/// The pairs that the first check covers.
+/// Returns the pairs covered by the first checksum.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> hashedPairs(const MetaTable& meta);
 
-/// A source's pose as the text of its upper three rows, and behind it the frame where one was chosen.
+/// Serializes the upper three rows of the pose, followed by the chosen frame if there is one.
 [[nodiscard]] std::string poseText(const StructureSource& source);
-/// Sets pose and frame; the identity and none when the text is not twelve numbers and at most a frame's name.
+/// Parses pose and frame. Sets the identity without a frame unless the text has twelve numbers and at most one frame
+/// name.
 void parsePose(std::string_view text, StructureSource& source);
 
 } // namespace palpate::session::internal

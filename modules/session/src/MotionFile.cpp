@@ -23,10 +23,10 @@ using core::StatusCode;
 
 constexpr std::array<std::string_view, 4> kColumns{"x", "y", "z", "time_s"};
 constexpr std::size_t kTimeColumn = 3;
-constexpr double kLargest_mm = 1e9;             // beyond it the squares of distances lose what a hand can feel
-constexpr std::size_t kLongestLine = 1'000'000; // bytes; a device or a binary file may have no line end at all
-constexpr std::size_t kMostRows = 86'400'000;   // a day at 1 kHz, 2 GB
-constexpr double kShortestPeriod_s = 1e-5, kLongestPeriod_s = 1.0; // as of a recording
+constexpr double kLargest_mm = 1e9;             // squares of larger distances lose palpable precision
+constexpr std::size_t kLongestLine = 1'000'000; // bytes; a device or binary file may lack line ends
+constexpr std::size_t kMostRows = 86'400'000;   // one day at 1 kHz, 2 GB
+constexpr double kShortestPeriod_s = 1e-5, kLongestPeriod_s = 1.0; // same limits as in a recording
 
 std::string_view trimmed(std::string_view text)
 {
@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Many programs write each field, or the header's, in quotation marks.
+/// Removes quotation marks, which many programs write around fields or headers.
 std::string_view unquoted(std::string_view field)
 {
     field = trimmed(field);
@@ -44,7 +44,7 @@ std::string_view unquoted(std::string_view field)
     return isQuoted ? field.substr(1, field.size() - 2) : field;
 }
 
-/// Cuts the text up to `separator` off the front of `rest`.
+/// Removes the text up to `separator` from the front of `rest`.
 std::string_view take(std::string_view& rest, char separator)
 {
     const auto end = rest.find(separator);
@@ -58,7 +58,7 @@ std::size_t fieldCount(std::string_view line)
     return static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
 }
 
-/// Parses a motion line by line, so that a file of any length needs no more memory than its rows.
+/// Parses a motion line by line, so that memory use depends on the number of rows only.
 class MotionParser
 {
   public:
@@ -67,14 +67,14 @@ class MotionParser
     {
     }
 
-    /// Takes one line without its line feed.
+    /// Parses one line without its line feed.
     Status add(std::string_view line)
     {
         ++m_line;
         if (m_line == 1) {
             return readHeader(line.starts_with("\xef\xbb\xbf") ? line.substr(3) : line);
         }
-        if (trimmed(line).empty()) { // only an error when a row follows
+        if (trimmed(line).empty()) { // an error only if a row follows
             m_firstBlank = m_firstBlank == 0 ? m_line : m_firstBlank;
             return {};
         }
@@ -85,7 +85,7 @@ class MotionParser
         return readRow(line);
     }
 
-    /// Refuses a line of which more than kLongestLine bytes are known.
+    /// Reports a line longer than kLongestLine bytes.
     Status refuseLongLine()
     {
         ++m_line;
@@ -196,7 +196,8 @@ class MotionParser
     core::Result<Motion> finished()
     {
         if (hasTime() && m_motion.p_WH.size() > 1) {
-            // One row is one servo tick: the mean spacing is its period, free of the rounding of single times.
+            // One row is one servo tick, so the mean spacing is the period. The mean is independent of the rounding of
+            // single times.
             m_motion.dt_s = (m_last_s - m_first_s) / static_cast<double>(m_motion.p_WH.size() - 1);
             if (std::abs(m_motion.dt_s - kNominalPeriod_s) < 1e-9 * kNominalPeriod_s) {
                 m_motion.dt_s = kNominalPeriod_s;
@@ -221,7 +222,7 @@ class MotionParser
     std::size_t m_line = 0;
     std::size_t m_firstBlank = 0; ///< line number after the header; 0: none so far
     std::size_t m_fields = 0;
-    std::array<std::size_t, 4> m_place{}; ///< field of each known column, `m_fields` when absent
+    std::array<std::size_t, 4> m_place{}; ///< field index of each known column; `m_fields` if absent
     double m_first_s = 0.0;
     double m_last_s = 0.0;
     Motion m_motion;
@@ -260,7 +261,7 @@ core::Result<Motion> readMotion(const std::filesystem::path& path)
         return unreadable(errno);
     }
     MotionParser parser(name);
-    std::string pending; // the beginning of a line whose end has not been read
+    std::string pending; // beginning of an incomplete line
     std::vector<char> block(1U << 16U);
     while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
         std::string_view rest(block.data(), count);

@@ -7,7 +7,8 @@
 
 namespace palpate::session::internal {
 
-/// The velocity that dampers had before recordings held it (version 4): the difference of two HIPs.
+/// Reconstructs the damper velocity for recordings before version 4, which do not store velocities: the difference
+/// quotient of consecutive HIPs.
 class OldVelocity
 {
   public:
@@ -18,7 +19,7 @@ class OldVelocity
     {
     }
 
-    /// Fills in that of a tick. @pre each tick is given, in order; where some are missing, the next one has kReset
+    /// Sets the velocity of a tick. @pre called for each tick in order; the tick after a gap has kReset
     void fillIn(servo::TickRecord& tick)
     {
         if ((tick.flags & servo::kNoHand) != 0) {
@@ -31,9 +32,9 @@ class OldVelocity
     }
 
   private:
-    core::Vec3 m_p_WH; ///< of the tick before [mm]
+    core::Vec3 m_p_WH; ///< HIP of the previous tick [mm]
     double m_dt_s;
-    bool m_isKnown; ///< there was one
+    bool m_isKnown; ///< a previous HIP exists
 };
 
 } // namespace palpate::session::internal

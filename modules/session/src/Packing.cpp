@@ -61,7 +61,7 @@ void packScene(std::string& out, const SceneRecord& scene, int version)
         putText(out, poseText(structure.source));
         putText(out, structure.source.sha256);
         for (const core::TissueTerm& term : tissueTerms(version)) {
-            putNumber(out, structure.tissue.*term.member + 0.0); // a REAL column keeps no sign of a zero
+            putNumber(out, structure.tissue.*term.member + 0.0); // a REAL column loses the sign of zero
         }
         put(out, structure.layer);
         put(out, static_cast<std::uint8_t>(structure.palpable));

@@ -15,32 +15,31 @@
 
 namespace palpate::session::internal {
 
-/// @return true when all bits are equal; tells the zeros apart, and takes every NaN as the same.
+/// Returns true if all bits are equal. Distinguishes the signs of zero and treats all NaNs as equal.
 [[nodiscard]] bool sameBits(double a, double b) noexcept;
 [[nodiscard]] bool sameBits(const core::Vec3& a, const core::Vec3& b) noexcept;
 
-/// Appends what a checksum covers of a tick: what is stored of it, NULLs filled in, from the wide numbers to the
-/// narrow.
-/// @param tick  `time_ns` since the recording's first
-/// @param version  of the recording that the tick is checked against
+/// Appends the checksum input for a tick: the stored values with NULLs resolved, from wide to narrow types.
+/// @param tick  `time_ns` since the first tick of the recording
+/// @param version  of the recording with the checksum
 void packTick(std::string& out, const servo::TickRecord& tick, int version = kRecordingVersion);
 
-/// What the checksum of a scene covers.
-/// @param version  of the recording that the scene is checked against
+/// Appends the checksum input for a scene.
+/// @param version  of the recording with the checksum
 void packScene(std::string& out, const SceneRecord& scene, int version);
-/// What the checksum of events covers.
+/// Appends the checksum input for an event.
 void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
-/// What the checksum of an embedded surface covers: all its arrays.
+/// Returns the checksum of an embedded surface, over all arrays.
 [[nodiscard]] std::string embeddedHash(const geometry::RepairedMesh& surface);
 
 [[nodiscard]] std::string packState(const haptics::PalpatorState& state, int version = kRecordingVersion);
-/// Takes a state of this version or of one before: 3 knew no contacts that were left, 2 no friction. @return nothing
-/// when `bytes` has another length or a number out of range.
+/// Unpacks a state of this or an earlier version: version 3 has no LeftContact entries, version 2 no friction either.
+/// @return empty for a wrong length or a number out of range.
 [[nodiscard]] std::optional<haptics::PalpatorState> unpackState(std::string_view bytes);
 
-/// SHA-256, raw.
+/// Returns the raw SHA-256.
 [[nodiscard]] std::string sha256(std::string_view bytes);
-/// Hash that the chain of checks starts with. @param meta  keys and values, ascending by key, without "complete"
+/// Returns the first hash in the chain of checksums. @param meta  keys and values, ascending by key, without "complete"
 [[nodiscard]] std::string metaHash(const std::vector<std::pair<std::string, std::string>>& meta);
 
 } // namespace palpate::session::internal

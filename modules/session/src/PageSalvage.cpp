@@ -26,12 +26,12 @@ using core::StatusCode;
 
 namespace {
 
-constexpr std::size_t kPage = 4096; // SQLite's own choice, and ours
+constexpr std::size_t kPage = 4096; // SQLite's default, also used by Palpate
 constexpr std::size_t kFileHeader = 100;
-constexpr int kOldestForm = 2; // version 1 had the same ticks; its other rows are not known by their form
-constexpr std::uint64_t kMostPayload = 1U << 30U; // SQLite's own bound
+constexpr int kOldestForm = 2; // version 1 has the same ticks, but its other rows cannot be identified by their form
+constexpr std::uint64_t kMostPayload = 1U << 30U; // limit in SQLite
 
-// Kinds of b-tree pages that hold rows; a row of a table WITHOUT ROWID may lie in an inner page, too.
+// B-tree page types with rows. A table WITHOUT ROWID also has rows in inner pages.
 constexpr std::uint8_t kIndexInner = 0x02;
 constexpr std::uint8_t kIndexLeaf = 0x0a;
 constexpr std::uint8_t kTableLeaf = 0x0d;
@@ -42,7 +42,7 @@ struct Blob
 };
 using Value = std::variant<std::monostate, std::int64_t, double, std::string, Blob>;
 
-/// Big-endian, as everything in the file.
+/// Decodes a big-endian number, the byte order of the whole file format.
 std::uint64_t number(std::string_view bytes)
 {
     std::uint64_t out = 0;
@@ -52,7 +52,7 @@ std::uint64_t number(std::string_view bytes)
     return out;
 }
 
-/// Takes a varint off the front. @return nothing when it is cut off
+/// Removes a varint from the front. @return empty if truncated
 std::optional<std::uint64_t> takeVarint(std::string_view& bytes)
 {
     std::uint64_t out = 0;
@@ -71,7 +71,7 @@ std::optional<std::uint64_t> takeVarint(std::string_view& bytes)
     return std::nullopt;
 }
 
-/// Takes a value of a serial type off the front. @return nothing when it is cut off or of no type
+/// Removes a value of a serial type from the front. @return empty if truncated or of unknown type
 std::optional<Value> takeValue(std::uint64_t type, std::string_view& body)
 {
     constexpr std::size_t kSizes[] = {0, 1, 2, 3, 4, 6, 8, 8, 0, 0};
@@ -88,7 +88,7 @@ std::optional<Value> takeValue(std::uint64_t type, std::string_view& body)
         return Value();
     }
     if (type < 7) {
-        const unsigned unused = 64U - 8U * static_cast<unsigned>(size); // the sign is that of its first bit
+        const unsigned unused = 64U - 8U * static_cast<unsigned>(size); // shifts the first bit into the sign position
         return Value(static_cast<std::int64_t>(number(bytes) << unused) >> unused);
     }
     if (type == 7) {
@@ -127,7 +127,7 @@ bool is(const Value& value)
     return std::holds_alternative<T>(value);
 }
 
-/// Whose row it is, by its form. @param version  of the recording
+/// Identifies the table of a row by its form. @param version  of the recording
 const char* tableOf(const std::vector<Value>& row, bool hasRowid, int version)
 {
     constexpr std::size_t kHashDigits = 64;
@@ -148,7 +148,7 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid, int version)
         return "embedded";
     }
     if (!is<std::monostate>(row[0])) {
-        return nullptr; // the others' first column is the rowid, which stands elsewhere
+        return nullptr; // in other tables, the first column is the rowid, which is stored separately
     }
     if (columns == tickColumnCount(version)) {
         return "ticks";
@@ -167,10 +167,10 @@ const char* tableOf(const std::vector<Value>& row, bool hasRowid, int version)
     }
 }
 
-/// Takes a row; without a rowid, that is null.
+/// Receives a row; the rowid is empty for a table without one.
 using RowSink = std::function<void(std::vector<Value>& row, std::optional<std::uint64_t> rowid)>;
 
-/// The rows that a file's pages hold, one by one.
+/// Iterates over the rows in the pages of a file.
 class PageRows
 {
   public:
@@ -235,7 +235,7 @@ class PageRows
         }
     }
 
-    /// A row's bytes: what lies in the page, then the pages of its overflow.
+    /// Returns the bytes of a row: the local part in the page, then the overflow pages.
     std::optional<std::string> gather(std::string_view cell, std::uint64_t size, bool hasRowid)
     {
         const std::size_t most = hasRowid ? kPage - 35 : (kPage - 12) * 64 / 255 - 23;
@@ -251,7 +251,7 @@ class PageRows
         std::string out(cell.substr(0, local));
         std::uint64_t next = number(cell.substr(local, 4));
         std::string page;
-        while (out.size() < size) { // ends: each page brings bytes, and they are no more than the file has
+        while (out.size() < size) { // terminates: each page adds bytes, and `size` is at most the file size
             if (!readPage(next, page)) {
                 return std::nullopt;
             }
@@ -265,7 +265,7 @@ class PageRows
     std::int64_t m_pages = 0;
 };
 
-/// @return the version whose ticks most rows look like.
+/// Returns the recording version that matches the most tick rows.
 int versionOf(PageRows& pages)
 {
     std::array<std::int64_t, kRecordingVersion + 1> rows{};
@@ -278,7 +278,7 @@ int versionOf(PageRows& pages)
     return static_cast<int>(std::max_element(rows.begin() + kOldestForm, rows.end()) - rows.begin());
 }
 
-/// Puts rows into the tables that they are of.
+/// Inserts rows into their tables.
 class Salvager
 {
   public:
@@ -357,7 +357,7 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
     Database& database = opened.value();
     PageRows pages(file);
     const int version = versionOf(pages);
-    // Thrown away in the end: nothing need survive a crash.
+    // Temporary database, needs no crash safety.
     if (Status status = database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA application_id=" +
                                          std::to_string(kRecordingApplicationId) +
                                          "; PRAGMA user_version=" + std::to_string(version) + "; BEGIN;" +

@@ -31,7 +31,7 @@ PhaseAccumulator::PhaseAccumulator(double dt_s, std::optional<std::int64_t> firs
 {
 }
 
-/// Gives the open block its kind and makes it a phase or a part of the one before.
+/// Classifies the open block and appends it as a new phase or extends the previous phase.
 void PhaseAccumulator::close(std::vector<Phase>& phases, bool& isOpen) const
 {
     if (!m_block) {

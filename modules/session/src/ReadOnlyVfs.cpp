@@ -18,18 +18,19 @@ namespace palpate::session::internal {
 
 namespace {
 
-constexpr sqlite3_int64 kSector = 512; // SQLite writes whole pages, and none is smaller
-/// Of rolled back pages in memory. A transaction of the recorder changes some pages of 4 kB each quarter of a second.
+constexpr sqlite3_int64 kSector = 512; // SQLite writes whole pages, which are at least this large
+/// Limit for rolled-back pages in memory. A transaction of the recorder changes a few pages of 4 kB per quarter of a
+/// second.
 constexpr std::size_t kMostSectors = (std::size_t{256} << 20U) / std::size_t{kSector};
 
-/// What was written, over what is in the file.
+/// Overlay of written sectors over the file.
 class WrittenSectors
 {
   public:
     [[nodiscard]] bool isEmpty() const noexcept { return !m_isActive; }
     [[nodiscard]] sqlite3_int64 size() const noexcept { return m_size; }
 
-    /// From now on the file ends where this says.
+    /// Activates the overlay and sets the initial file size.
     void begin(sqlite3_int64 fileSize)
     {
         if (!m_isActive) {
@@ -59,7 +60,7 @@ class WrittenSectors
         std::erase_if(m_sectors, [size](const auto& sector) { return sector.first * kSector >= size; });
     }
 
-    /// Reads what lies in the file and below its end, then what was written over it.
+    /// Reads the file up to its logical end, then applies the overlay.
     int read(sqlite3_file* file, char* out, int size, sqlite3_int64 offset) const
     {
         std::memset(out, 0, static_cast<std::size_t>(size));
@@ -84,7 +85,7 @@ class WrittenSectors
   private:
     bool m_isActive = false;
     sqlite3_int64 m_size = 0;
-    sqlite3_int64 m_fileEnd = 0; ///< what lies behind was cut off
+    sqlite3_int64 m_fileEnd = 0; ///< file content beyond was truncated
     std::unordered_map<sqlite3_int64, std::array<char, kSector>> m_sectors;
 };
 
@@ -97,7 +98,7 @@ struct ReadOnlyVfs::Private
     std::string name;
     std::string path; ///< of the database
     std::string refusal;
-    bool isJournalGone = false; ///< SQLite has rolled it back
+    bool isJournalGone = false; ///< rolled back by SQLite
     WrittenSectors written;
 
     [[nodiscard]] std::string journal() const { return path + "-journal"; }
@@ -110,7 +111,7 @@ struct ReadOnlyVfs::Private
 
 namespace {
 
-/// SQLite's file; that of the layer below stands behind it in the same memory.
+/// File object for SQLite, followed in memory by the object of the underlying VFS.
 struct LayeredFile
 {
     sqlite3_file head;
@@ -135,7 +136,7 @@ bool isOverlaid(sqlite3_file* file)
     return layered(file).isDatabase && !layered(file).owner->written.isEmpty();
 }
 
-/// Lets writes begin: from now on the file below must not change.
+/// Activates the overlay. From now on, the underlying file must not change.
 int beginWriting(sqlite3_file* file)
 {
     sqlite3_int64 size = 0;
@@ -198,7 +199,8 @@ int sizeOfLayered(sqlite3_file* file, sqlite3_int64* size)
     return belowOf(file)->pMethods->xFileSize(belowOf(file), size);
 }
 
-/// Others see a reader, whatever SQLite means to do to what it takes for the file.
+/// Takes at most a shared lock. To other processes, this connection is a reader, although SQLite believes that it
+/// writes.
 int lockLayered(sqlite3_file* file, int level)
 {
     return belowOf(file)->pMethods->xLock(belowOf(file), std::min(level, SQLITE_LOCK_SHARED));
@@ -231,7 +233,7 @@ int layeredCharacteristics(sqlite3_file*)
     return 0;
 }
 
-/// Version 1: no memory shared with other processes, which a write-ahead log would need, and no mapped file.
+/// Version 1 of the methods: no shared memory, which a write-ahead log would need, and no memory mapping.
 const sqlite3_io_methods kLayeredMethods = [] {
     sqlite3_io_methods methods{};
     methods.iVersion = 1;
@@ -279,7 +281,7 @@ int openLayered(sqlite3_vfs* layer, const char* path, sqlite3_file* out, int fla
         file.isDatabase = isDatabase;
         file.head.pMethods = &kLayeredMethods;
         if (outFlags != nullptr) {
-            *outFlags = flags; // for writing, too: SQLite rolls a journal back for nobody else
+            *outFlags = flags; // reported as writable, because SQLite rolls back journals only for writable files
         }
     }
     return code;
@@ -303,7 +305,7 @@ int accessLayered(sqlite3_vfs* layer, const char* path, int flags, int* out)
     if (path == d.journal() && !d.isJournalGone) {
         return d.below->xAccess(d.below, path, flags, out);
     }
-    return SQLITE_OK; // any other file: it is not there
+    return SQLITE_OK; // all other files appear to be missing
 }
 
 int fullPathLayered(sqlite3_vfs* layer, const char* path, int size, char* out)
@@ -321,7 +323,7 @@ ReadOnlyVfs::ReadOnlyVfs()
     m_d->below = sqlite3_vfs_find(nullptr);
     m_d->name = "palpate read-only " + std::to_string(count++);
     m_d->layer = *m_d->below;
-    m_d->layer.iVersion = std::min(m_d->below->iVersion, 2); // without functions that replace system calls
+    m_d->layer.iVersion = std::min(m_d->below->iVersion, 2); // excludes the replacement of system calls
     m_d->layer.zName = m_d->name.c_str();
     m_d->layer.pAppData = m_d.get();
     m_d->layer.szOsFile = static_cast<int>(sizeof(LayeredFile)) + m_d->below->szOsFile;

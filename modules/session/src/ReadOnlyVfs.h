@@ -6,12 +6,13 @@
 
 namespace palpate::session::internal {
 
-/// A file layer (VFS) for one SQLite connection that changes nothing on the disk. It opens the database and the
-/// rollback journal beside it, both for reading, and no other file. What SQLite writes, which is what it rolls back
-/// from a journal that a crash left, is kept in memory and read from there.
+/// SQLite file layer (VFS) for one connection without changes to the disk. Opens only the database and its rollback
+/// journal, both read-only. Writes by SQLite, which occur when a journal from a crash is rolled back, stay in memory
+/// and are visible to later reads.
 ///
-/// While nothing was rolled back, locks on the file are those of any reader, so that another process may record into
-/// it. Once something was, the shared lock is kept until the connection is closed: nobody may change the file below.
+/// Before any rollback, file locks are those of a normal reader, so another process may record into the file. After a
+/// rollback, the shared lock is held until the connection closes, because the file must not change below the memory
+/// overlay.
 /// @par Source https://www.sqlite.org/vfs.html
 class ReadOnlyVfs
 {
@@ -22,9 +23,9 @@ class ReadOnlyVfs
     ReadOnlyVfs(const ReadOnlyVfs&) = delete;
     ReadOnlyVfs& operator=(const ReadOnlyVfs&) = delete;
 
-    /// @return the name to open one connection with.
+    /// Returns the VFS name for opening one connection.
     [[nodiscard]] const char* name() const noexcept;
-    /// @return why SQLite did not get what it asked for, as one clause; empty while it did.
+    /// Returns the reason why a request of SQLite was refused, as one clause; empty if there was no refusal.
     [[nodiscard]] const std::string& refusal() const noexcept;
 
     struct Private;

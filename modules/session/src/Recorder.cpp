@@ -29,8 +29,8 @@ using namespace std::chrono_literals;
 namespace {
 constexpr auto kDrainInterval = 20ms;
 constexpr auto kCommitInterval = 250ms;
-constexpr auto kStartTimeout = 2s; // the first tick comes within two periods
-constexpr auto kLastTick = 5ms;    // after it the servo has seen that recording stopped, at any rate it can run at
+constexpr auto kStartTimeout = 2s; // the first tick arrives within two periods
+constexpr auto kLastTick = 5ms;    // time until the servo has noticed the end of recording, at any supported rate
 } // namespace
 
 std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop)
@@ -71,35 +71,35 @@ struct Recorder::Private
     servo::ServoLoop& loop;
     std::thread thread;
 
-    std::mutex mutex; // guards what follows up to `published`; never taken by the servo thread
+    std::mutex mutex; // guards the following members up to `published`; never locked by the servo thread
     std::condition_variable wake;
     bool isStopRequested = false;
     std::vector<SceneRecord> scenes;
     struct TimedEvent
     {
-        std::int64_t time_ns; // monotonic, as ticks have it
-        RecordingEvent event; // `tick` is filled by the thread
+        std::int64_t time_ns; // monotonic, same clock as the ticks
+        RecordingEvent event; // `tick` is set by the recorder thread
     };
     std::vector<TimedEvent> events;
     RecorderStatus published;
 
-    // Of the thread while it runs:
+    // Used only by the recorder thread while running:
     std::unique_ptr<RecordingWriter> writer;
     std::filesystem::path path;
     std::uint64_t droppedAtStart = 0;
     std::uint64_t skippedAtStart = 0;
     std::uint64_t late = 0;
     std::optional<servo::TickRecord> first;
-    std::vector<TimedEvent> waiting; // for the first tick after them
+    std::vector<TimedEvent> waiting; // for the next tick
     std::int64_t lastTick = 0;
     std::int64_t lastTime_ns = 0;
     std::string problem;
-    bool isFull = false; // `problem` is that the disk is
+    bool isFull = false; // `problem` is a full disk
     bool hasFailed = false;
-    bool hasTiming = false; // the event is written
+    bool hasTiming = false; // the timing event is written
 };
 
-/// Takes what came of writing.
+/// Processes the result of a write.
 void Recorder::Private::note(const Status& status)
 {
     if (!status.isOk()) {
@@ -108,8 +108,8 @@ void Recorder::Private::note(const Status& status)
     }
 }
 
-/// Tells whether writing has no hope: the disk is full, it took nothing for so long that ticks were lost, or it fails
-/// at the end.
+/// Returns true if writing cannot succeed any more: the disk is full, ticks were lost because the disk accepted no data
+/// for too long, or writing fails at the end.
 bool Recorder::Private::isOver(bool isLast) const
 {
     return isFull || writer->ticksDropped() > 0 || (isLast && !problem.empty());
@@ -125,7 +125,7 @@ void Recorder::Private::addTiming()
     (void)writer->addEvent({lastTick, "timing", timingJson(timing, loop.realtime().isRealtime, late)});
 }
 
-/// Ends a recording that cannot go on, with its last words.
+/// Closes a failed recording and writes the final events from the reserved space.
 void Recorder::Private::giveUp()
 {
     loop.stopRecording();
@@ -161,12 +161,12 @@ void Recorder::Private::drain(bool isLast)
         events.clear();
     }
     for (const SceneRecord& scene : newScenes) {
-        (void)writer->addScene(scene); // kept until a commit
+        (void)writer->addScene(scene); // kept until the next commit
     }
     std::size_t told = 0;
     const auto tellUntil = [&](std::int64_t time_ns) {
         for (; told < waiting.size() && waiting[told].time_ns < time_ns; ++told) {
-            waiting[told].event.tick = lastTick; // the newest tick when it happened
+            waiting[told].event.tick = lastTick; // the most recent tick at that time
             (void)writer->addEvent(waiting[told].event);
         }
     };
@@ -202,7 +202,7 @@ void Recorder::Private::store(bool isLast)
     const Status status = isLast ? writer->finish() : writer->commit();
     note(status);
     if (status.isOk() && hadProblem) {
-        // It is over; the recording tells of it and the status no longer does.
+        // The error is over: record it as an event and clear the status.
         problem.clear();
         if (!isLast) {
             (void)writer->addEvent({lastTick, "disk", "{\"what\": \"writing failed for a while\"}"});
@@ -235,7 +235,7 @@ void Recorder::Private::run()
             isLast = isStopRequested;
         }
         if (!loop.isRunning()) {
-            isLast = true; // no further tick will come
+            isLast = true; // no further ticks
         }
         if (isLast) {
             loop.stopRecording();
@@ -253,7 +253,7 @@ void Recorder::Private::run()
                 giveUp();
                 isLast = true;
             }
-        } catch (const std::exception& error) { // out of memory: the touch goes on without the recording
+        } catch (const std::exception& error) { // out of memory: haptic rendering continues without the recording
             problem = path.string() + ": recording ended: " + error.what();
             loop.stopRecording();
             hasFailed = true;

@@ -24,10 +24,10 @@ namespace {
 constexpr std::size_t kHeader_bytes = 100;
 using Header = std::array<unsigned char, kHeader_bytes>;
 
-/// A file to be read, closed at the end.
+/// Input file, closed at the end.
 struct Input
 {
-    /// @param follow  O_NOFOLLOW, or 0 where a link is what a person named
+    /// @param follow  O_NOFOLLOW, or 0 for a path given by the user, which may be a link
     Input(const std::string& path, int follow)
         : file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | follow))
     {
@@ -47,7 +47,7 @@ struct Input
     struct stat is
     {
     };
-    off_t size = 0; ///< of it that is copied
+    off_t size = 0; ///< number of bytes to copy
 };
 
 Status cannotRead(const std::filesystem::path& path, const char* reason)
@@ -69,7 +69,7 @@ Header headerOf(const Input& input)
     return header;
 }
 
-/// @return how much of a database file SQLite uses; all of it where its header does not say.
+/// Returns the size used by SQLite; the whole file if the header does not contain the page count.
 off_t usedSize(const Input& database, const Input& journal)
 {
     const Header header = headerOf(database);
@@ -83,22 +83,22 @@ off_t usedSize(const Input& database, const Input& journal)
     }
     constexpr std::array<unsigned char, 8> kMagic{0xd9, 0xd5, 0x05, 0xf9, 0x20, 0xa1, 0x63, 0xd7};
     if (const Header before = headerOf(journal); std::memcmp(before.data(), kMagic.data(), kMagic.size()) == 0) {
-        pages = std::max(pages, bigEndian(&before[16])); // pages before the transaction that is rolled back
+        pages = std::max(pages, bigEndian(&before[16])); // page count before the transaction to roll back
     }
     return std::min(database.is.st_size, static_cast<off_t>(pages) * static_cast<off_t>(page));
 }
 
-/// Calls `take(begin, end)` for each stretch of a file that is no hole, until it returns false.
+/// Calls `take(begin, end)` for each data range of a sparse file until `take` returns false.
 template<class Take>
 void forEachData(const Input& input, Take take)
 {
     for (off_t at = 0; at < input.size;) {
         off_t begin = ::lseek(input.file, at, SEEK_DATA);
         if (begin < 0 && errno == ENXIO) {
-            return; // a hole up to the end
+            return; // hole up to the end
         }
         off_t end = begin < 0 ? input.size : ::lseek(input.file, begin, SEEK_HOLE);
-        begin = begin < 0 ? at : begin; // a file system that knows no holes
+        begin = begin < 0 ? at : begin; // file system without sparse files
         end = std::min(end < 0 ? input.size : end, input.size);
         if (begin >= end || !take(begin, end)) {
             return;
@@ -132,7 +132,7 @@ int writeAll(int to, std::string_view bytes, off_t at)
     return 0;
 }
 
-/// @return 0 or the number of the error of writing; one of reading goes into `readError`
+/// @return 0 or the error number of a write; `readError` receives that of a read
 int copy(const Input& input, int folder, const std::string& name, int& readError)
 {
     const int to = ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
@@ -146,7 +146,7 @@ int copy(const Input& input, int folder, const std::string& name, int& readError
             const auto wanted = std::min(buffer.size(), static_cast<std::size_t>(end - begin));
             const ssize_t read = ::pread(input.file, buffer.data(), wanted, begin);
             if (read == 0) {
-                break; // shorter than it was
+                break; // truncated in the meantime
             }
             if (read > 0) {
                 error = writeAll(to, {buffer.data(), static_cast<std::size_t>(read)}, begin);
@@ -170,7 +170,7 @@ Status copyRecording(const std::filesystem::path& from, const core::Scratch& to,
     if (!database.isRegular) {
         return cannotRead(from, database.file < 0 ? ::strerrordesc_np(errno) : "not a file");
     }
-    Input journal(from.string() + "-journal", O_NOFOLLOW); // nobody named it: a link there is not followed
+    Input journal(from.string() + "-journal", O_NOFOLLOW); // derived path, not named by the user: do not follow links
     database.size = usedSize(database, journal);
     journal.size = journal.isRegular ? journal.is.st_size : 0;
     const std::uint64_t needed = dataSize(database) + dataSize(journal);

@@ -18,11 +18,12 @@ using core::StatusCode;
 
 namespace {
 
-constexpr const char* kMade = "recording"; // in the scratch folder
+constexpr const char* kMade = "recording"; // name in the scratch folder
 constexpr std::array kSideFiles{"-journal", "-wal", "-shm"};
 
-/// Locks a byte far beyond those that SQLite locks: where flock is a lock of all bytes (NFS), SQLite could not go on.
-/// @return false when another program holds it
+/// Locks a byte far beyond SQLite's lock bytes. flock is unsuitable: over NFS it locks the whole file, including
+/// SQLite's bytes.
+/// @return false if another program holds the lock
 bool lock(int file) noexcept
 {
     struct flock range
@@ -58,7 +59,7 @@ Status RecordingPlace::cannot(const std::string& why) const
     return {StatusCode::Unreadable, m_path.string() + ": cannot be written: " + why};
 }
 
-/// Whether a name in the folder stands for that file.
+/// Returns true if a name in the folder refers to this file.
 bool RecordingPlace::isAt(const std::string& name, const struct stat& file) const
 {
     struct stat there
@@ -92,11 +93,11 @@ Status RecordingPlace::checkBeside() const
     return {};
 }
 
-/// Opens and locks the file that is to be replaced.
+/// Opens and locks the file to be replaced.
 Status RecordingPlace::lockOld()
 {
     if (S_ISLNK(m_oldIs.st_mode)) {
-        return {}; // the link is replaced, not what it leads to
+        return {}; // replaces the link, not its target
     }
     if (!S_ISREG(m_oldIs.st_mode)) {
         return cannot("not a file");
@@ -136,7 +137,7 @@ Status RecordingPlace::open(OldFile old)
     if (m_file < 0 || (m_old >= 0 && ::fchmod(m_file, m_oldIs.st_mode & 07777) != 0)) {
         return core::cannotWrite(m_path, errno);
     }
-    (void)lock(m_file); // nobody else knows it yet
+    (void)lock(m_file); // cannot fail: the file is not visible to others yet
     return {};
 }
 
@@ -194,7 +195,7 @@ void RecordingPlace::discard()
     };
     if (m_scratch == nullptr && ::fstat(m_file, &own) == 0 && isAt(m_name, own)) {
         (void)::unlinkat(m_folder, m_name.c_str(), 0);
-        (void)::unlinkat(m_folder, (m_name + kSideFiles.front()).c_str(), 0); // there was none when it was made
+        (void)::unlinkat(m_folder, (m_name + kSideFiles.front()).c_str(), 0); // did not exist before the file
     }
     m_scratch.reset();
 }

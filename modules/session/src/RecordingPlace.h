@@ -12,16 +12,15 @@
 
 namespace palpate::session::internal {
 
-/// The file of a recording that is written, held against other writers by a lock. It is made in a scratch folder, so
-/// that no name ever stands for a file without its schema. A new one then takes its name, which nothing may have; one
-/// that replaces an older file takes it when it is complete. Only a file that was made here is ever removed.
+/// Output file of a recording, locked against other writers. The file is created in a scratch folder, so that the final
+/// name never refers to a file without a schema. A new file is then moved to its name, which must be unused. A file
+/// that replaces an older one is moved when complete. Removes only files that were created here.
 class RecordingPlace
 {
   public:
-    /// Makes an empty file, mode 0644 before the umask or as the replaced one has.
-    /// @param path  Refuse: there must be nothing. Replace: nothing, a symbolic link or a file; another program must
-    /// not
-    ///              be recording into it. Beside it there must be no file that SQLite would take for a part of it
+    /// Creates an empty file with mode 0644 before the umask, or the mode of the replaced file.
+    /// @param path  Refuse: must not exist. Replace: may be missing, a symbolic link, or a file that no other program
+    ///              is recording into. There must be no adjacent file that SQLite would treat as part of the database
     ///              (-journal, -wal, -shm).
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingPlace>> claim(const std::filesystem::path& path,
                                                                              core::OldFile old);
@@ -29,14 +28,14 @@ class RecordingPlace
     RecordingPlace(const RecordingPlace&) = delete;
     RecordingPlace& operator=(const RecordingPlace&) = delete;
 
-    /// Where the file is now.
+    /// Current path of the file.
     [[nodiscard]] std::filesystem::path file() const;
-    /// With the schema in it, a new file takes its name. One that replaces another stays where it is.
+    /// Moves a new file to its name once the schema exists. A replacing file is not moved yet.
     core::Status settle();
-    /// Complete and closed by SQLite: a replacing one takes its name. Where another program wrote a file of that name
-    /// meanwhile, both stay: the new one gets a numbered name, which the error says.
+    /// Moves a replacing file to its name. Call when complete and closed by SQLite. If another program has written a
+    /// file of that name, both are kept: the new file gets a numbered name that the error contains.
     core::Status complete();
-    /// Removes the file, if the name still stands for it, and its journal. SQLite must have closed it.
+    /// Removes the file and its journal, unless another file has taken the name. SQLite must have closed the file.
     void discard();
 
   private:
@@ -48,15 +47,16 @@ class RecordingPlace
     [[nodiscard]] core::Status cannot(const std::string& why) const;
 
     const std::filesystem::path m_path;
-    const std::string m_name; ///< in the folder
+    const std::string m_name; ///< file name in the folder
     int m_folder = -1;
-    int m_file = -1; ///< holds the lock; closed after SQLite's, which would lose its own locks by that
-    int m_old = -1;  ///< the file that is replaced, locked
+    int m_file = -1; ///< holds the lock; closed after SQLite's descriptor, because closing any descriptor drops all
+                     ///< POSIX locks of the process
+    int m_old = -1;  ///< file to be replaced, locked
     bool m_isOldThere = false;
     struct stat m_oldIs
     {
     };
-    std::unique_ptr<core::Scratch> m_scratch; ///< until the file has its name
+    std::unique_ptr<core::Scratch> m_scratch; ///< until the file has its final name
 };
 
 } // namespace palpate::session::internal

@@ -33,7 +33,7 @@ using Step = internal::Statement::Step;
 
 namespace {
 
-constexpr std::string_view kSqliteMagic{"SQLite format 3", 16}; // with the zero at its end
+constexpr std::string_view kSqliteMagic{"SQLite format 3", 16}; // including the terminating zero
 
 } // namespace
 
@@ -45,7 +45,7 @@ struct RecordingReader::Private
     {
     }
 
-    /// Under the file's name, unless it is there already.
+    /// Adds the file name unless it is present.
     Status named(const Status& status) const
     {
         return status.isOk() || status.message().starts_with(path.string())
@@ -71,11 +71,11 @@ struct RecordingReader::Private
     std::vector<SceneRecord> scenes;
     internal::Events eventRows;
     std::vector<RecordingEvent> events;
-    std::string eventsFault; ///< a row of events was left out
+    std::string eventsFault; ///< reports a skipped event row
     internal::CheckedLines lines{tables, meta, scenes, eventRows};
 };
 
-/// In one transaction, so that all is of one moment while another process records into the file.
+/// Reads in one transaction for a consistent snapshot while another process records into the file.
 Status RecordingReader::Private::readAll()
 {
     Status status = database.execute("BEGIN");
@@ -91,7 +91,7 @@ Status RecordingReader::Private::readAll()
 
 Status RecordingReader::Private::readHead()
 {
-    // The first read: it also finds a journal that a crash left, and rolls it back in memory.
+    // The first read also detects a journal left by a crash and rolls it back in memory.
     Statement head = database.prepare("SELECT count(*) FROM sqlite_master");
     if (head.step() != Step::Row) {
         return database.error("cannot be read");
@@ -135,7 +135,7 @@ Status RecordingReader::Private::readEvents()
     return status;
 }
 
-/// Takes from the events how the recording ended and how the servo kept time.
+/// Extracts from the events how the recording ended and the timing of the servo.
 void RecordingReader::Private::readEnding()
 {
     extent.end = extent.isComplete ? RecordingEnd::Closed : RecordingEnd::CutOff;
@@ -154,8 +154,8 @@ void RecordingReader::Private::readEnding()
     }
 }
 
-/// From the checks: counting the rows would read the whole file. The last block is held against its checksum, because
-/// the duration is its last tick's time.
+/// Uses the checks, because counting rows would read the whole file. Verifies the last block, because its last tick
+/// determines the duration.
 Status RecordingReader::Private::readExtent()
 {
     readEnding();
@@ -180,7 +180,7 @@ Status RecordingReader::Private::readExtent()
     return {};
 }
 
-/// @return the number of the last block that begins at or before `tick`; nothing before the first
+/// @return the index of the last block that begins at or before `tick`; empty before the first block
 std::optional<std::size_t> RecordingReader::Private::blockUpTo(std::int64_t tick) const
 {
     const std::vector<internal::Check>& blocks = lines.blocks();

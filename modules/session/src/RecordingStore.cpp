@@ -16,14 +16,14 @@ using core::Status;
 
 namespace {
 
-/// Numbers as the bytes of a blob.
+/// Views numbers as the bytes of a blob.
 template<class T>
 std::string_view blobOf(const std::vector<T>& values)
 {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// What the chain of checks begins with: the line that covers the metadata.
+/// Returns the start of the checksum chain, which covers the metadata.
 std::string firstLink(const MetaTable& meta)
 {
     return sha256(metaHash(hashedPairs(meta)));
@@ -101,7 +101,7 @@ Status RecordingStore::markComplete()
     return m_database.execute(std::string("INSERT OR REPLACE INTO meta VALUES('") + kComplete + "', '1')");
 }
 
-/// Adds a line to the chain of checks.
+/// Appends a row to the checksum chain.
 Status RecordingStore::storeCheck(const char* kind, std::int64_t first, std::int64_t last, std::size_t rows,
                                   const std::string& content, std::string& hash)
 {

@@ -17,7 +17,7 @@
 
 namespace palpate::session::internal {
 
-/// What goes into a recording in one transaction.
+/// Content of one transaction.
 struct RecordingBatch
 {
     std::vector<servo::TickRecord> ticks;
@@ -27,21 +27,21 @@ struct RecordingBatch
     [[nodiscard]] bool isEmpty() const noexcept { return ticks.empty() && scenes.empty() && events.empty(); }
 };
 
-/// The tables of a recording, written: rows and the chain of checksums over them.
+/// Writes the tables of a recording: rows and the chain of checksums.
 class RecordingStore
 {
   public:
-    /// Makes a file with the schema and the metadata.
+    /// Creates a file with the schema and the metadata.
     static core::Status makeFile(const std::filesystem::path& path, const MetaTable& meta);
-    /// Opens a file just made. @param ticksPerCheck  what one line of `checks` covers
+    /// Opens a newly created file. @param ticksPerCheck  number of ticks per row of `checks`
     static core::Result<std::unique_ptr<RecordingStore>> open(const std::filesystem::path& path, const MetaTable& meta,
                                                               std::size_t ticksPerCheck);
 
-    /// Whether each transaction waits until the disk has it.
+    /// Sets whether each transaction waits for the disk.
     core::Status waitForDisk(bool isWaiting);
-    /// Time of the recording's first tick, from which times count. [ns]
+    /// Sets the time of the first tick, the origin of stored times [ns].
     void setFirstTime(std::int64_t time_ns) noexcept { m_firstTime_ns = time_ns; }
-    /// Stores all of a batch or, with an error, nothing.
+    /// Stores the whole batch, or nothing in case of an error.
     core::Status store(const RecordingBatch& batch);
     core::Status markComplete();
 
@@ -63,7 +63,7 @@ class RecordingStore
     std::size_t m_ticksPerCheck = 250;
     std::string m_chain; ///< hash of the last stored check
     std::int64_t m_firstTime_ns = 0;
-    std::int64_t m_nextEvent = 1; ///< id
+    std::int64_t m_nextEvent = 1; ///< next event id
 };
 
 } // namespace palpate::session::internal

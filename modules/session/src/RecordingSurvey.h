@@ -10,18 +10,18 @@
 
 namespace palpate::session::internal {
 
-/// Which parts of a recording are, bit for bit, what was written.
+/// Verification result of a recording.
 struct Survey
 {
-    std::vector<Check> blocks;         ///< of ticks that are as written, ascending
-    CheckedLines::Covered covered;     ///< of scenes and events
-    std::vector<std::string> embedded; ///< hashes of those that are
-    std::vector<std::string> faults;   ///< what is not, one line each that names it; empty: all is
+    std::vector<Check> blocks;         ///< intact blocks of ticks, ascending
+    CheckedLines::Covered covered;     ///< for scenes and events
+    std::vector<std::string> embedded; ///< hashes of the intact surfaces
+    std::vector<std::string> faults;   ///< one line per damaged part; empty if the recording is intact
 };
 
-/// Holds every checksum of a recording against its tables.
-/// @param meta  as read; what is missing in it makes the metadata a fault
-/// @par Cost About 4 µs a tick.
+/// Verifies all checksums of a recording.
+/// @param meta  as read; missing entries are reported as damaged metadata
+/// @par Cost About 4 µs per tick.
 [[nodiscard]] Survey survey(const RecordingTables& tables, const MetaTable& meta);
 
 } // namespace palpate::session::internal

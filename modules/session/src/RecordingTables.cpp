@@ -29,19 +29,19 @@ using Step = Statement::Step;
 
 namespace {
 
-/// Copies a blob into numbers. @return false when its length is no whole number of them
+/// Copies a blob into numbers. @return false if the length is not a multiple of the number size
 template<class T>
 bool copyBlob(const std::string& bytes, std::vector<T>& out)
 {
     out.resize(bytes.size() / sizeof(T));
-    if (!out.empty()) { // memcpy takes no null, not even for no byte
+    if (!out.empty()) { // memcpy requires a non-null pointer even for zero bytes
         std::memcpy(static_cast<void*>(out.data()), bytes.data(), out.size() * sizeof(T));
     }
     return bytes.size() % sizeof(T) == 0;
 }
 
-/// Adds up the bytes of texts as they are read: rows that share the pages of their texts, as no honest file's do,
-/// could hold far more than the file has bytes.
+/// Counts the bytes of texts while reading. In a malicious file, rows can share the pages of their texts and exceed the
+/// file size by far.
 class BytesRead
 {
   public:
@@ -102,14 +102,14 @@ Status RecordingTables::readMeta(MetaTable& out) const
 
 namespace {
 
-/// @return "found -1 for stiffness_N_per_mm, expected 0 to 1000"
+/// Formats an error: "found -1 for stiffness_N_per_mm, expected 0 to 1000".
 std::string outOfRange(double value, std::string_view key, double least, double most)
 {
     return "found " + core::shortNumber(value) + " for " + std::string(key) + ", expected " + core::shortNumber(least) +
            " to " + core::shortNumber(most);
 }
 
-/// Holds a structure's numbers against what a scene file may hold. @return what is wrong with them, or nothing
+/// Checks a structure's numbers against the limits of scene files. @return the error; empty if valid
 std::optional<std::string> wrongNumber(const StructureRecord& structure, const Statement& row)
 {
     constexpr double kLeastUnit_mm = 1e-6, kMostUnit_mm = 1e6;
@@ -124,7 +124,7 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, const S
             return outOfRange(value, term.key, 0.0, term.most);
         }
     }
-    if (row.isNull(kUnit)) { // the outer join found no mesh, so a copy of the scene could not refer to one either
+    if (row.isNull(kUnit)) { // the outer join found no mesh, so a copy of the scene could not refer to any mesh
         return "found no mesh with a unit, expected one of the recording's meshes";
     }
     const double unit_mm = structure.source.unit_mm;
@@ -140,7 +140,7 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, const S
     return std::nullopt;
 }
 
-/// Maps of structures by the text that names them: the same maps stand in many scenes of a recording.
+/// Cache of maps by their text, because many scenes of a recording share the same maps.
 class ReadMaps
 {
   public:
@@ -152,7 +152,7 @@ class ReadMaps
     {
         auto found = m_byText.find(text);
         if (found == m_byText.end()) {
-            std::string wrong; // why it can't be read; reported by the caller that needs the table
+            std::string wrong; // error, reported by the caller that needs the table
             found = m_byText.emplace(text, mapsOf(text, m_find, wrong)).first;
         }
         return found->second;
@@ -284,7 +284,7 @@ Status RecordingTables::readEvents(Events& out) const
             return tooMany("events", kMostEvents);
         }
     }
-    // Not by SQLite, which would gather all rows before it gives the first.
+    // Sorted here because SQLite would buffer all rows before returning the first.
     std::stable_sort(out.begin(), out.end(),
                      [](const auto& a, const auto& b) { return a.second.tick < b.second.tick; });
     return step == Step::Failed ? damaged() : status;
@@ -293,7 +293,7 @@ Status RecordingTables::readEvents(Events& out) const
 Status RecordingTables::readChecks(std::vector<Check>& out) const
 {
     constexpr std::size_t kMostBytes = 64; // of a kind or a hash
-    // Version 1 had checks of ticks alone.
+    // Version 1 has checks for ticks only.
     Statement row = m_database.prepare(
         m_version >= 2
             ? "SELECT id, kind, first, last, rows, sha256 FROM checks ORDER BY id"
@@ -326,7 +326,7 @@ Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
     for (; step == Step::Row; step = row.step()) {
         const std::int64_t number = row.integer(0);
         const servo::TickRecord tick = readTick(row, m_version, wrong);
-        if (number <= before) { // a damaged tree gives its rows in any order
+        if (number <= before) { // a damaged b-tree returns rows in arbitrary order
             row.reset();
             return {StatusCode::BadFormat, "tick " + std::to_string(number) + ": found behind tick " +
                                                std::to_string(before) + ", expected ascending ticks: damaged"};
@@ -389,7 +389,7 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
     if (!isWhole || embeddedHash(surface) != row.bytes(4) || geometryHash(surface.mesh) != sha256) {
         return Status(StatusCode::Mismatch, name + ": found other bits than were written (checksum)");
     }
-    // The hash is no signature: what a hostile file says must not become an index out of range.
+    // The hash does not authenticate the data: a malicious file must not cause an index out of range.
     const std::size_t triangles = surface.mesh.triangles.size();
     bool isInRange = surface.twoSided.size() == triangles && surface.source.size() == triangles;
     for (const geometry::Triangle& triangle : surface.mesh.triangles) {

@@ -17,7 +17,7 @@
 
 namespace palpate::session::internal {
 
-/// One line of the table `checks`.
+/// Row of the table `checks`.
 struct Check
 {
     std::int64_t id = 0;
@@ -26,44 +26,43 @@ struct Check
     std::string hash;
 };
 
-/// Events, each with the id of its row.
+/// Events with their row ids.
 using Events = std::vector<std::pair<std::int64_t, RecordingEvent>>;
 
-/// The tables of a recording, read one by one and as far as they can be read: what came before an error is given.
-/// Tables of an older version come in the form of this one.
+/// Reads the tables of a recording as far as possible: rows before an error are returned. Tables of older versions are
+/// converted to the current form.
 class RecordingTables
 {
   public:
-    /// @param database  must outlive this
+    /// @param database  must outlive this object
     explicit RecordingTables(const Database& database)
         : m_database(database)
     {
     }
 
-    /// Looks whose database it is and of which version. @return BadFormat or Mismatch without the file's name
+    /// Checks the application id and reads the version. @return BadFormat or Mismatch without the file name
     core::Status readVersion();
     [[nodiscard]] int version() const noexcept { return m_version; }
 
     core::Status readMeta(MetaTable& out) const;
-    /// By generation. @return BadFormat, without the file's name, for numbers that no scene file may hold; a scene with
-    ///         such is left out
+    /// Reads the scenes by generation. @return BadFormat without the file name for numbers that are invalid in scene
+    /// files; such a scene is skipped
     core::Status readScenes(std::vector<SceneRecord>& out) const;
-    /// By tick; the first of each pair is the row's id. @return BadFormat, without the file's name, when a row was left
-    ///         out: its values are of another type or out of range
+    /// Reads the events with their row ids by tick. @return BadFormat without the file name if a row was skipped
+    /// because of a wrong type or a value out of range
     core::Status readEvents(Events& out) const;
     core::Status readChecks(std::vector<Check>& out) const;
-    /// Gives the ticks first … last in order, until `sink` returns false.
-    /// @param stoppedAt  set to the tick whose row is wrong; may be null
-    /// @return BadFormat, without the file's name, for a row with values of another type or out of range, at which it
-    ///         stops
+    /// Passes the ticks first … last in order to `sink` until `sink` returns false.
+    /// @param stoppedAt  set to the tick of an invalid row; may be null
+    /// @return BadFormat without the file name if a row has a wrong type or a value out of range; reading stops there
     core::Status readTicks(std::int64_t first, std::int64_t last,
                            const std::function<bool(const servo::TickRecord&)>& sink,
                            std::int64_t* stoppedAt = nullptr) const;
-    /// Numbers of the first and the last row of ticks, whatever they are. @return nothing without rows
+    /// Returns the numbers of the first and last tick row, without validation; empty without rows.
     [[nodiscard]] std::optional<std::pair<std::int64_t, std::int64_t>> tickNumbers() const;
-    /// @return hashes of the surfaces that the recording holds itself.
+    /// Returns the hashes of the embedded surfaces.
     [[nodiscard]] std::vector<std::string> embeddedHashes() const;
-    /// @return NotFound, or Mismatch when its bits are not those that were written; without the file's name
+    /// @return NotFound, or Mismatch if the checksum failed; without the file name
     [[nodiscard]] core::Result<geometry::RepairedMesh> readEmbedded(const std::string& sha256) const;
 
   private:
@@ -74,7 +73,7 @@ class RecordingTables
 
     const Database& m_database;
     int m_version = kRecordingVersion;
-    mutable Statement m_ticks; ///< of readTicks, which is called for each block of ticks
+    mutable Statement m_ticks; ///< reused by readTicks for each block of ticks
 };
 
 } // namespace palpate::session::internal

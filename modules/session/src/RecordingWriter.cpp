@@ -25,11 +25,11 @@ using core::StatusCode;
 namespace {
 
 constexpr double kCommitInterval_s = 0.25;
-constexpr double kKept_s = 60.0; // of ticks, while the disk cannot take them
-/// For the ticks of two commits, of two layers each, and for the journal of the pages that they change.
+constexpr double kKept_s = 60.0; // duration of ticks kept while the disk accepts no data
+/// Enough for the ticks of two commits with two layers each, and for the journal of the changed pages.
 constexpr std::size_t kReserve_bytes = 128 * 1024;
 
-/// An error of SQLite's names the file where it is made; for a person it is the one that is asked for.
+/// Replaces the temporary file name in an SQLite error by the requested name.
 Status named(const Status& status, const std::filesystem::path& made, const std::filesystem::path& path)
 {
     std::string message = status.message();
@@ -48,30 +48,30 @@ struct RecordingWriter::Private
     void deriveEvents(const servo::TickRecord& tick);
     void findChanges();
 
-    std::filesystem::path path;                      ///< as it was given
-    std::unique_ptr<internal::RecordingPlace> place; ///< before `file`, which must be closed first
+    std::filesystem::path path;                      ///< path from the caller
+    std::unique_ptr<internal::RecordingPlace> place; ///< declared before `file`, which must be closed first
     std::unique_ptr<internal::RecordingStore> file;
-    internal::RecordingBatch pending; ///< not yet committed
+    internal::RecordingBatch pending; ///< uncommitted data
     std::size_t ticksPerCommit = 250;
     std::size_t mostPending = 60000;
     std::unique_ptr<internal::DiskReserve> reserve; ///< for `abandon`
-    std::optional<servo::TickRecord> stored;        ///< newest tick that is committed
+    std::optional<servo::TickRecord> stored;        ///< latest committed tick
     std::int64_t written = 0;
     std::uint64_t dropped = 0;
     std::optional<std::int64_t> lastTick;
     std::optional<std::uint32_t> sceneSeen;
     bool isHandGone = false;
     Events derive = Events::Derived;
-    bool dropsPending = false; ///< the next tick must say that some before it are missing
+    bool dropsPending = false; ///< the next tick must carry kDroppedBefore
     bool isFinished = false;
-    std::set<std::string> embedded;             ///< hashes of the surfaces that are stored or pending
-    std::map<std::uint32_t, SceneRecord> known; ///< scenes told of, without their surfaces
+    std::set<std::string> embedded;             ///< hashes of the stored or pending surfaces
+    std::map<std::uint32_t, SceneRecord> known; ///< described scenes, without their surfaces
     struct Change
     {
         std::int64_t tick;
         std::uint32_t before, after;
     };
-    std::vector<Change> changes; ///< of scene, until both are known
+    std::vector<Change> changes; ///< scene changes, until both scenes are known
 };
 
 void RecordingWriter::Private::deriveEvents(const servo::TickRecord& tick)
@@ -90,7 +90,7 @@ void RecordingWriter::Private::deriveEvents(const servo::TickRecord& tick)
     isHandGone = isGone;
 }
 
-/// A tick may come before the description of its scene: what changed is told once both are there.
+/// Adds the changes of scenes that are now known. A tick may precede the description of its scene.
 void RecordingWriter::Private::findChanges()
 {
     std::erase_if(changes, [this](const Change& change) {
@@ -106,7 +106,7 @@ void RecordingWriter::Private::findChanges()
     });
 }
 
-/// Makes the schema, gives a new file its name and opens it.
+/// Creates the schema, moves a new file to its name and opens the file.
 Status RecordingWriter::Private::begin(const internal::MetaTable& meta, Sync sync, core::OldFile old)
 {
     if (Status status = internal::RecordingStore::makeFile(place->file(), meta); !status.isOk()) {
@@ -205,7 +205,7 @@ Status RecordingWriter::append(const servo::TickRecord& tick)
         d.dropsPending = false;
     }
     ++d.written;
-    // Only at multiples: while the disk fails, not every tick shall try again.
+    // Only at multiples, so that not every tick retries while the disk fails.
     return d.pending.ticks.size() % d.ticksPerCommit == 0 ? d.store() : Status();
 }
 
@@ -216,13 +216,13 @@ Status RecordingWriter::addScene(const SceneRecord& scene)
         return {StatusCode::OutOfRange, "scene " + std::to_string(scene.generation) + " is described already"};
     }
     for (StructureRecord& structure : known->second.structures) {
-        structure.source.embed.reset(); // held until it is written, not longer
+        structure.source.embed.reset(); // release the surface after writing
     }
     SceneRecord& stored = m_d->pending.scenes.emplace_back(scene);
     for (StructureRecord& structure : stored.structures) {
         StructureSource& source = structure.source;
         if (source.embed != nullptr && (source.sha256.empty() || !m_d->embedded.insert(source.sha256).second)) {
-            source.embed.reset(); // in the recording already, or about to be
+            source.embed.reset(); // already stored or pending
         }
     }
     return {};

@@ -33,9 +33,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kUnchecked = ": kept without a checksum to hold it against";
-constexpr const char* kSource = "source"; // in the scratch folder
+constexpr const char* kSource = "source"; // name in the scratch folder
 
-/// A database that rows can be read from, and what in it is as written.
+/// Readable database with its verification result.
 struct Source
 {
     explicit Source(Database opened)
@@ -66,7 +66,7 @@ struct Source
         faults.insert(faults.end(), survey.faults.begin(), survey.faults.end());
         return {};
     }
-    /// How much of it is as written.
+    /// Returns the amount of intact data.
     std::int64_t worth() const
     {
         auto rows = static_cast<std::int64_t>(survey.covered.scenes.size() + survey.covered.events.size() +
@@ -111,7 +111,7 @@ class Rescue
     }
     void lose(std::string line)
     {
-        // SQLite names our own copies of the file.
+        // SQLite messages contain the name of the temporary copy.
         for (const fs::path& work : {source(), pages()}) {
             const std::string own = work.string();
             for (auto at = line.find(own); at != std::string::npos; at = line.find(own)) {
@@ -121,7 +121,7 @@ class Rescue
         m_result.losses.push_back(std::move(line));
     }
 
-    /// SQLite rolls a journal back by writing: into our copy, never into what is all there is.
+    /// Copies the recording, because SQLite writes when rolling back a journal and the original must stay unchanged.
     Status copySource()
     {
         if (Status status = internal::checkJournal(m_from); !status.isOk()) {
@@ -135,7 +135,8 @@ class Rescue
             return wrong(StatusCode::BadCommandLine, m_to, "is the recording itself, expected another name");
         }
         if (const auto kind = fs::status(m_to, error); fs::exists(kind) && !fs::is_regular_file(kind)) {
-            return wrong(StatusCode::Unreadable, m_to, "cannot be written: not a file"); // the copy would replace it
+            // Would be replaced by the copy.
+            return wrong(StatusCode::Unreadable, m_to, "cannot be written: not a file");
         }
         auto scratch = core::Scratch::create(m_to, core::Scratch::Kind::Folder);
         if (!scratch.isOk()) {
@@ -145,8 +146,8 @@ class Rescue
         return internal::copyRecording(m_from, *m_scratch, kSource, m_to);
     }
 
-    /// Reads the database as it is; where something in it is damaged, also what its pages hold without it, and goes on
-    /// with what holds more.
+    /// Opens the database. If damaged, also salvages rows from its pages, and continues with the source that contains
+    /// more data.
     Status chooseSource()
     {
         Status direct(StatusCode::BadFormat, "found no SQLite database, expected a recording");
@@ -154,7 +155,7 @@ class Rescue
             direct = open(source(), m_chosen);
         }
         if (direct.code() == StatusCode::Mismatch) {
-            return wrong(direct.code(), m_from, direct.message()); // a newer version's pages say something else
+            return wrong(direct.code(), m_from, direct.message()); // pages of a newer version have a different meaning
         }
         if (!direct.isOk() || !m_chosen->faults.empty()) {
             const auto salvage = internal::salvagePages(source(), pages());
@@ -188,7 +189,7 @@ class Rescue
         return out->read();
     }
 
-    /// Takes each value that makes sense; the others get what a new recording has.
+    /// Reads all valid values; the others get the defaults of a new recording.
     void readInfo()
     {
         readMeta();
@@ -220,7 +221,7 @@ class Rescue
         lose("metadata: " + lost + " cannot be read; set to their defaults");
         m_info = internal::fromMeta(good).value();
         if (!hasStart) {
-            // A replay then knows that the state before the first tick is not known. -1 is the least a reader accepts.
+            // Marks the state before the first tick as unknown for replays. A reader accepts no number below -1.
             m_info.firstTick = std::max<std::int64_t>(m_info.firstTick - 1, -1);
         }
     }
@@ -234,7 +235,7 @@ class Rescue
         }
         m_writer = std::move(made).value();
         std::vector<SceneRecord> scenes;
-        (void)m_chosen->tables.readScenes(scenes); // what is wrong with it was said
+        (void)m_chosen->tables.readScenes(scenes); // errors are already reported
         for (SceneRecord& scene : scenes) {
             if (m_chosen->survey.covered.uncheckedScenes.contains(scene.generation)) {
                 lose("scene " + std::to_string(scene.generation) + kUnchecked);
@@ -268,7 +269,7 @@ class Rescue
         return m_writer->commit();
     }
 
-    /// Copies a range, as far as it can be read. @return the status of the copy
+    /// Copies the readable part of a range. @return the status of writing
     Status copyRange(std::int64_t first, std::int64_t last, std::int64_t& copied)
     {
         Status written, read;
@@ -291,7 +292,7 @@ class Rescue
             if (!read.isOk()) {
                 lose(internal::tickRange(next, last) + ": " + read.message());
             }
-            next = wrongTick < last ? wrongTick + 1 : last + 1; // behind a row that is wrong
+            next = wrongTick < last ? wrongTick + 1 : last + 1; // continue after an invalid row
         }
         return written;
     }
@@ -313,7 +314,7 @@ class Rescue
         };
         for (const internal::Check& check : checks) {
             if (check.first < next || check.last < check.first || check.last > internal::kMostTick) {
-                continue; // a line out of order: its ticks are copied already, or as what no line covers
+                continue; // check out of order: its ticks are already copied, with or without a checksum
             }
             if (Status status = copyUnchecked(check.first - 1); !status.isOk()) {
                 return status;
@@ -355,12 +356,12 @@ class Rescue
 
     const fs::path m_from;
     const fs::path m_to;
-    std::unique_ptr<core::Scratch> m_scratch; ///< holds the copy of the recording, and what its pages hold
+    std::unique_ptr<core::Scratch> m_scratch; ///< contains the copy of the recording and the salvaged rows
     std::unique_ptr<Source> m_chosen;
     RecordingInfo m_info;
     std::unique_ptr<RecordingWriter> m_writer;
-    std::int64_t m_last = -1;                   ///< newest tick in the copy
-    std::optional<std::int64_t> m_firstTime_ns; ///< of the copy's first tick
+    std::int64_t m_last = -1;                   ///< last tick in the copy
+    std::optional<std::int64_t> m_firstTime_ns; ///< of the first tick in the copy
     Recovery m_result;
 };
 

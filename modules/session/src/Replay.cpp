@@ -11,7 +11,7 @@ namespace palpate::session {
 
 namespace {
 
-/// @param hand  null where nothing asks for its velocity
+/// @param hand  null if no structure needs the velocity
 servo::TickRecord feel(haptics::Palpator& palpator, servo::MotionTrack* hand, const Motion& motion, std::size_t tick)
 {
     servo::TickRecord record;
@@ -33,11 +33,11 @@ servo::TickRecord feel(haptics::Palpator& palpator, servo::MotionTrack* hand, co
 
 void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink)
 {
-    // In batches, so that what the sink does with a tick does not cost the next ones their caches.
+    // Processes ticks in batches, so that the sink does not evict the solver's data from the caches after every tick.
     constexpr std::size_t kBatch = 4096;
     haptics::Palpator palpator;
     palpator.setScene(&scene);
-    servo::MotionTrack hand(0.0); // a motion does not say what its sensor can tell
+    servo::MotionTrack hand(0.0); // a motion has no information about sensor resolution
     std::vector<servo::TickRecord> batch;
     batch.reserve(std::min(kBatch, motion.p_WH.size()));
     for (std::size_t first = 0; first < motion.p_WH.size(); first += kBatch) {

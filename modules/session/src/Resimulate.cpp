@@ -32,7 +32,7 @@ std::string text(const Vec3& v)
     return out;
 }
 
-/// Runs the recorded rows through a Palpator, row by row.
+/// Runs the recorded rows through a Palpator.
 class Resimulator
 {
   public:
@@ -88,7 +88,8 @@ class Resimulator
         return {};
     }
 
-    /// The solver takes a state's structures and triangles for what they say: a foreign file's may not exist.
+    /// Validates structure and triangle indices of a state, because the solver uses them unchecked and the file is
+    /// untrusted.
     Status checkStart(const haptics::PalpatorState& state) const
     {
         const auto found = m_scenes.find(m_generation);
@@ -110,7 +111,7 @@ class Resimulator
         return {};
     }
 
-    /// Version 4 brought velocities and contacts that outlast a change of scene.
+    /// Version 4 added velocities and contacts that persist across scene changes.
     bool hasContinuity() const { return m_recording.info().tickVersion >= 4; }
 
     bool take(const servo::TickRecord& row)
@@ -132,7 +133,7 @@ class Resimulator
                 ++m_result.unverified;
                 return true;
             }
-            // In free space every god-object is at the HIP: the state is known again.
+            // In free space every god-object is at the HIP, so the state is known again.
             flags |= servo::kReset;
             m_isLost = false;
         }
@@ -188,10 +189,10 @@ class Resimulator
                                   : !isSameTouch ? touches()
                                                  : layers();
         }
-        // Not comparisons that a NaN passes.
+        // Written so that NaN fails the comparison.
         const bool isNear = apart_mm <= m_rounding_mm;
         const bool isAlike = apart_N <= m_rounding_N + kForceRounding * was.f_W.norm();
-        // Where it touches next to nothing, one build may touch what the other just misses.
+        // With nearly zero force, one build may touch a structure that the other just misses.
         const bool isSameStructure = was.structure == is.structure || was.structure < 0 || is.structure < 0;
         if (!(isNear && isAlike && isSameStructure) && !m_result.firstBeyond) {
             m_result.firstBeyond = row.tick;
@@ -199,8 +200,8 @@ class Resimulator
         }
     }
 
-    /// The largest distance between god-objects of the same layer. One that touches in one of the two alone gives a
-    /// force: that tells.
+    /// Returns the largest distance between god-objects of the same layer. A contact in only one of the two results is
+    /// detected by its force.
     static double layersApart(const haptics::TickResult& was, const haptics::TickResult& is)
     {
         double apart_mm = 0.0;
@@ -237,7 +238,7 @@ class Resimulator
         return out + std::to_string(felt.constraints) + ')';
     }
 
-    /// How far rounding can bring what is felt on a scene apart.
+    /// Computes the maximum effect of rounding for a scene.
     void boundRounding(const haptics::HapticScene* scene)
     {
         m_rounding_mm = 0.0;
@@ -256,21 +257,22 @@ class Resimulator
         m_result.rounding_mm = std::max(m_result.rounding_mm, m_rounding_mm);
     }
 
-    /// Of a force itself, in shares of it: two products and a sum for each of up to four layers, each to half an eps.
+    /// Relative rounding error of a force: two products and a sum for each of up to four layers, each rounded to half
+    /// an eps.
     static constexpr double kForceRounding =
         1.5 * static_cast<double>(haptics::HapticScene::kMaxLayers) * std::numeric_limits<double>::epsilon();
 
     const RecordingReader& m_recording;
     const SurfacesByHash& m_surfaces;
     const TickSink& m_sink;
-    internal::OldVelocity m_oldVelocity; ///< of a recording that holds none
+    internal::OldVelocity m_oldVelocity; ///< for recordings without velocities
     haptics::Palpator m_palpator;
     std::map<std::uint32_t, std::shared_ptr<const haptics::HapticScene>> m_scenes;
     std::uint32_t m_generation = 0;
     std::int64_t m_nextTick = 0;
-    double m_rounding_mm = 0.0; ///< of the scene that is felt
+    double m_rounding_mm = 0.0; ///< for the current scene
     double m_rounding_N = 0.0;
-    bool m_isLost = false; ///< ticks are missing and the state is not known again yet
+    bool m_isLost = false; ///< ticks are missing and the state is still unknown
     Status m_status;
     Resimulation m_result;
 };
@@ -279,7 +281,7 @@ class Resimulator
 
 namespace {
 
-/// @return why the maps of a structure can't be felt on a surface; empty where they can
+/// Returns why the maps of a structure do not fit a surface; empty if they do.
 std::string faultOfMaps(const StructureRecord& structure, const geometry::SurfaceIndex& surface)
 {
     const haptics::TissueMaps& maps = structure.tissueMaps;

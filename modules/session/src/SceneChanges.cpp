@@ -16,7 +16,7 @@ RecordingEvent event(std::int64_t tick, const char* kind, const QJsonObject& jso
     return {tick, kind, QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()};
 }
 
-/// "Before" and "after" of a number.
+/// Returns a number before and after a change.
 QJsonArray change(double before, double after)
 {
     return {before, after};

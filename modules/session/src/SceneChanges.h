@@ -7,9 +7,9 @@
 
 namespace palpate::session::internal {
 
-/// Says what is felt differently in `after`: "tissue", "hidden", "shown", "layer" for each structure concerned, or
-/// "structures" when it is another list of them.
-/// @param tick  first one on `after`
+/// Returns the haptic changes of a scene: "tissue", "hidden", "shown" or "layer" for each changed structure, or
+/// "structures" if the list of structures differs.
+/// @param tick  first tick with `after`
 [[nodiscard]] std::vector<RecordingEvent> sceneChanges(std::int64_t tick, const SceneRecord& before,
                                                        const SceneRecord& after);
 

@@ -14,15 +14,15 @@
 
 namespace palpate::session::internal {
 
-/// @return the numbers of a tissue that recordings of this version hold. @param version  1 to kRecordingVersion
+/// Returns the tissue parameters stored by recordings of a version. @param version  1 to kRecordingVersion
 inline std::span<const core::TissueTerm> tissueTerms(int version)
 {
-    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5, 5}; // by version
+    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5, 5}; // number of terms by version
     static_assert(kTerms.back() == core::kTissueTerms.size(), "another term, another version");
     return std::span(core::kTissueTerms).first(kTerms[static_cast<std::size_t>(version)]);
 }
 
-/// @return the columns of a tissue in the table `structures`, each behind a comma. @param type  of each
+/// Returns the tissue columns of the table `structures`, each with a leading comma. @param type  SQL type of each
 inline std::string tissueColumns(int version, std::string_view type = "")
 {
     std::string columns;
@@ -32,7 +32,7 @@ inline std::string tissueColumns(int version, std::string_view type = "")
     return columns;
 }
 
-/// @return what stands for their values in a statement, each behind a comma. @param first  its number
+/// Returns numbered placeholders for these columns, each with a leading comma. @param first  first number
 inline std::string tissuePlaces(std::size_t first)
 {
     std::string places;
@@ -42,12 +42,12 @@ inline std::string tissuePlaces(std::size_t first)
     return places;
 }
 
-inline constexpr int kMapsSince = 3; ///< version of the first recordings with a table of maps
+inline constexpr int kMapsSince = 3; ///< version that introduced the table of maps
 
-/// Makes the tables of resources/docs/recording.md. @param version  1 to kRecordingVersion
+/// Returns the SQL for the tables of resources/docs/recording.md. @param version  1 to kRecordingVersion
 inline std::string schema(int version = kRecordingVersion)
 {
-    const bool hasChecksOfAll = version >= 2; // version 1 had checks of its ticks alone, and embedded no surface
+    const bool hasChecksOfAll = version >= 2; // version 1 has checksums for ticks only and no embedded surfaces
     return "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID;\n" + createTicks(version) + R"sql(
 CREATE TABLE scenes(generation INTEGER PRIMARY KEY, structures INTEGER NOT NULL)sql" +
            (hasChecksOfAll ? ", fingertip_mm REAL NOT NULL" : "") + R"sql();
@@ -71,11 +71,11 @@ CREATE TABLE checks(first_tick INTEGER PRIMARY KEY, last_tick INTEGER NOT NULL, 
 )sql") + createTickValues(version);
 }
 
-/// Makes the table of the numbers that vary over surfaces, which only a recording with such has.
+/// Creates the table of map values, which exists only in recordings with maps.
 inline constexpr const char* kCreateMaps =
     "CREATE TABLE IF NOT EXISTS maps(id INTEGER PRIMARY KEY, sha256 TEXT UNIQUE, corners BLOB NOT NULL)";
 
-/// What a line of `checks` covers, as its column `kind` says it.
+/// Values of the column `kind` in `checks`.
 inline constexpr const char* kMetaCheck = "meta";
 inline constexpr const char* kSceneCheck = "scene";
 inline constexpr const char* kEventsCheck = "events";

@@ -20,12 +20,12 @@ using core::Status;
 using core::StatusCode;
 using Step = Statement::Step;
 
-/// A column's name, its place in the primary key (0: none), and whether it is computed rather than stored.
+/// Column name, position in the primary key (0: none), and whether the column is generated.
 using Column = std::tuple<std::string, std::int64_t, bool>;
 using Columns = std::vector<Column>;
 
 constexpr std::string_view kView = "tick_values";
-constexpr std::string_view kOptionalTable = "maps"; // which only a recording with such has
+constexpr std::string_view kOptionalTable = "maps"; // exists only in a recording with maps
 
 Status refuse(const std::string& found, const std::string& expected)
 {
@@ -34,7 +34,7 @@ Status refuse(const std::string& found, const std::string& expected)
                                        "whole)"};
 }
 
-/// @pre `table` is a name of Palpate's
+/// @pre `table` is a table name of Palpate
 Columns columnsOf(const Database& database, const std::string& table)
 {
     Columns columns;
@@ -45,7 +45,7 @@ Columns columnsOf(const Database& database, const std::string& table)
     return columns;
 }
 
-/// A text with one blank for each run of white space, and none at its ends.
+/// Collapses white space to single blanks and removes it at both ends.
 std::string squeezed(std::string_view text)
 {
     std::string out;
@@ -63,7 +63,7 @@ std::string squeezed(std::string_view text)
     return out;
 }
 
-/// A row of sqlite_master.
+/// Row of sqlite_master.
 struct Entry
 {
     std::string type, name, sql;
@@ -85,7 +85,7 @@ Status readEntries(const Database& database, std::vector<Entry>& out)
 
 using Tables = std::map<std::string, Columns>;
 
-/// The tables that a version has, with their columns, from the statements that make them.
+/// Returns the tables and columns of a version, derived from the SQL that creates them.
 Tables tablesOf(int version)
 {
     Tables tables;
@@ -102,7 +102,7 @@ Tables tablesOf(int version)
     return tables;
 }
 
-/// The same, found out once.
+/// Caches the result of tablesOf.
 const Tables& expectedTables(int version)
 {
     static std::mutex mutex;
@@ -134,7 +134,7 @@ Status checkSchema(const Database& database, int version)
     }
     std::vector<std::string> tables;
     for (const Entry& entry : entries) {
-        // What SQLite made of an entry follows from its text alone; its other columns can say anything.
+        // Only the SQL text determines how SQLite treats an entry; its other columns may contain anything.
         const bool isTable = entry.sql.starts_with("CREATE TABLE " + entry.name + "(") && entry.type == "table";
         const bool isIndexOfKey = entry.sql.empty() && entry.type == "index" && entry.name.starts_with("sqlite_auto");
         if (isTable && expected.contains(entry.name) &&

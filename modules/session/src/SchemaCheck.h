@@ -5,11 +5,11 @@
 
 namespace palpate::session::internal {
 
-/// Holds a database's schema against the tables that recordings of a version have: each is a table with the columns
-/// of its version, all of them stored; there is no view but `tick_values` with Palpate's own text, no trigger, no
-/// virtual table and no index but SQLite's own. So that no statement of a reader runs what a file brings along.
+/// Compares a database's schema with the tables of a recording version. Requires exactly the columns of that version,
+/// all stored, and rejects other views than Palpate's own `tick_values`, triggers, virtual tables, and indices other
+/// than automatic ones. As a result, a reader's statements never run code from the file.
 /// @param version  1 to kRecordingVersion
-/// @return BadFormat without the file's name for the first thing that is missing or another one
+/// @return BadFormat without the file name for the first missing or unexpected item
 [[nodiscard]] core::Status checkSchema(const Database& database, int version);
 
 } // namespace palpate::session::internal

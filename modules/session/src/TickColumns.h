@@ -13,36 +13,35 @@
 
 namespace palpate::session::internal {
 
-/// Where a value stands in a tick.
+/// Member of a tick that holds a column's value.
 using TickMember = std::variant<std::int64_t servo::TickRecord::*, std::uint32_t servo::TickRecord::*,
                                 std::uint16_t servo::TickRecord::*, double servo::TickRecord::*,
                                 core::Vec3 servo::TickRecord::*, haptics::TickResult servo::TickRecord::*,
                                 core::Vec3 haptics::TickResult::*, std::int32_t haptics::TickResult::*,
                                 std::uint32_t haptics::TickResult::*, std::uint8_t haptics::TickResult::*>;
 
-/// When a value is stored in the table `ticks`, which leaves out what can be known without it: where it is not, it is
-/// NULL.
+/// Condition for storing a value in the table `ticks`. Values that can be derived are stored as NULL.
 enum class Stored : std::uint8_t
 {
     Always,
-    InContact,    ///< NULL stands for what the value is in a new TickRecord
-    UnlessZero,   ///< NULL stands for a zero vector, all signs positive
-    UnlessSame,   ///< NULL stands for the bits of the vector `TickColumn::same`
-    UnlessSpring, ///< NULL stands for the bits of `springDirection`
-    UnlessAlone,  ///< of a TickResult: its contacts; NULL where `ownContact` is all there are
-    Never         ///< there is no such column, nor is it in the checksum
+    InContact,    ///< NULL: default value of a new TickRecord
+    UnlessZero,   ///< NULL: zero vector with positive signs
+    UnlessSame,   ///< NULL: bits of the vector `TickColumn::same`
+    UnlessSpring, ///< NULL: bits of `springDirection`
+    UnlessAlone,  ///< for the contacts of a TickResult; NULL: only `ownContact`
+    Never         ///< not in the table and not in the checksum
 };
 
-/// One value of a tick: its name in the table `ticks`, in the CSV and in resources/docs/recording.md.
+/// One value of a tick, with its name in the table `ticks`, in the CSV and in resources/docs/recording.md.
 struct TickColumn
 {
-    std::string_view name; ///< of a vector: of three columns, with _x, _y and _z at the end
+    std::string_view name; ///< base name for a vector with three columns _x, _y and _z
     TickMember member;
-    std::string_view meaning; ///< as recording.md says it
-    int csv = 0;              ///< place in the CSV, from 1; 0: not in it
+    std::string_view meaning; ///< description in recording.md
+    int csv = 0;              ///< position in the CSV, from 1; 0: absent
     Stored stored = Stored::Always;
     std::string_view same{}; ///< for Stored::UnlessSame: name of the other column
-    int since = 1;           ///< version of the first recordings that have it
+    int since = 1;           ///< first recording version with this column
 
     [[nodiscard]] constexpr bool isStored(int version = kRecordingVersion) const noexcept
     {
@@ -53,8 +52,8 @@ struct TickColumn
 using haptics::TickResult;
 using servo::TickRecord;
 
-/// All values of a tick, those of the table `ticks` in its order. A new one comes last and has no place in the CSV
-/// here: readers go by the order, and there it is a row of kCsvColumns.
+/// All values of a tick; the stored ones in the order of the table `ticks`. Append new values at the end and without a
+/// CSV position, because readers depend on the order. In the CSV, add them to kCsvColumns.
 inline constexpr TickColumn kTickColumns[] = {
     {"tick", &TickRecord::tick, "primary key, since the servo started; a gap is a loss", 1},
     {"time_ns", &TickRecord::time_ns, "monotonic, since the recording's first tick"},
@@ -93,24 +92,24 @@ inline constexpr TickColumn kTickColumns[] = {
      Stored::Never},
 };
 
-/// Which CSVs have a column.
+/// CSV types that contain a column.
 enum class InCsv : std::uint8_t
 {
     All,
-    OfSession, ///< that of a recording
-    OfDevice   ///< that of a replay with a device
+    OfSession, ///< CSV of a recording
+    OfDevice   ///< CSV of a replay with a device
 };
 
-/// A column that only the CSV has, after the values of kTickColumns: it follows from them, or tells what happened.
+/// CSV-only column after the values of kTickColumns: derived values and events.
 struct CsvColumn
 {
     std::string_view name;
-    std::string_view meaning; ///< as recording.md says it
+    std::string_view meaning; ///< description in recording.md
     InCsv in = InCsv::OfSession;
-    bool isWithoutHand = false; ///< filled too where there was no hand
+    bool isWithoutHand = false; ///< filled even without a hand
 };
 
-/// In their order; a new one comes last.
+/// In CSV order; append new columns at the end.
 inline constexpr CsvColumn kCsvColumns[] = {
     {"slides", "1 while friction lets the god-object slide, 0 while it holds it, empty without friction", InCsv::All},
     {"layers", "each structure in contact, the outermost layer first, see below", InCsv::All},
@@ -127,7 +126,7 @@ inline constexpr CsvColumn kCsvColumns[] = {
     {"sent_z", "the same along z [N]", InCsv::OfDevice},
 };
 
-/// Gives a column's value to `use`, by reference. @param tick  a TickRecord, const or not
+/// Passes a column's value to `use` by reference. @param tick  a TickRecord, const or not
 template<class Tick, class Use>
 void useValue(const TickColumn& column, Tick& tick, Use&& use)
 {
@@ -142,12 +141,12 @@ void useValue(const TickColumn& column, Tick& tick, Use&& use)
         column.member);
 }
 
-/// @return the direction of the spring, from the HIP to the god-object; zero in free space and without a length.
+/// Returns the direction of the spring, from HIP to god-object; zero in free space and for zero length.
 [[nodiscard]] core::Vec3 springDirection(const servo::TickRecord& tick);
 
-/// @return the names of its columns in `ticks` and the CSV: one, or a vector's three.
+/// Returns the column names in `ticks` and in the CSV: one, or three for a vector.
 [[nodiscard]] std::vector<std::string> columnNames(const TickColumn& column);
-/// The vector that a column's NULLs stand for. @pre `stored` is UnlessZero, UnlessSame or UnlessSpring
+/// Returns the vector that NULL stands for in a column. @pre `stored` is UnlessZero, UnlessSame or UnlessSpring
 [[nodiscard]] core::Vec3 impliedVector(const TickColumn& column, const servo::TickRecord& tick);
 
 } // namespace palpate::session::internal

@@ -19,7 +19,7 @@ namespace palpate::session {
 
 namespace {
 
-/// What the CSV shows, in its order.
+/// Returns the CSV columns in order.
 const std::vector<internal::TickColumn>& shownColumns()
 {
     static const std::vector<internal::TickColumn> kShown = [] {
@@ -52,10 +52,10 @@ void appendValue(std::string& line, std::integral auto value)
 
 void appendValue(std::string&, const haptics::TickResult&)
 {
-    // `layers` needs names: see `appendLayers`.
+    // `layers` needs structure names: see `appendLayers`.
 }
 
-/// The column `slides`.
+/// Formats the column `slides`.
 const char* slides(haptics::Friction friction)
 {
     switch (friction) {
@@ -69,8 +69,8 @@ const char* slides(haptics::Friction friction)
     return "";
 }
 
-/// Appends a text of a list within a cell. What would be read as a part of list or line, '%' itself, and what would
-/// make the cell a formula at its start, stands as % and two hexadecimal digits, as in a URL.
+/// Appends a list item within a cell. Separators, '%' and characters that would start a formula at the beginning of a
+/// cell are percent-encoded as in a URL.
 void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std::string_view also = {})
 {
     constexpr char kDigits[] = "0123456789ABCDEF";
@@ -85,7 +85,7 @@ void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std
     }
 }
 
-/// Appends `name=force_N=depth_mm` of each structure that pushes.
+/// Appends `name=force_N=depth_mm` for each structure in contact.
 void appendLayers(std::string& line, const haptics::TickResult& felt, const StructureNames& names)
 {
     for (std::size_t i = 0; i < felt.contactCount; ++i) {
@@ -99,7 +99,7 @@ void appendLayers(std::string& line, const haptics::TickResult& felt, const Stru
     }
 }
 
-/// What an event is about, in its own words: a note's text, a finding's name, a structure; empty for other kinds.
+/// Returns the subject of an event: text of a note, name of a finding or of a structure; empty for other kinds.
 std::string subjectOf(const RecordingEvent& event)
 {
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
@@ -111,7 +111,7 @@ std::string subjectOf(const RecordingEvent& event)
     return {};
 }
 
-/// Appends `kind` or `kind=subject` of each event.
+/// Appends `kind` or `kind=subject` for each event.
 void appendEvents(std::string& line, std::span<const RecordingEvent> events)
 {
     bool isFirst = true;

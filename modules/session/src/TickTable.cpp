@@ -18,7 +18,7 @@ namespace palpate::session::internal {
 
 namespace {
 
-/// @return the names of all columns, as `ticks` has them.
+/// Returns the names of all columns of `ticks`.
 std::vector<std::string> storedNames(int version)
 {
     std::vector<std::string> names;
@@ -40,8 +40,7 @@ std::string joined(const std::vector<std::string>& texts)
     return out;
 }
 
-/// One of a column's values in SQL, whatever NULL stands for filled in. @param axis  "_x", "_y", "_z", or "" of a
-/// number
+/// Returns the SQL for one value of a column with NULL resolved. @param axis  "_x", "_y", "_z", or "" for a scalar
 std::string filledIn(const TickColumn& column, const std::string& axis)
 {
     const std::string name = std::string(column.name) + axis;
@@ -132,7 +131,7 @@ void bindTick(Statement& row, const servo::TickRecord& tick)
 std::vector<std::string> knownTickValues(int version)
 {
     std::vector<std::string> known{createTickValues(version)};
-    if (version < 3) { // as versions 1 and 2 were written
+    if (version < 3) { // written by versions 1 and 2
         known.emplace_back(
             "CREATE VIEW tick_values AS SELECT tick, time_ns * 1e-9 AS time_s, hip_x, hip_y, hip_z, "
             "coalesce(god_x, hip_x) AS god_x, coalesce(god_y, hip_y) AS god_y, coalesce(god_z, hip_z) AS god_z, "
@@ -147,7 +146,7 @@ std::vector<std::string> knownTickValues(int version)
 
 namespace {
 
-/// Reads the values of a row and notes the first that cannot be one of a recording.
+/// Reads the values of a row and keeps the first error.
 class TickRow
 {
   public:
@@ -162,7 +161,7 @@ class TickRow
     double real(const TickColumn& column, double most)
     {
         const int place = m_place++;
-        const double value = m_row.real(place); // NaN for what is no number
+        const double value = m_row.real(place); // NaN if not a number
         if (std::abs(value) <= most) {
             return value;
         }
@@ -181,7 +180,7 @@ class TickRow
         return least;
     }
 
-    /// @pre isNull() for the first of the three
+    /// @pre isNull() for the first component
     void skipVector(const TickColumn& column)
     {
         if (!m_row.isNull(m_place + 1) || !m_row.isNull(m_place + 2)) {
@@ -231,14 +230,14 @@ class TickRow
     int m_place = 0;
 };
 
-/// Largest number of a vector's components.
+/// Returns the maximum absolute value of a vector component.
 double mostOf(const TickColumn& column)
 {
     const bool isPlace = column.name == "hip" || column.name == "god";
     return isPlace ? kMostLength_mm : column.stored == Stored::UnlessSpring ? kMostNormal : kMostForce_N;
 }
 
-/// Range of a column of whole numbers: that of its type, narrowed where a reader relies on less.
+/// Returns the range of an integer column: that of its type, or less if a reader depends on tighter limits.
 template<class Value>
 std::pair<std::int64_t, std::int64_t> rangeOf(const TickColumn& column)
 {

@@ -12,27 +12,28 @@
 
 namespace palpate::session::internal {
 
-// The table `ticks` and the view `tick_values`, as TickColumns.h lists their columns; `version` is the recording's.
+// Table `ticks` and view `tick_values` with the columns of TickColumns.h. `version` is that of the recording.
 
-/// Makes the table. Its columns have no declared type on purpose: a column declared REAL keeps whole numbers as
-/// integers and so loses the sign of a zero.
+/// Returns the SQL for the table. Columns deliberately have no declared type: a REAL column stores whole numbers as
+/// integers and thus loses the sign of zero.
 [[nodiscard]] std::string createTicks(int version = kRecordingVersion);
-/// Makes the view, which has every value filled in but normals and layers: not every SQLite can take a root.
+/// Returns the SQL for the view, which resolves all NULLs except normals and layers: sqrt() is not available in every
+/// SQLite build.
 [[nodiscard]] std::string createTickValues(int version);
-/// The texts that Palpate has given the view in recordings of a version.
+/// Returns all definitions of the view that Palpate has written for a recording version.
 [[nodiscard]] std::vector<std::string> knownTickValues(int version);
 [[nodiscard]] std::string insertTick();
-/// All columns, for `readTick`. @param rest  what follows "FROM ticks"
+/// Selects all columns for `readTick`. @param rest  text after "FROM ticks"
 [[nodiscard]] std::string selectTicks(const std::string& rest, int version);
-/// How many columns the table has.
+/// Returns the number of columns of the table.
 [[nodiscard]] std::size_t tickColumnCount(int version = kRecordingVersion);
 
-/// Gives a tick's values to the statement `insertTick`.
+/// Binds a tick's values to the statement `insertTick`.
 void bindTick(Statement& row, const servo::TickRecord& tick);
-/// Takes a tick from a row of `selectTicks`. What is not stored is as in a new TickRecord; before version 3 the
-/// contact's normal is the direction of the spring, and the reported layer the only one.
-/// @param wrong  set to what is wrong with the row where a value is of another type or beyond the bounds of Bounds.h:
-///               "found text for hip_x, expected a number"; the tick then holds zeros there
+/// Reads a tick from a row of `selectTicks`. Values that are not stored keep their defaults. Before version 3, the
+/// contact normal is the spring direction, and the reported layer is the only contact.
+/// @param wrong  set to the fault if a value has a wrong type or exceeds Bounds.h: "found text for hip_x, expected a
+///               number"; the value is then zero
 [[nodiscard]] servo::TickRecord readTick(const Statement& row, int version, std::string& wrong);
 
 } // namespace palpate::session::internal

@@ -8,9 +8,9 @@
 
 namespace palpate::session {
 
-/// How the servo loop kept time, as the object of a recording's "timing" event: for period, error of the period,
-/// lateness, latency and solver the 50th, 99th and 99.9th percentile and the greatest [ns]; ticks, overruns and periods
-/// left out since the loop started; whether it ran in real time; `late`, the periods left out since recording began.
+/// Serializes the servo timing for the "timing" event of a recording: 50th, 99th and 99.9th percentile and maximum of
+/// period, period error, lateness, latency and solver time [ns]; ticks, overruns and skipped periods since the loop
+/// started; real-time mode; and `late`, the periods skipped since the recording started.
 [[nodiscard]] std::string timingJson(const servo::TimingReport& timing, bool isRealtime, std::uint64_t late);
 
 } // namespace palpate::session

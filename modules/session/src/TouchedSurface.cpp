@@ -12,7 +12,7 @@ using core::Vec3;
 using geometry::Triangle;
 
 namespace {
-constexpr double kMostParts = 256.0; // of an edge: what a triangle of a kilometre must not turn into
+constexpr double kMostParts = 256.0; // per edge: limits the splitting of very large triangles
 }
 
 std::size_t TouchedSurface::CellHash::operator()(const Cell& cell) const noexcept
@@ -52,7 +52,7 @@ void TouchedSurface::split(const geometry::TriangleMesh& mesh, double longest_mm
                                           (c - a) * (static_cast<double>(j) / parts));
             }
         }
-        // Row i starts after the rows before it, which have parts + 1, parts, ... points.
+        // Row i follows i rows with parts + 1, parts, ... points.
         const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + i * (parts + 1) - i * (i - 1) / 2 + j; };
         for (std::uint32_t i = 0; i < parts; ++i) {
             for (std::uint32_t j = 0; j < parts - i; ++j) {

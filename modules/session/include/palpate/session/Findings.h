@@ -27,8 +27,7 @@ namespace palpate::session {
 /// Parses the output of `toJson`. Missing or invalid fields keep their defaults.
 [[nodiscard]] core::Finding findingFrom(const QJsonObject& json);
 /// Returns the findings and notes that remain at the end of a recording, each with the tick at which the user marked
-/// the
-/// finding, in tick order. Invalid events are skipped.
+/// the finding, in tick order. Invalid events are skipped.
 [[nodiscard]] std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events);
 
 /// Hand activity near one finding; definitions in resources/docs/measures.md.

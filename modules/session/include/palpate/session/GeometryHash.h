@@ -8,10 +8,8 @@
 namespace palpate::session {
 
 /// Identifies a geometry by SHA-256 over the counts, the bits of the vertex coordinates and the indices (64 hex
-/// digits).
-/// Two geometries have the same hash exactly when every tick computed on them gives the same bits. Pass the repaired
-/// mesh in
-/// the world frame.
+/// digits). Two geometries have the same hash exactly when every tick computed on them gives the same bits. Pass the
+/// repaired mesh in the world frame.
 /// @par Cost about 4 ns per byte. Any thread.
 [[nodiscard]] std::string geometryHash(const geometry::TriangleMesh& mesh);
 

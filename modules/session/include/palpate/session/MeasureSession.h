@@ -49,8 +49,7 @@ struct LumpSearch
     double told_mm2 = 0.0;    ///< organ surface from which a trained hand detects the lump when pressing
     double pressed_mm2 = 0.0; ///< part of told_mm2 where the hand pressed deep enough
     /// Greatest relative change of force over the lump, compared with the organ alone at the same depth, from the
-    /// recorded
-    /// ticks [%]. Empty if no tick was deep enough.
+    /// recorded ticks [%]. Empty if no tick was deep enough.
     std::optional<double> recorded_percent;
     /// Greatest relative change of stiffness predicted by the model for the places and depths reached [%]. Empty if the
     /// lump's stiffness ratio is unknown.
@@ -80,8 +79,7 @@ struct SessionMeasures
 };
 
 /// Returns the smallest measuring distance for these surfaces [mm]. Triangles are split to edges of half the distance;
-/// the
-/// limit keeps their number below about ten million (3 GB).
+/// the limit keeps their number below about ten million (3 GB).
 [[nodiscard]] double leastDistance_mm(const MeshesByHash& meshes);
 
 /// Measures a recording in a single pass. Ticks with a failed checksum are skipped.

@@ -25,8 +25,7 @@ struct Motion
 
 /// Reads a CSV file whose header names the columns `x`, `y`, `z` [mm] and optionally `time_s` [s], in any order. Other
 /// columns are ignored. Independent of the numeric locale. Accepts a byte order mark, CRLF and trailing blank lines.
-/// The
-/// file may be a pipe. Limits: 1 MB per line, one day at 1 kHz (86.4 million rows), mean row spacing 1e-5 s to 1 s.
+/// The file may be a pipe. Limits: 1 MB per line, one day at 1 kHz (86.4 million rows), mean row spacing 1e-5 s to 1 s.
 /// @return the motion, or a one-line error such as `m.csv: line 7, column y: found "abc", expected a number`
 /// @par Thread Any; no shared state.
 [[nodiscard]] core::Result<Motion> readMotion(const std::filesystem::path& path);

@@ -33,12 +33,9 @@ struct RecorderStatus
 };
 
 /// Records the ticks of a servo loop: a background thread moves them from the loop's ring buffer into the file. The
-/// servo
-/// never waits. On a slow disk the ring fills up, and further ticks are dropped and counted. A full disk ends the
-/// recording
-/// immediately; other disk errors end the recording after one minute. The last event in the file gives the reason.
-/// Haptic
-/// rendering continues in either case.
+/// servo never waits. On a slow disk the ring fills up, and further ticks are dropped and counted. A full disk ends the
+/// recording immediately; other disk errors end the recording if they persist for a minute. The last event in the file
+/// gives the reason. Haptic rendering continues in either case.
 /// @par Thread All functions from the same thread (the GUI thread). `start` and `stop` may block for a disk access.
 class Recorder
 {
@@ -50,7 +47,7 @@ class Recorder
     Recorder& operator=(const Recorder&) = delete;
 
     /// Starts recording with the next tick.
-    /// @param info   device and rate; the start state is taken from the loop
+    /// @param info  device and rate; the start state is taken from the loop
     /// @param scene  current scene of the loop with its generation
     /// @return a one-line error if the file cannot be created or the loop is not running
     core::Status start(const std::filesystem::path& path, const RecordingInfo& info, const SceneRecord& scene);

@@ -71,9 +71,8 @@ struct SceneRecord
                                         std::span<const StructureSource> sources);
 
 /// Event at a tick. Event kinds by origin:
-/// - writer: "scene" (first tick of a generation); "tissue", "hidden", "shown", "layer" and "structures" (changes of
-/// that
-///   scene); "clutch" (hand released or returned)
+/// - writer: "scene" (first tick of a generation), "tissue", "hidden", "shown", "layer" and "structures" (changes with
+///   that scene), "clutch" (hand released or returned)
 /// - recorder: "dropped", "disk", "timing" (servo timing), "ended" (reason of an early end)
 /// - window: "note", "finding", "finding-edited", "finding-undone", "device-lost", "fault"
 /// - recovery: "recovered"
@@ -95,8 +94,7 @@ struct RecordingInfo
     std::string startedUtc; ///< ISO 8601; set by the writer
     std::string scene;      ///< path of the opened scene or mesh; empty if none
     /// Path of the scene relative to the recording's folder, if the scene was in that folder or below. Used to find the
-    /// scene
-    /// after both were moved together.
+    /// scene after both were moved together.
     std::string sceneBeside;
     std::string sceneSha256; ///< hash of the scene file at the start of the recording, 64 hex digits; empty: unknown
     std::string looks;       ///< appearance of the structures in the first scene, JSON; empty: unknown

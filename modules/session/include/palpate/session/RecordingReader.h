@@ -41,22 +41,19 @@ struct RecordingExtent
 };
 
 /// Describes the end of a recording in one clause, such as "complete" or "ended at 8.7 s because the disk was full;
-/// what
-/// was felt after is not in it".
+/// what was felt after is not in it".
 [[nodiscard]] std::string endingText(const RecordingExtent& extent);
 
 /// Reads a recording from an untrusted source. Opens quickly and never loads the whole file: rows are streamed, and
-/// each
-/// block of ticks (a quarter of a second) is verified against the checksum before use. Never writes to the file or its
-/// folder.
+/// each block of ticks (a quarter of a second) is verified against the checksum before use. Never writes to the file or
+/// its folder.
 /// @par Thread One thread at a time. Several readers may be open on one file.
 class RecordingReader
 {
   public:
     /// Opens a recording. After a crash, the last incomplete transaction is rolled back in memory.
     /// @return a one-line error if the file is missing, not a recording, damaged or of a newer version; BadFormat if
-    /// tables or
-    ///         numbers cannot have been written by Palpate
+    ///         tables or numbers cannot have been written by Palpate
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& path);
     ~RecordingReader();
     RecordingReader(const RecordingReader&) = delete;
@@ -70,17 +67,14 @@ class RecordingReader
     /// Returns the scene of a generation, or null if the recording does not describe that generation.
     [[nodiscard]] const SceneRecord* scene(std::uint32_t generation) const noexcept;
     /// Returns the name of a structure from the scene generation and the index, empty if unknown. Valid for the
-    /// lifetime of
-    /// the reader.
+    /// lifetime of the reader.
     [[nodiscard]] std::string_view structureName(std::uint32_t generation, std::uint32_t number) const noexcept;
     /// Returns the name of the structure in contact, empty in free space.
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick) const;
 
     /// Passes the ticks first … last in order to `sink` until `sink` returns false. `time_ns` counts from the first
-    /// tick.
-    /// Blocks with a failed checksum are skipped and listed by `faults`. All numbers are finite.
-    /// Recordings before version 3 contain neither layers nor normals. For these, a tick has a single contact with the
-    /// total
+    /// tick. Blocks with a failed checksum are skipped and listed by `faults`. All numbers are finite. Recordings
+    /// before version 3 contain neither layers nor normals. For these, a tick has a single contact with the total
     /// force, and the direction of the spring as normal.
     core::Status forEach(std::int64_t first, std::int64_t last,
                          const std::function<bool(const servo::TickRecord&)>& sink) const;
@@ -88,8 +82,7 @@ class RecordingReader
     [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
     /// Returns one line for each damaged part found so far ("ticks 250 to 499: found other bits than were written
     /// (checksum)"). Opening checks metadata, scenes, events and the last block; every requested block of ticks is
-    /// checked
-    /// when read.
+    /// checked when read.
     [[nodiscard]] std::vector<std::string> faults() const;
 
     /// Reads the path of the HIP with one sample per tick with a hand present. Needs 24 bytes of memory per tick.

@@ -16,10 +16,8 @@
 namespace palpate::session {
 
 /// Writes a recording (`*.palpate`); the format is documented in resources/docs/recording.md. The file is a valid
-/// prefix of
-/// the recording at any time: it contains only complete transactions, each with a quarter of a second of ticks and
-/// their
-/// checksum.
+/// prefix of the recording at any time: it contains only complete transactions, each with a quarter of a second of
+/// ticks and their checksum.
 /// @par Thread One thread at a time, never the servo thread: writing blocks on the disk.
 class RecordingWriter
 {
@@ -43,13 +41,11 @@ class RecordingWriter
         CutOff,   ///< the session continued, but the rest is missing
     };
 
-    /// Creates the file with the schema and `info` and locks the file against other writers. The folder must not
-    /// contain a
+    /// Creates the file with the schema and `info` and locks the file against other writers. There must be no adjacent
     /// file that SQLite would treat as part of the database (-journal, -wal, -shm).
     /// @param old  Refuse: fails if the name exists; the file has its final name immediately. Replace: writes a
-    /// temporary
-    ///             file that `finish` renames, so that an older file stays unchanged until then. A file that another
-    ///             program is recording into is never replaced.
+    ///             temporary file that `finish` renames, so that an older file stays unchanged until then. A file that
+    ///             another program is recording into is never replaced.
     /// @return a one-line error with the file name if the file cannot be written
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
     create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit,
@@ -60,12 +56,10 @@ class RecordingWriter
 
     /// Adds a tick. Tick numbers must ascend. Commits after each quarter of a second of ticks.
     /// @return the disk error. The tick is kept and written with the next successful commit, for up to one minute of
-    /// ticks.
-    ///         Later ticks are dropped and counted, and the next stored tick carries `kDroppedBefore`.
+    ///         ticks. Later ticks are dropped and counted, and the next stored tick carries `kDroppedBefore`.
     core::Status append(const servo::TickRecord& tick);
     /// Describes a scene generation. Call once per generation, before or after the first tick. Also stores the surfaces
-    /// to
-    /// embed.
+    /// to embed.
     core::Status addScene(const SceneRecord& scene);
     core::Status addEvent(const RecordingEvent& event);
     /// Commits the transaction, so that all data added so far survives a crash. @return the disk error; no data is lost
@@ -76,10 +70,8 @@ class RecordingWriter
     /// Removes the file instead, unless another file has taken the name.
     void discard();
     /// Closes a recording when the disk accepts no more data. Releases the reserved space, then stores the uncommitted
-    /// data
-    /// and an event with the reason. If the space is too small for both, only the events are stored and the ticks are
-    /// lost.
-    /// Call at most once; nothing may be added afterwards.
+    /// data and an event with the reason. If the space is too small for both, only the events are stored and the ticks
+    /// are lost. Call at most once; nothing may be added afterwards.
     /// @param why  event with the reason; its tick is set to the last stored tick
     /// @return the disk error if not even the events could be stored
     core::Status abandon(RecordingEvent why);

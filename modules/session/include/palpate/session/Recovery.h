@@ -20,8 +20,8 @@ struct Recovery
 /// Writes the best readable copy of a recording: all data with a valid checksum, and all readable data whose checksum
 /// itself is lost. Data known to be damaged is omitted and listed in the result.
 /// @param from  opened read-only; a journal left by a crash is applied
-/// @param to    an existing file or link is replaced once the copy is complete, unless another program is recording
-/// into it
+/// @param to  an existing file or link is replaced once the copy is complete, unless another program is recording into
+///            it
 /// @return a one-line error if the metadata table cannot be read or `to` cannot be written
 [[nodiscard]] core::Result<Recovery> recoverRecording(const std::filesystem::path& from,
                                                       const std::filesystem::path& to);

@@ -43,10 +43,8 @@ using SurfacesByHash = std::map<std::string, std::shared_ptr<const geometry::Sur
 /// Comparison of a re-simulation with the recording.
 ///
 /// Other compilers or later versions may round sums differently. The effect is bounded by multiples of the surface
-/// skin,
-/// the margin that the solver keeps for rounding and for distinguishing positions; see kSkinsOfRounding. A larger
-/// difference
-/// means that the god-object took a different path.
+/// skin, the margin that the solver keeps for rounding and for distinguishing positions; see kSkinsOfRounding. A larger
+/// difference means that the god-object took a different path.
 struct Resimulation
 {
     std::int64_t compared = 0;                   ///< recomputed ticks
@@ -66,11 +64,9 @@ struct Resimulation
 };
 
 /// Rounding tolerance in skins of the layer. The solver treats god-objects within this distance as one position: the
-/// god-object
-/// leaves a corner only if this brings it closer by at least this distance (resources/docs/god-object.md). The rounding
-/// error
-/// of a plane distance is at most one eighth of a skin, so the tolerance also holds in a crease of 2 degrees. The force
-/// tolerance is this distance times the stiffness.
+/// god-object leaves a corner only if this brings it closer by at least this distance (resources/docs/god-object.md).
+/// The rounding error of a plane distance is at most one eighth of a skin, so the tolerance also holds in a crease of 2
+/// degrees. The force tolerance is this distance times the stiffness.
 inline constexpr double kSkinsOfRounding = 16.0;
 
 /// Recomputes a recording from its start state, HIPs, resets and scene changes. Compares every god-object and force and

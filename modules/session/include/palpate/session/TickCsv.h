@@ -26,7 +26,7 @@ class TickCsv
         Session ///< with time, sent force, depth and events; cells are empty without a hand
     };
     [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path, Rows rows = Rows::Ticks);
-    /// @param tick    for Rows::Session, `time_ns` counts from the first tick of the recording
+    /// @param tick  for Rows::Session, `time_ns` counts from the first tick of the recording
     /// @param events  events of this tick, for Rows::Session
     void write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events = {});
     [[nodiscard]] core::Status finish();

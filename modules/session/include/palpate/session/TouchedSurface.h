@@ -16,8 +16,7 @@ namespace palpate::session {
 /// Contact measures at the vertices of one structure's surface; definitions in resources/docs/measures.md.
 ///
 /// Triangles with edges longer than half the distance are split, so that coarse and fine meshes are measured at the
-/// same
-/// resolution. The vertices are sample points, each with its share of the area.
+/// same resolution. The vertices are sample points, each with its share of the area.
 class TouchedSurface
 {
   public:
