@@ -16,7 +16,7 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-/// What lies in what by shape, of what is palpable.
+/// Computes the nesting of the palpable structures from their geometry.
 Layering layeringOf(const meshio::LoadedScene& scene)
 {
     std::vector<std::shared_ptr<const geometry::SurfaceIndex>> indices;
@@ -39,7 +39,7 @@ std::optional<std::size_t> named(const meshio::LoadedScene& scene, const std::st
     return std::nullopt;
 }
 
-/// Of structures that would be lumps but for an organ that is open, a clause each.
+/// Returns a clause for each structure that would be a lump if the surrounding organ were closed.
 std::string unsureLumps(const meshio::LoadedScene& scene, const Layering& layers)
 {
     std::string clauses;
@@ -69,7 +69,7 @@ LumpOf lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t or
     return {lump, stiffnessRatio(of, in, given != ratios.end() ? std::optional(given->second) : std::nullopt)};
 }
 
-/// The organ that a structure is a lump in, if it is one.
+/// Returns the organ of a lump; empty if the structure is not a lump.
 std::optional<std::size_t> organOfLump(const meshio::LoadedScene& scene, const Layering& layers, std::size_t structure,
                                        const std::map<std::string, double>& ratios)
 {
@@ -229,7 +229,7 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         through.feltBelow.clear();
         for (const buried::FeltSurface::Press& press : felt.value().press) {
             const auto own = press.ratio.begin() + static_cast<std::ptrdiff_t>(felt.value().organVertices);
-            through.feltBelow.emplace_back(press.ratio.begin(), own); // the organ's own come first
+            through.feltBelow.emplace_back(press.ratio.begin(), own); // the organ's original vertices come first
         }
         bool isAnyKnown = false;
         for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {

@@ -13,22 +13,23 @@ namespace palpate::study {
 
 namespace {
 
-constexpr double kLeast_N_per_mm = 1e-6; // of a law for which nothing is left
+constexpr double kLeast_N_per_mm = 1e-6; // slope of a law when the limit is used up
 
 bool isThere(const haptics::HapticStructure& structure)
 {
     return structure.surface != nullptr && structure.surface->triangleCount() > 0;
 }
 
-/// The largest slope of its law, without the map [N/mm].
+/// Returns the largest slope of the force law without the map [N/mm].
 double slopeOf(const haptics::HapticStructure& structure)
 {
     return structure.law != nullptr ? structure.law->greatestSlope_N_per_mm()
                                     : haptics::greatestStiffness(structure.tissue);
 }
 
-/// The largest slope of what lumps below make of a law [N/mm]: `s(d) F(d)` with s rising between two presses.
-/// @param share  of what they add, 0 … 1
+/// Returns the largest slope of a force law with buried lumps [N/mm]: `s(d) F(d)`, where s may rise between two press
+/// depths.
+/// @param share  scale for the effect of the lumps, 0 … 1
 double feltSlope(const haptics::HapticStructure& one, double share)
 {
     const double slope = slopeOf(one);
@@ -50,14 +51,14 @@ double feltSlope(const haptics::HapticStructure& one, double share)
     return most * (one.maps.stiffness.isEmpty() ? 1.0 : one.maps.stiffness.greatest());
 }
 
-/// Takes from lumps below what would be more than a device holds.
+/// Reduces the effect of buried lumps to the limit of the device.
 void boundFelt(double most_N_per_mm, haptics::HapticStructure& one)
 {
     if (!one.maps.hasFelt() || feltSlope(one, 1.0) <= most_N_per_mm) {
         return;
     }
     double holds = 0.0, fails = 1.0;
-    for (int halving = 0; halving < 12; ++halving) { // 1 in 4096 of what they add
+    for (int halving = 0; halving < 12; ++halving) { // to 1/4096 of the effect
         const double middle = 0.5 * (holds + fails);
         (feltSlope(one, middle) <= most_N_per_mm ? holds : fails) = middle;
     }
@@ -66,8 +67,8 @@ void boundFelt(double most_N_per_mm, haptics::HapticStructure& one)
     }
 }
 
-/// Bounds what one structure makes of a device's limit: a map where there is one, as it may say less than the tissue
-/// everywhere; else the tissue and its law.
+/// Applies the limit to one structure: to the map if there is one, because its values may all be below the tissue's
+/// own; else to the tissue and its law.
 void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
 {
     const bool isMapped = !one.maps.stiffness.isEmpty();
@@ -109,7 +110,7 @@ double greatestDamping(const haptics::HapticStructure& structure) noexcept
 
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures)
 {
-    std::map<std::uint32_t, std::vector<haptics::HapticStructure*>> layers; // outermost first
+    std::map<std::uint32_t, std::vector<haptics::HapticStructure*>> layers; // outermost layer first
     for (haptics::HapticStructure& one : structures) {
         layers[one.layer].push_back(&one);
     }
@@ -138,7 +139,7 @@ haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per
 
 std::string boundedText(std::span<const haptics::HapticStructure> asked, std::span<const haptics::HapticStructure> held)
 {
-    constexpr double kRounding = 1.0 + 1e-5; // of the slope of a law that was bounded
+    constexpr double kRounding = 1.0 + 1e-5; // rounding of the slope of a bounded law
     constexpr int kDigits = 3;
     std::string text;
     const auto add = [&](const std::string& name, double was, double is, const char* unit) {

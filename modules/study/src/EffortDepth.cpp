@@ -12,7 +12,7 @@ namespace {
 using haptics::kFeltPress_mm;
 using haptics::TissueMap;
 
-/// What a map says at a place on a triangle, linear between the corners; 1 without a map.
+/// Interpolates a map linearly between the corners of a triangle; 1 without a map.
 double mapAt(const TissueMap& map, const PressedSurface& at) noexcept
 {
     if (map.isEmpty()) {
@@ -31,7 +31,7 @@ double mapAt(const TissueMap& map, const PressedSurface& at) noexcept
            ((1.0 - second - third) * double{value[0]} + second * double{value[1]} + third * double{value[2]});
 }
 
-/// By how much lumps below raise the force at a depth: linear between the presses that the maps know.
+/// Returns the force ratio due to buried lumps at a depth, linear between the press depths of the maps.
 double feltAt(const PressedSurface& at, double depth_mm) noexcept
 {
     const auto& felt = at.structure->maps.felt;
@@ -42,7 +42,7 @@ double feltAt(const PressedSurface& at, double depth_mm) noexcept
     if (above == kFeltPress_mm.end()) {
         return mapAt(felt.back(), at);
     }
-    const auto j = static_cast<std::size_t>(above - kFeltPress_mm.begin()); // >= 1: depth_mm > 0
+    const auto j = static_cast<std::size_t>(above - kFeltPress_mm.begin()); // >= 1, because depth_mm > 0
     const double share = (depth_mm - kFeltPress_mm[j - 1]) / (kFeltPress_mm[j] - kFeltPress_mm[j - 1]);
     return (1.0 - share) * mapAt(felt[j - 1], at) + share * mapAt(felt[j], at);
 }

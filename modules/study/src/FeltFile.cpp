@@ -54,7 +54,7 @@ QJsonValue ratioOrNull(const std::optional<StiffnessRatio>& ratio, double Stiffn
     return ratio ? QJsonValue((*ratio).*member) : QJsonValue();
 }
 
-/// Calls back with each lump, its organ and what is known of its ratio.
+/// Calls `take` with the organ, the lump and the known ratio of each lump.
 template<typename Take>
 void forEachLump(std::span<const FeltOrgan> organs, const Take& take)
 {

@@ -10,7 +10,7 @@ using core::MappedQuantity;
 
 namespace {
 
-/// What the corners of a triangle weigh at a place on it; together 1.
+/// Returns barycentric weights of a point on a triangle; the sum is 1.
 core::Vec3 weightsAt(const geometry::RepairedMesh& surface, std::size_t triangle, const core::Vec3& p_W)
 {
     const geometry::Triangle& corners = surface.mesh.triangles[triangle];
@@ -36,7 +36,7 @@ FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue, doubl
         felt.own = tissue.damping_Ns_per_mm;
     } else if (map.mapping.quantity == MappedQuantity::Stiffness) {
         const double stiffness = tissue.stiffness_N_per_mm;
-        if (isLinear) { // its stiffness is one number
+        if (isLinear) { // a linear law has a single stiffness
             felt.unit = "N/mm";
             felt.own = stiffness;
             factor = isScale ? stiffness : 1.0;

@@ -21,13 +21,14 @@ using core::FindingType;
 
 namespace {
 
-/// The fewest digits that give the same double back.
+/// Formats with the fewest digits that restore the same double.
 std::string digits(double value)
 {
     return QByteArray::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
 }
 
-/// The force on the hand: the layers' parts along it add up to it. In older files that of the finding is the whole.
+/// Returns the total force on the hand. The layers contain components along the total force, so their sum is the total.
+/// In older files, the finding's force is the total.
 std::optional<double> totalForce_N(const Finding& finding)
 {
     if (organOf(finding).empty()) {
@@ -45,7 +46,7 @@ std::string numberCell(const std::optional<double>& value)
     return value ? digits(*value) : std::string();
 }
 
-/// The note, and below it what was felt, for a reader of the list in another program.
+/// Returns the note followed by the measured values, for display in other programs.
 QString description(const Finding& finding)
 {
     QStringList felt;
@@ -97,7 +98,7 @@ QJsonObject display(FindingType type, double size_mm)
     return {{"visibility", true},
             {"opacity", 1.0},
             {"color", rgb},
-            {"selectedColor", rgb}, // points are selected when they come: without it they would be pink
+            {"selectedColor", rgb}, // new points are selected, which would otherwise make them pink
             {"activeColor", rgb},
             {"propertiesLabelVisibility", false},
             {"pointLabelsVisibility", true},
@@ -148,7 +149,7 @@ std::string findingsCsv(const std::vector<Finding>& findings)
 
 std::string findingsMarkups(const std::vector<Finding>& findings)
 {
-    constexpr double kUsualSize_mm = 5.0; // 3D Slicer's own
+    constexpr double kUsualSize_mm = 5.0; // default in 3D Slicer
     QJsonArray lists;
     for (std::size_t t = 0; t < core::kFindingTypeNames.size(); ++t) {
         const auto type = static_cast<FindingType>(t);

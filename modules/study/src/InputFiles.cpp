@@ -63,7 +63,7 @@ std::vector<fs::path> filesOf(const fs::path& input)
         for (const session::StructureRecord& structure : scene.structures) {
             const fs::path mesh = structure.source.mesh;
             out.push_back(mesh);
-            out.push_back(input.parent_path() / mesh.filename()); // where it is looked for as well
+            out.push_back(input.parent_path() / mesh.filename()); // second location that is searched
         }
     }
     return out;

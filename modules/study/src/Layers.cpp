@@ -12,13 +12,13 @@ namespace palpate::study {
 
 namespace {
 
-/// Volume inside, whichever way the normals point. [mm3]
+/// Returns the enclosed volume, independent of the orientation of the normals [mm3].
 double enclosed_mm3(const LayeredSurface& one)
 {
     return std::abs(one.surface->report.volume_mm3);
 }
 
-/// The same surface twice, as when a file is opened twice: whatever the order of its triangles.
+/// Returns true for equal surfaces, such as a file opened twice. Independent of the order of triangles.
 bool isTwin(const geometry::MeshReport& a, const geometry::MeshReport& b)
 {
     const auto isSame = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
@@ -26,7 +26,7 @@ bool isTwin(const geometry::MeshReport& a, const geometry::MeshReport& b)
            a.bounds.max() == b.bounds.max() && isSame(a.area_mm2, b.area_mm2) && isSame(a.volume_mm3, b.volume_mm3);
 }
 
-/// True when enough of the vertices of `inner` are inside `outer`.
+/// Returns true if at least kInsideShare of the sampled vertices of `inner` are inside `outer`.
 bool isMostlyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer)
 {
     const std::vector<core::Vec3>& vertices = inner.mesh.vertices;
@@ -35,7 +35,7 @@ bool isMostlyInside(const geometry::RepairedMesh& inner, const geometry::Surface
     std::size_t inside = 0;
     for (std::size_t i = 0; i < samples && inside < needed; ++i) {
         if (inside + (samples - i) < needed) {
-            return false; // even if all that are left are
+            return false; // out of reach even if all remaining samples are inside
         }
         inside += geometry::isInside(outer, vertices[i * vertices.size() / samples]) ? 1 : 0;
     }
@@ -55,7 +55,8 @@ class Nesting
     {
         m_out.structures.resize(m_surfaces.size());
         core::parallelFor(m_surfaces.size(), [this](std::size_t i, unsigned /*thread*/) { findHolders(i); });
-        // What lies in something encloses less than that does: from the largest down, those around are known.
+        // A nested structure has less volume than the one around it. In order of decreasing volume, the surrounding
+        // structures are therefore already processed.
         std::vector<std::size_t> order(m_surfaces.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::stable_sort(order.begin(), order.end(),
@@ -65,14 +66,14 @@ class Nesting
         }
         for (Layering::Structure& one : m_out.structures) {
             if (one.in && m_out.structures[*one.in].twin) {
-                one.in = m_out.structures[*one.in].twin; // of two that are one, the first is named
+                one.in = m_out.structures[*one.in].twin; // name the first of two equal structures
             }
             if (one.twin) {
                 const Layering::Structure& first = m_out.structures[*one.twin];
                 one.layer = first.layer;
                 one.depth = first.depth;
                 one.in = first.in;
-                one.unsureIn.reset(); // said of the first
+                one.unsureIn.reset(); // already reported for the first
             }
         }
         return std::move(m_out);
@@ -81,7 +82,7 @@ class Nesting
   private:
     double volume(std::size_t i) const { return m_surfaces[i].surface != nullptr ? enclosed_mm3(m_surfaces[i]) : 0.0; }
 
-    /// Writes what is known of one structure alone: which others are around it, and its twin.
+    /// Finds the enclosing structures and the equal structure of a single structure.
     void findHolders(std::size_t i)
     {
         if (m_surfaces[i].surface == nullptr) {
@@ -110,7 +111,7 @@ class Nesting
         }
     }
 
-    /// Of surfaces without a volume to go by: the one whose box holds the other's.
+    /// Compares surfaces without a reliable volume: the outer bounding box must contain the inner one.
     static bool isLarger(const geometry::RepairedMesh& outer, const geometry::RepairedMesh& inner)
     {
         return outer.report.bounds.contains(inner.report.bounds);
@@ -160,8 +161,8 @@ bool Layering::isLayered() const
 std::vector<std::size_t> Layering::order() const
 {
     std::vector<std::size_t> out;
-    // Those that lie in `in`, and after each what lies in it: as deep as they are nested, which is less than their
-    // number.
+    // Appends the contents of `in`, each followed recursively by its own contents. The recursion depth is the nesting
+    // depth, which is below the number of structures.
     const auto add = [this, &out](const auto& self, std::optional<std::size_t> in) -> void {
         for (std::size_t i = 0; i < structures.size(); ++i) {
             if (structures[i].in == in) {

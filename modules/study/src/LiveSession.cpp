@@ -42,7 +42,7 @@ Status LiveSession::start(device::HapticDevice& device, const servo::ServoOption
 void LiveSession::stop()
 {
     if (m_recorder.status().isRecording) {
-        (void)m_recorder.stop(); // the caller is gone: an error has no reader
+        (void)m_recorder.stop(); // no caller left to receive an error
     }
     m_loop.stop();
 }

@@ -18,10 +18,10 @@ using core::Vec3;
 using geometry::SurfaceIndex;
 using haptics::FeltPress;
 
-constexpr std::size_t kMaps = 1 + FeltPress::kCount; // the map of stiffness, then the felt ones
+constexpr std::size_t kMaps = 1 + FeltPress::kCount; // stiffness map, then the maps of buried lumps
 using PerMap = std::array<double, kMaps>;
 
-/// The maps of a structure that push a tip aside.
+/// Maps of a structure that cause a tangential force.
 class PushingMaps
 {
   public:
@@ -36,7 +36,7 @@ class PushingMaps
         }
     }
     [[nodiscard]] bool isAny() const { return m_maps[0] != nullptr || m_maps[1] != nullptr; }
-    /// What a map says at a corner of a triangle; 1 where there is none.
+    /// Returns the map value at a corner of a triangle; 1 without a map.
     [[nodiscard]] double at(std::size_t map, std::uint32_t triangle, std::size_t corner) const
     {
         return m_maps[map] == nullptr ? 1.0 : m_maps[map]->factor * double{(*m_maps[map]->corners)[triangle][corner]};
@@ -49,7 +49,7 @@ class PushingMaps
                                       (*map->corners)[triangle][2] != (*map->corners)[triangle][0]);
         });
     }
-    /// The least that all say together anywhere, taken map by map, so at most what they do.
+    /// Returns a lower bound of the combined map values, from the minimum of each map.
     [[nodiscard]] double least() const
     {
         PerMap each;
@@ -70,7 +70,7 @@ class PushingMaps
     std::array<const haptics::TissueMap*, kMaps> m_maps{};
 };
 
-/// How the maps rise on the way out over an edge of a triangle [1/mm].
+/// Returns the outward slopes of the maps across an edge of a triangle [1/mm].
 PerMap risesOver(const SurfaceIndex& surface, const PushingMaps& maps, std::uint32_t triangle, std::uint32_t edge)
 {
     const geometry::Triangle t = surface.triangle(triangle);
@@ -90,19 +90,19 @@ PerMap risesOver(const SurfaceIndex& surface, const PushingMaps& maps, std::uint
     return rises;
 }
 
-/// A hand of one grip that rests on a structure.
+/// Equilibrium of a hand with one grip that rests on a structure.
 class Resting
 {
   public:
     Resting(const Grip& grip, const HeldDevice& device, const haptics::HapticStructure& one, bool hasFelt)
         : m_push_N(device.push_N)
-        , m_hand_N_per_mm(grip.stiffness_N_per_mm / device.scale) // in lengths of the scene
+        , m_hand_N_per_mm(grip.stiffness_N_per_mm / device.scale) // in scene units
         , m_one(one)
         , m_hasFelt(hasFelt)
     {
     }
 
-    /// The most that it can store in the law, where the maps say no less than `least` [mJ].
+    /// Returns an upper bound for the energy stored in the force law, for map values of at least `least` [mJ].
     [[nodiscard]] double most_mJ(double least) const
     {
         return m_one.lawAt(restsAt([&](double d) { return least * m_one.lawAt(d).force_N; })).energy_mJ;
@@ -111,7 +111,8 @@ class Resting
     {
         double force_N, ofLumps_N;
     };
-    /// By how much the push aside jumps over an edge. @param s  what the maps say there; @param bends  of them [1/mm]
+    /// Returns the jump of the tangential force across an edge. @param s  map values there; @param bends  their changes
+    /// of slope [1/mm]
     [[nodiscard]] Jump jumpAt(const PerMap& s, const PerMap& bends) const
     {
         if (!m_hasFelt) {
@@ -139,11 +140,11 @@ class Resting
         }
         return scale;
     }
-    /// Where the tissue and the hand's own spring share the push [mm].
+    /// Returns the depth at which tissue and hand spring together balance the push [mm].
     template<class Force>
     [[nodiscard]] double restsAt(const Force& force) const
     {
-        double out = 0.0, in = m_push_N / m_hand_N_per_mm; // the hand's own spring gives way over the rest
+        double out = 0.0, in = m_push_N / m_hand_N_per_mm; // depth at which the hand spring alone takes the push
         for (int halving = 0; halving < 40; ++halving) {
             const double middle = 0.5 * (out + in);
             (force(middle) < m_push_N - m_hand_N_per_mm * middle ? out : in) = middle;
@@ -156,17 +157,18 @@ class Resting
     bool m_hasFelt;
 };
 
-/// How far a tip swings about a place where a force across its way jumps by `jump_N` towards it, peak to peak [mm].
+/// Returns the peak-to-peak oscillation of the tip where a tangential force jumps by `jump_N` towards that place [mm].
 ///
-/// A relay of +-jump/2 that acts `delay` late puts in 2 jump w A delay a turn at amplitude A and frequency w; a damper
-/// takes pi b w A^2, Coulomb friction 4 A friction. The relay's describing function 2 jump / (pi A) over the mass is
-/// w^2. They balance where `pi b A + 4 friction sqrt(pi m A / (2 jump)) = 2 jump delay`, a quadratic in sqrt(A).
+/// A relay of +-jump/2 with the delay `delay` adds the energy 2 jump w A delay per cycle at amplitude A and angular
+/// frequency w; a damper takes pi b w A^2, Coulomb friction 4 A friction. The relay's describing function 2 jump / (pi
+/// A) divided by the mass is w^2. Balance: `pi b A + 4 friction sqrt(pi m A / (2 jump)) = 2 jump delay`, a quadratic
+/// equation in sqrt(A).
 double swing_mm(double jump_N, const Grip& grip, const HeldDevice& device)
 {
     if (!(jump_N > 0.0)) {
         return 0.0;
     }
-    constexpr double kPerTonne = 1e-3; // N·s^2/mm for a kg
+    constexpr double kPerTonne = 1e-3; // N·s^2/mm per kg
     const double mass = kPerTonne * (device.mechanics.mass_kg + grip.mass_kg);
     const double b =
         std::numbers::pi * (device.mechanics.damping_Ns_per_mm + grip.damping_Ns_per_mm + device.added_Ns_per_mm);
@@ -176,7 +178,8 @@ double swing_mm(double jump_N, const Grip& grip, const HeldDevice& device)
     return 2.0 * root * root;
 }
 
-/// The edge of one structure with the largest swing for a grip; none where no push aside jumps.
+/// Returns the edge of a structure with the largest oscillation for a grip. Empty if there is no jump of the tangential
+/// force.
 MapEdge worstEdge(const haptics::HapticStructure& one, const PushingMaps& maps, const Grip& grip,
                   const HeldDevice& device)
 {
@@ -194,13 +197,13 @@ MapEdge worstEdge(const haptics::HapticStructure& one, const PushingMaps& maps, 
             }
             PerMap bends = risesOver(surface, maps, i, edge);
             const PerMap there = risesOver(surface, maps, beyond.triangle, beyond.edge);
-            double ofLumps = 0.0; // the most that any of the felt maps bends
+            double ofLumps = 0.0; // largest bend of the lump maps
             for (std::size_t map = 0; map < kMaps; ++map) {
                 bends[map] = -bends[map] - there[map];
                 ofLumps = map > 0 ? std::max(ofLumps, bends[map]) : 0.0;
             }
             std::array<PerMap, 2> ends;
-            double felt = 1.0, own = 0.0; // the most that they say at either end
+            double felt = 1.0, own = 0.0; // maximum of both ends
             for (std::size_t end = 0; end < 2; ++end) {
                 for (std::size_t map = 0; map < kMaps; ++map) {
                     ends[end][map] = maps.at(map, i, (edge + end) % 3);
@@ -209,7 +212,7 @@ MapEdge worstEdge(const haptics::HapticStructure& one, const PushingMaps& maps, 
                 own = std::max(own, ends[end][0]);
             }
             if (!((own * ofLumps + felt * std::max(0.0, bends[0])) * most_mJ > worst.jump_N)) {
-                continue; // not even where a hand stores most
+                continue; // below the current worst edge even for the maximum stored energy
             }
             for (const PerMap& s : ends) {
                 const Resting::Jump jump = hand.jumpAt(s, bends);
@@ -241,7 +244,7 @@ double restingPush_N(double maxForce_N) noexcept
 
 HeldDevice heldDevice(const device::DevicePreset& preset, double rate_Hz, int delayTicks)
 {
-    constexpr double kSureDamping_Ns_per_mm = 0.01; // as servo::heldStiffness_N_per_mm
+    constexpr double kSureDamping_Ns_per_mm = 0.01; // same value as in servo::heldStiffness_N_per_mm
     HeldDevice held;
     held.mechanics = preset.mechanics;
     held.added_Ns_per_mm = std::min(preset.maxDamping_Ns_per_mm, kSureDamping_Ns_per_mm);

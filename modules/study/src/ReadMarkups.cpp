@@ -27,9 +27,9 @@ namespace {
 
 constexpr qint64 kMostBytes = 64 * 1024 * 1024;
 constexpr qsizetype kMostLetters = 1000; // of a label or a description
-constexpr double kMostMm = 1e7;          // as in a scene file
+constexpr double kMostMm = 1e7;          // same limit as in a scene file
 
-/// Collects what is left out: a line a cause, with how often and where first.
+/// Collects omitted data: one line per cause with the count and the first location.
 class LossList
 {
   public:
@@ -71,7 +71,7 @@ class LossList
     std::vector<Loss> m_losses;
 };
 
-/// Some programs write NaN and Infinity, which JSON lacks: they become null, which is no number either.
+/// Replaces NaN and Infinity by null. Some programs write these words, which JSON does not allow.
 QByteArray withoutWords(const QByteArray& text)
 {
     QByteArray out;
@@ -98,14 +98,14 @@ QByteArray withoutWords(const QByteArray& text)
             out.chop(out.endsWith('-') ? 1 : 0);
             out += "null";
         } else {
-            out += text.mid(i, end - i); // with the e of 1e5
+            out += text.mid(i, end - i); // includes the e of 1e5
         }
         i = end - 1;
     }
     return out;
 }
 
-/// @return millimetres of one unit, nothing for a unit that markups don't have.
+/// @return millimetres per unit; empty for a unit that markups do not define.
 std::optional<double> unitOf(const QJsonValue& value)
 {
     const QString unit = value.isArray() ? value.toArray().first().toString() : value.toString(QStringLiteral("mm"));
@@ -223,7 +223,7 @@ class MarkupsReader
 
     LossList m_losses;
     std::vector<Finding> m_findings;
-    std::optional<core::FindingType> m_type; // of the list at hand
+    std::optional<core::FindingType> m_type; // of the current list
     double m_unit_mm = 1.0;
     bool m_isRas = false;
 };

@@ -26,7 +26,7 @@ void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, cons
             continue;
         }
         const session::StructureRecord& on = scene.structures[contact.structure];
-        // Where structures share a layer, the structure's own part of the spring.
+        // For structures that share a layer, use the structure's own component of the spring.
         const bool isShared = contact.depth_mm != (contact.p_WG - tick.p_WH).norm();
         const core::Vec3 push_W =
             isShared ? core::Vec3(contact.depth_mm * contact.n_W) : core::Vec3(contact.p_WG - tick.p_WH);

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @return hashes of all surfaces that were felt.
+/// @return hashes of the surfaces of all palpable structures.
 std::vector<std::string> feltHashes(const RecordingReader& reader)
 {
     std::vector<std::string> hashes;
@@ -40,11 +40,12 @@ std::vector<std::string> feltHashes(const RecordingReader& reader)
     return hashes;
 }
 
-/// How a mesh file was read for a recording. One that it does not name (a scene or a folder) as its first.
+/// Returns the options used for a mesh file in a recording. Other files (a scene or a folder) use the options of the
+/// first structure.
 meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
 {
     meshio::ReadOptions options;
-    options.readsScale = false; // the unit is said
+    options.readsScale = false; // the unit is known
     if (reader.scenes().empty() || reader.scenes().front().structures.empty()) {
         return options;
     }
@@ -64,7 +65,7 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
     return options;
 }
 
-/// @return a file as it was said then, else from the recording's folder, else of its name in that folder.
+/// Finds a file at the recorded path, else relative to the recording's folder, else by name in that folder.
 std::optional<fs::path> whereIs(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
 {
     const fs::path folder = reader.path().parent_path();
@@ -83,15 +84,15 @@ bool isSameMap(const haptics::TissueMap& a, const haptics::TissueMap& b)
     return a.isEmpty() == b.isEmpty() && (a.isEmpty() || (a.factor == b.factor && *a.corners == *b.corners));
 }
 
-/// A recorded map as one that a structure has: a number for each triangle where all three corners have the same one
-/// everywhere, else for each vertex.
+/// Converts a recorded map to a map of a structure: one value per triangle if all corners of each triangle are equal,
+/// else one value per vertex.
 meshio::SurfaceMap surfaceMap(const haptics::TissueMap& map, core::MappedQuantity quantity,
                               const geometry::SurfaceIndex& index, const geometry::RepairedMesh& surface)
 {
     using core::MappedQuantity;
     meshio::SurfaceMap out;
     out.mapping.quantity = quantity;
-    // The factor of a stiffness in N/mm is one by the tissue's own.
+    // For a stiffness map in N/mm, the factor is the reciprocal of the tissue's own stiffness.
     out.mapping.unit = quantity == MappedQuantity::Damping                          ? core::MapUnit::NsPerMm
                        : quantity == MappedQuantity::Stiffness && map.factor != 1.0 ? core::MapUnit::NPerMm
                                                                                     : core::MapUnit::Scale;
@@ -113,7 +114,7 @@ meshio::SurfaceMap surfaceMap(const haptics::TissueMap& map, core::MappedQuantit
     return out;
 }
 
-/// Builds the scene that a recording was made on.
+/// Rebuilds the scene of a recording.
 class Reopening
 {
   public:
@@ -123,7 +124,7 @@ class Reopening
         , m_records(reader.scenes().empty() ? std::vector<StructureRecord>() : reader.scenes().front().structures)
         , m_looks(looksFrom(reader.info().looks))
     {
-        // What a recording does not hold: camera and maps, in an older one also how the scene looked.
+        // Data that a recording does not store: camera and maps, and in older recordings the appearance.
         if (const auto file = recordedSceneFile(reader); file && meshio::isSceneFile(*file)) {
             if (auto read = meshio::readScene(*file); read.isOk()) {
                 m_look = std::move(read).value();
@@ -164,7 +165,7 @@ class Reopening
     }
 
   private:
-    /// As it is recorded, looking as it did then, in an older recording as in the scene file.
+    /// Returns the recorded description with the recorded appearance; older recordings use the scene file.
     meshio::SceneStructure description(const StructureRecord& record, std::size_t number) const
     {
         meshio::SceneStructure out = lookingAsInTheScene(record, number);
@@ -190,12 +191,12 @@ class Reopening
         out.colour = look->colour;
         out.opacity = look->opacity;
         out.maps = look->maps;
-        out.inside = out.layer == 0 ? look->inside : std::string(); // what is known of lumps, for their measures
+        out.inside = out.layer == 0 ? look->inside : std::string(); // lump properties, for the measures of lumps
         out.young_ratio = look->young_ratio;
         out.young_kPa = look->young_kPa;
         out.felt_contact_radius_mm = look->felt_contact_radius_mm;
         out.visible = look->visible || record.palpable;
-        out.palpable = record.palpable || (look->palpable && !look->visible); // what is hidden is not felt
+        out.palpable = record.palpable || (look->palpable && !look->visible); // hidden structures are not palpable
         return out;
     }
 
@@ -214,7 +215,7 @@ class Reopening
         return out;
     }
 
-    /// Reads the others from their mesh files. @return Cancelled
+    /// Reads the remaining surfaces from mesh files. @return Cancelled
     Status readMeshes()
     {
         meshio::SceneFile wanted;
@@ -236,7 +237,7 @@ class Reopening
         }
         const std::vector<meshio::SceneStructure> asked = wanted.structures;
         meshio::ReadOptions options = m_options;
-        options.frame = core::FileFrame::Untagged; // as it was read then
+        options.frame = core::FileFrame::Untagged; // as during recording
         auto read = meshio::loadScene(std::move(wanted), m_reader.path(), options);
         if (!read.isOk()) {
             if (read.status().code() != StatusCode::Cancelled) {
@@ -248,7 +249,7 @@ class Reopening
         meshio::LoadedScene& loaded = read.value();
         m_out.warnings = std::move(loaded.warnings);
         m_out.losses.insert(m_out.losses.end(), loaded.losses.begin(), loaded.losses.end());
-        // In the order of `asked`, without those that could not be opened.
+        // In the order of `asked`, without files that could not be opened.
         std::size_t next = 0;
         for (std::size_t i = 0; i < asked.size() && next < loaded.structures.size(); ++i) {
             meshio::LoadedStructure& one = loaded.structures[next];
@@ -266,7 +267,7 @@ class Reopening
         return {};
     }
 
-    /// Gives a structure the maps that it was felt with, where its own are others.
+    /// Applies the recorded maps to a structure with different maps.
     void feelAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
     {
         if (record.tissueMaps.hasFelt()) {
@@ -302,7 +303,7 @@ class Reopening
         }
     }
 
-    /// What lumps below made of a structure; they are not looked for anew.
+    /// Applies the recorded effect of buried lumps to a structure without recomputing that effect.
     void feelLumpsAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
     {
         const auto index = indexed(*one.surface);
@@ -326,9 +327,9 @@ class Reopening
     const RecordingReader& m_reader;
     const meshio::ReadOptions& m_options;
     std::vector<StructureRecord> m_records;
-    std::vector<RecordedLook> m_looks; ///< by number in `m_records`
+    std::vector<RecordedLook> m_looks; ///< by index in `m_records`
     meshio::SceneFile m_look;
-    std::vector<std::optional<meshio::LoadedStructure>> m_found; ///< by number in `m_records`
+    std::vector<std::optional<meshio::LoadedStructure>> m_found; ///< by index in `m_records`
     meshio::LoadedScene m_out;
 };
 
@@ -354,7 +355,7 @@ void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::pa
     if (scene.empty() || recording.empty()) {
         return;
     }
-    std::error_code error; // without a working folder there is no absolute path
+    std::error_code error; // fails without a working directory
     const fs::path whole = fs::absolute(scene, error).lexically_normal();
     const fs::path folder = fs::absolute(recording, error).lexically_normal().parent_path();
     if (error) {
@@ -388,7 +389,7 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
     if (scene.empty() && isWhole && !meshes.empty()) {
         return meshes;
     }
-    // One scene file, or the mesh files that were opened one by one.
+    // One scene file, or individually opened mesh files.
     std::vector<fs::path> files;
     if (!scene.empty()) {
         files.push_back(scene);
@@ -433,7 +434,7 @@ bool hasFingertip(const RecordingReader& reader)
 
 double usualDistance_mm(const RecordingReader& reader, const session::MeshesByHash& surfaces)
 {
-    constexpr double kLeast_mm = 1.0; // finer than this costs more than it says
+    constexpr double kLeast_mm = 1.0; // smaller values are costly without adding information
     const double usual_mm = hasFingertip(reader) ? std::max(reader.scenes().front().fingertip_mm, kLeast_mm)
                                                  : session::MeasureOptions().distance_mm;
     return std::max(usual_mm, session::leastDistance_mm(surfaces));

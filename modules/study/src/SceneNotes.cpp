@@ -48,12 +48,12 @@ std::string gapSentence(const std::string& a, const std::string& b, const geomet
     return a + " and " + b + " come " + text.data();
 }
 
-/// Two structures of one layer whose border may be felt.
+/// Two structures of one layer with a possibly palpable border.
 struct Border
 {
     std::size_t a, b;
-    bool isNested; ///< one lies in the other: a gap between them is not reached
-    double ratio;  ///< of the stiffer one's stiffness to the other's, at least 1
+    bool isNested; ///< nested: a gap between them is unreachable
+    double ratio;  ///< stiffness ratio of the stiffer to the softer structure, at least 1
     bool isSeam() const { return ratio > kFeltSeam; }
 };
 

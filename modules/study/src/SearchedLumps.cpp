@@ -25,7 +25,8 @@ using core::Status;
 using core::StatusCode;
 using session::LumpSearch;
 
-/// Change of stiffness that the trained hand tells, as a logarithm: a softer place counts like a stiffer one.
+/// Logarithm of the stiffness change that a trained hand detects. The logarithm treats softer and stiffer places
+/// equally.
 const double kTold = std::log1p(buried::kTold_percent[1] / 100.0);
 
 struct Searched
@@ -33,10 +34,10 @@ struct Searched
     std::string organ;
     buried::FeltSurface felt;
     std::unique_ptr<session::TouchedSurface> touched; ///< on the surface of `felt`
-    std::vector<std::optional<double>> recorded;      ///< greatest change of each lump in the ticks, as a ratio
+    std::vector<std::optional<double>> recorded;      ///< greatest recorded change for each lump, as a ratio
 };
 
-/// |ln k/k0| at a vertex for a depth, between the depths that are known; 0 where nothing is pressed.
+/// Returns |ln k/k0| at a vertex for a depth, interpolated between the known depths; 0 without a press.
 double changeAt(const buried::FeltSurface& felt, std::size_t vertex, double depth_mm)
 {
     const auto change = [&](std::size_t press) { return std::abs(std::log(double{felt.press[press].ratio[vertex]})); };
@@ -53,7 +54,7 @@ double changeAt(const buried::FeltSurface& felt, std::size_t vertex, double dept
     return change(felt.press.size() - 1);
 }
 
-/// Area that each vertex stands for. [mm²]
+/// Returns the area share of each vertex [mm²].
 std::vector<double> areas(const geometry::TriangleMesh& mesh)
 {
     std::vector<double> out(mesh.vertices.size(), 0.0);
@@ -102,7 +103,7 @@ void judge(const Searched& searched, std::vector<LumpSearch>& out)
     out.insert(out.end(), lumps.begin(), lumps.end());
 }
 
-/// Goes over the ticks of a recording.
+/// Processes the ticks of a recording.
 class Ticks
 {
   public:
@@ -132,7 +133,7 @@ class Ticks
     }
 
   private:
-    /// By how much the hand was pushed back more than the organ alone would have at the same depth.
+    /// Updates the ratio of the measured force to the force of the organ alone at the same depth.
     void noteChange(Searched& organ, const std::optional<std::uint32_t>& place, const servo::TickRecord& tick,
                     const haptics::Contact& on, const core::Vec3& v_WH) const
     {
@@ -154,7 +155,7 @@ class Ticks
                 touched.push_back(scene->structures[one.structure].name);
             }
         }
-        // The organ alone: its layer's force, friction included, without what maps and lumps below scale it by.
+        // Organ alone: force of its layer with friction, without the scale due to maps and buried lumps.
         const core::Vec3 own_W = springOf(on);
         const double law_N = lawForce_N(scene->structures[on.structure], depth_mm);
         const double pushed_N = own_W.dot(push_W) / depth_mm;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr auto kFirst = std::numeric_limits<std::int64_t>::min(), kLast = std::numeric_limits<std::int64_t>::max();
 
-/// Counts ticks for a progress that is told each 1 %.
+/// Counts ticks and reports progress in steps of 1 %.
 class Steps
 {
   public:
@@ -33,7 +33,7 @@ class Steps
         , m_step(std::max<std::int64_t>(1, m_ticks / 100))
     {
     }
-    /// @return false when it was cancelled
+    /// @return false if cancelled
     bool next()
     {
         if (++m_done % m_step == 0 && m_progress) {
@@ -69,9 +69,9 @@ Status exportTicks(const session::RecordingReader& reader, const std::filesystem
     if (!csv.isOk()) {
         return csv.status();
     }
-    std::span<const session::RecordingEvent> events(reader.events()); // by tick
+    std::span<const session::RecordingEvent> events(reader.events()); // in tick order
     Steps steps(reader, progress);
-    std::optional<servo::TickRecord> last; // a row late, so that the last one takes all events that are left
+    std::optional<servo::TickRecord> last; // one row behind, so that the last row takes all remaining events
     const auto write = [&](std::int64_t upTo) {
         std::size_t count = 0;
         while (count < events.size() && events[count].tick <= upTo) {
@@ -182,7 +182,7 @@ Status checkSurfaceFile(const std::filesystem::path& surface)
     }
     std::string head;
     if (std::filesystem::is_regular_file(surface, error)) {
-        head.resize(16384); // names of arrays come first
+        head.resize(16384); // array names are near the start
         std::ifstream(surface, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
     }
     return head.find("Name=\"dwell_s\"") != std::string::npos

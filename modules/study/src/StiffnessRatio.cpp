@@ -34,15 +34,16 @@ constexpr StiffnessRatio range(double low, double typical, double high, std::str
     return {low, typical, high, RatioSource::Published, citation};
 }
 
-// Of a lump whose name does not say whether it is benign, the range is that of both, and the typical ratio that of a
+// If the name does not distinguish benign from malignant lumps, the range covers both, and the typical ratio is the
 // malignant one.
 constexpr std::array kPublished{
-    // 10.1 kPa by 2.3; from 5.0, the cut-off to benign ones, to 35.9 / 3, cholangiocarcinoma by shear-wave ultrasound.
+    // Typical: 10.1 / 2.3 kPa. Range: from 5.0, the cut-off to benign tumours, to 35.9 / 3, cholangiocarcinoma by
+    // shear-wave ultrasound.
     Row{AnatomyKind::MalignantLump, AnatomyKind::Liver, range(2.2, 4.4, 5.2, kLiver), "malignant tumour of the liver"},
-    // 2.7 by 2.3; from normal liver to 26.7 / 3, focal nodular hyperplasia.
+    // Typical: 2.7 / 2.3 kPa. Range: from normal liver to 26.7 / 3, focal nodular hyperplasia.
     Row{AnatomyKind::BenignLump, AnatomyKind::Liver, range(1.0, 1.2, 3.9, kLiver), "benign tumour of the liver"},
     Row{AnatomyKind::Lump, AnatomyKind::Liver, range(1.0, 4.4, 5.2, kLiver), "tumour of the liver"},
-    // 5.9 by 2.3; its values overlap those of benign and of malignant tumours.
+    // Typical: 5.9 / 2.3 kPa. Values overlap the ranges of benign and of malignant tumours.
     Row{AnatomyKind::FibroticArea, AnatomyKind::Liver, range(1.2, 2.6, 4.4, kLiver), "fibrotic liver"},
     Row{AnatomyKind::MalignantLump, AnatomyKind::Prostate, range(1.4, 2.1, 2.5, kProstate), "cancer of the prostate"},
     // Benign hyperplasia is no stiffer than normal tissue (Krouskop et al. 1998).
@@ -66,7 +67,8 @@ constexpr std::array kPublished{
     Row{AnatomyKind::Vessel, AnatomyKind::Other, range(0.001, 0.001, 0.001, kFluid), "vessel"},
 };
 
-/// As a fingertip feels a half-space, a flat punch of radius a = 5 mm: k = 2 a E / (1 - nu^2), nu = 1/2.
+/// Stiffness of a half-space under a flat punch of radius a = 5 mm, approximating a fingertip: k = 2 a E / (1 - nu^2),
+/// nu = 1/2.
 constexpr double asFelt_N_per_mm(double young_kPa)
 {
     return 2.0 * 5.0 * 1e-3 * young_kPa / 0.75;
@@ -126,14 +128,14 @@ std::optional<double> tissueStiffness_N_per_mm(AnatomyKind kind)
         return asFelt_N_per_mm(51.5);
     case AnatomyKind::Prostate: // by indentation, Urology 2010
         return asFelt_N_per_mm(17.0);
-    case AnatomyKind::Breast: // first linear region: doi of resources/docs/felt.md
+    case AnatomyKind::Breast: // first linear region: doi in resources/docs/felt.md
         return asFelt_N_per_mm(3.2);
-    case AnatomyKind::LymphNode: // below 2.71 m/s, above which nodes count as malignant; number chosen
+    case AnatomyKind::LymphNode: // below 2.71 m/s, above which nodes count as malignant; assumed value
         return 0.15;
-    case AnatomyKind::Bone: // these do not give within what devices hold; number chosen
+    case AnatomyKind::Bone: // rigid within the limits of devices; assumed value
     case AnatomyKind::Cartilage:
         return 2.0;
-    case AnatomyKind::Organ: // numbers chosen
+    case AnatomyKind::Organ: // assumed values
     case AnatomyKind::Skin:
         return 0.25;
     case AnatomyKind::Lung:
@@ -166,7 +168,7 @@ std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
     if (lump.young_kPa && organ.young_kPa) {
         return StiffnessRatio::exactly(*lump.young_kPa / *organ.young_kPa, RatioSource::Moduli);
     }
-    // A stiffness was chosen where it is neither what every structure begins with nor what its name gives it.
+    // A stiffness counts as chosen if it differs from both the default and the value implied by the name.
     const auto isChosen = [](const meshio::SceneStructure& one, const std::string* in) {
         const double k = one.tissue.stiffness_N_per_mm;
         return one.tissue.law.kind == core::LawKind::Linear && k > 0.0 && k != core::Tissue().stiffness_N_per_mm &&

@@ -19,7 +19,7 @@ namespace palpate::study {
 struct LumpOf
 {
     std::size_t structure;               ///< index in the scene
-    std::optional<StiffnessRatio> ratio; ///< young's modulus of the lump divided by that of the organ; empty: unknown
+    std::optional<StiffnessRatio> ratio; ///< ratio of Young's moduli, lump to organ; empty: unknown
     friend bool operator==(const LumpOf&, const LumpOf&) = default;
 };
 
@@ -43,15 +43,14 @@ struct FeltOrgan
     buried::FeltSurface felt;
 };
 
-/// Returns true if a structure inside an organ is treated as a lump without an explicit entry in the scene: the name is
-/// that of a lump or of unknown anatomy, or the scene gives a stiffness ratio.
+/// Returns true if a structure inside an organ is treated as a lump without an explicit entry in the scene: the name
+/// refers to a lump or to unknown anatomy, or the scene gives a stiffness ratio.
 [[nodiscard]] bool mayBeLump(const meshio::SceneStructure& structure);
 
 /// Finds the lumps of a scene. These are the structures that the scene places inside an organ, and palpable candidates
 /// (see mayBeLump) that lie geometrically in a palpable closed surface (see Layers.h). A lump inside another lump
-/// belongs
-/// to the organ around both.
-/// @param ratios  stiffness ratios by structure name; override those of the scene
+/// belongs to the organ around both.
+/// @param ratios  stiffness ratios by structure name; override the ratios in the scene
 /// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
 [[nodiscard]] core::Result<std::vector<OrganWithLumps>>
 organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {});
@@ -73,12 +72,12 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
 [[nodiscard]] std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
                                                     const std::function<bool(std::size_t structure)>& isTaken);
 
-/// Computes the effect of buried lumps on their organs, for scenes whose lumps are transmitted through the organ. The
-/// surface of such a lump is removed from contact, whatever its layer. Scenes whose lumps have layers of their own stay
-/// unchanged; notes become warnings. If any structure names its organ in the scene file, only such structures are
-/// transmitted. A lump with an unknown stiffness ratio stays unchanged and causes a warning.
+/// Computes the effect of buried lumps on their organs, for scenes with lumps transmitted through the organ. The
+/// surface of such a lump is removed from contact in any layer. Scenes with lumps in separate layers stay unchanged;
+/// notes become warnings. If any structure names its organ in the scene file, only such structures are transmitted. A
+/// lump with an unknown stiffness ratio stays unchanged and causes a warning.
 /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
-/// @param felt      receives the computed results; may be null
+/// @param felt  receives the computed results; may be null
 /// @return Cancelled; Ok for a scene without lumps
 [[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {},
                                       std::vector<FeltOrgan>* felt = nullptr);

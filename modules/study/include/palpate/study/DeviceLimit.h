@@ -18,19 +18,16 @@ namespace palpate::study {
 
 /// Returns the largest tissue parameters allowed on a device.
 /// @param held_N_per_mm  stiffness that the device can render in scene units, see servo::heldStiffness_N_per_mm;
-///                       infinite: use 5 N/mm. A device without a stated damping gets 0.02 N·s/mm
+///               infinite: use 5 N/mm. A device without a stated damping gets 0.02 N·s/mm
 [[nodiscard]] haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept;
 
 /// Reduces the tissues so that the combined stiffness and damping stay within the device's limits.
 ///
 /// A hand that presses through an outer into an inner layer feels both: layers act as springs and dampers in parallel.
-/// The
-/// upper bound is the sum of the maximum of each layer, independent of position, because a hand in one layer may still
-/// hold
-/// the god-object of another. The outermost layer takes as much as requested and available; each inner layer gets the
-/// rest.
-/// A force law below the limit keeps its shape.
-/// @param greatest    limits of the device; terms other than stiffness and damping apply to each structure separately
+/// The upper bound is the sum of the maximum of each layer, independent of position, because a hand in one layer may
+/// still hold the god-object of another. The outermost layer takes as much as requested and available; each inner layer
+/// gets the rest. A force law below the limit keeps its shape.
+/// @param greatest  limits of the device; terms other than stiffness and damping apply to each structure separately
 /// @param structures  structures without a surface are ignored
 void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);
 
@@ -40,7 +37,7 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
 [[nodiscard]] std::string boundedText(std::span<const haptics::HapticStructure> asked,
                                       std::span<const haptics::HapticStructure> held);
 
-/// Part of a device's limit used by the layers other than that of one structure.
+/// Part of a device's limit used by all layers except the layer of one structure.
 struct TakenElsewhere
 {
     haptics::Tissue tissue{0.0, 0.0}; ///< sum of stiffness and damping

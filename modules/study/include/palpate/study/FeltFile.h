@@ -13,8 +13,7 @@ namespace palpate::study {
 
 /// Serializes the lumps of a scene for `palpate felt --json`: ratio and source, minimum cover, and for each press depth
 /// the best place, the ratio with bounds there, the areas above 7, 14 and 28 %, and the verdict, also for both ends of
-/// the
-/// ratio's range. Undefined numbers, and verdicts without a ratio, are null.
+/// the ratio's range. Undefined numbers, and verdicts without a ratio, are null.
 [[nodiscard]] QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs);
 
 /// Returns one question for each lump with an unknown stiffness ratio.
@@ -32,14 +31,12 @@ namespace palpate::study {
 [[nodiscard]] std::string feltJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs);
 
 /// Returns the surfaces of the organs as VTP (LPS, mm) with the point arrays FeltRatio, FeltRatioLow, FeltRatioHigh
-/// (k/k0
-/// at the first press), Cover_mm (NaN: no palpable lump), Lump (from 1; 0: none) and NotJudged (bits of
+/// (k/k0 at the first press), Cover_mm (NaN: no palpable lump), Lump (from 1; 0: none) and NotJudged (bits of
 /// buried::NotJudged).
 [[nodiscard]] core::Result<std::string> feltVtp(std::span<const FeltOrgan> organs);
 
 /// Describes a lump in one sentence: "lump 12 mm (3 times as stiff, from the tissues' stiffness), 6.0 mm below at
-/// least".
-/// Adds the citation of a published ratio.
+/// least". Adds the citation of a published ratio.
 [[nodiscard]] std::string lumpSentence(const buried::FeltSurface::Lump& lump, const LumpOf& of);
 
 } // namespace palpate::study

@@ -25,9 +25,9 @@ struct FeltMap
                               double most = std::numeric_limits<double>::infinity());
 
 /// Interpolates values at a point on a surface; NaN if unknown.
-/// @param values    one per vertex or per triangle
+/// @param values  one per vertex or per triangle
 /// @param triangle  index in `surface`
-/// @param p_W       point on that triangle [mm]
+/// @param p_W  point on that triangle [mm]
 [[nodiscard]] double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,
                              bool isPerTriangle, std::size_t triangle, const core::Vec3& p_W);
 

@@ -13,8 +13,7 @@
 namespace palpate::study {
 
 // Exchange of findings with other programs: CSV tables and 3D Slicer point lists (*.mrk.json, schema 1.0.3). Columns
-// and
-// rules: resources/docs/findings.md.
+// and rules: resources/docs/findings.md.
 
 /// Columns of `findingsCsv`.
 inline constexpr const char* kFindingColumns =
@@ -26,13 +25,11 @@ inline constexpr const char* kFindingColumns =
 [[nodiscard]] std::string organOf(const core::Finding& finding);
 
 /// Writes a table according to RFC 4180 in UTF-8 with a header and one row per finding. Numbers read back bit-exactly.
-/// A
-/// text that a spreadsheet would evaluate as a formula gets a leading `'`.
+/// A text that a spreadsheet would evaluate as a formula gets a leading `'`.
 [[nodiscard]] std::string findingsCsv(const std::vector<core::Finding>& findings);
 
 /// Writes one point list per type, in LPS and mm. Fields without an equivalent in a point list are stored in the
-/// point's
-/// field `palpate`, so that `readMarkups` restores equal findings, except for the place of recording.
+/// point's field `palpate`, so that `readMarkups` restores equal findings, except for the place of recording.
 [[nodiscard]] std::string findingsMarkups(const std::vector<core::Finding>& findings);
 
 /// Content of a markups file.

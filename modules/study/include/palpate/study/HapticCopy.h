@@ -29,7 +29,7 @@ namespace palpate::study {
 /// Builds the haptic scene for the servo. Structures keep their indices. A structure that is not palpable or has no
 /// triangles gets no surface. The window also omits hidden structures and limits tissues to the device: see
 /// ui/StructureModel.h.
-/// @par Cost that of `indexed` for each palpable structure.
+/// @par Cost one call of `indexed` per palpable structure.
 [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScene& scene);
 
 /// Returns the number of palpable triangles.

@@ -6,7 +6,7 @@
 
 namespace palpate::study {
 
-/// Returns an input and its dependencies, whether they exist or not: meshes and maps of a scene file, mesh files of a
+/// Returns an input and all dependencies, whether they exist or not: meshes and maps of a scene file, mesh files of a
 /// folder, scene and meshes of a recording. An unreadable input has no dependencies.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const std::filesystem::path& input);
 

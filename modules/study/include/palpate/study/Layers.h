@@ -33,7 +33,7 @@ struct Layering
         std::optional<std::size_t> in;   ///< smallest enclosing structure
         std::optional<std::size_t> twin; ///< earlier structure with the same surface
         std::optional<std::size_t>
-            unsureIn; ///< would be inside this structure, but its interior is not reliable: not layered
+            unsureIn; ///< would be inside this structure, which has no reliable interior: not layered
         /// Number of nested structures around this one. Exceeds `layer` if merged into the last layer.
         std::uint32_t depth = 0;
     };
@@ -46,7 +46,7 @@ struct Layering
     /// Returns the layering of structures that were permuted into that order.
     [[nodiscard]] Layering inOrder(const std::vector<std::size_t>& order) const;
     /// Returns messages for the user, one sentence each. Non-palpable structures are left out of messages about layers.
-    /// @param names   names of the structures
+    /// @param names  names of the structures
     /// @param isFelt  one entry per structure: palpable
     [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
                                                      const std::vector<bool>& isFelt) const;
@@ -59,16 +59,15 @@ struct Layering
 /// directions.
 [[nodiscard]] bool hasSureInside(const geometry::MeshReport& report) noexcept;
 
-/// Returns true if none of up to kSamples evenly distributed vertices of `inner` is outside of `outer`.
+/// Returns true if all sampled vertices of `inner` (up to kSamples, evenly distributed) are not outside of `outer`.
 /// @par Cost about 2 µs per sample
 [[nodiscard]] bool isWhollyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer);
 
 /// Determines the nesting of structures. B is in A if A has a reliable interior and the larger volume, and at least
 /// kInsideShare of up to kSamples evenly distributed vertices of B are inside A. The layer of B is one below the
-/// deepest
-/// layer around B, at most haptics::kMaxLayers - 1. Structures with equal surfaces share a layer.
+/// deepest layer around B, at most haptics::kMaxLayers - 1. Structures with equal surfaces share a layer.
 /// @par Cost Bounding boxes first, then two or three rays per vertex: 0.5 ms for a nested pair. Uses all cores; not for
-///      the servo thread. The result does not depend on the number of cores.
+///           the servo thread. The result does not depend on the number of cores.
 [[nodiscard]] Layering layering(std::span<const LayeredSurface> surfaces);
 inline constexpr double kInsideShare = 0.9;
 inline constexpr std::size_t kSamples = 256;

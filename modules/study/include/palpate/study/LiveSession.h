@@ -39,9 +39,9 @@ class LiveSession
     [[nodiscard]] const servo::ServoLoop& loop() const noexcept { return m_loop; }
 
     /// Starts recording with the next tick.
-    /// @param scene   opened file; empty for several files
+    /// @param scene  opened file; empty for several files
     /// @param embeds  embed the surfaces in the recording
-    /// @param looks   appearance of the structures, see `looksText`; empty: unknown
+    /// @param looks  appearance of the structures, see `looksText`; empty: unknown
     /// @return a one-line error if the file cannot be created or the loop is not running
     core::Status startRecording(const std::filesystem::path& path, const std::filesystem::path& scene = {},
                                 bool embeds = false, std::string looks = {});

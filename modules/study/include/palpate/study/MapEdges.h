@@ -22,10 +22,8 @@ struct Grip
 };
 
 /// Grips used to evaluate a device. The light grip is the worst case with little mass and little damping (0.16 of
-/// critical
-/// on a Touch); its values are an assumption below published ones. "a fingertip" is the middle of the range measured at
-/// low
-/// force by Hajian & Howe, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
+/// critical on a Touch); its values are an assumption below published ones. "a fingertip" is the middle of the range
+/// measured at low force by Hajian & Howe, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
 [[nodiscard]] const std::vector<Grip>& grips();
 
 /// Returns the force of a resting hand [N]: 3 N, limited to 40 % of the device's maximum.
@@ -65,18 +63,15 @@ struct MapEdge
 };
 
 /// Finds the map edges that can make a device oscillate. The gradient of a map pushes the tip sideways until the tip
-/// rests
-/// at the edge where the gradient begins. There the force is switched with a delay, like a relay in the loop, and
-/// sustains
-/// an oscillation even on soft tissue. Below kLeastSwing_mm the tip rests. The force is `W grad s` for a stiffness map,
-/// `s sum_j W_j grad s_j` for buried lumps (haptics/FeltPress.h), and their sum for both. A map with values per
-/// triangle
-/// has steps but no gradient, so there is no such force. Tissue friction removes the force and thus the oscillation.
+/// rests at the edge where the gradient begins. There the force is switched with a delay, like a relay in the loop, and
+/// sustains an oscillation even on soft tissue. Below kLeastSwing_mm the tip rests. The force is `W grad s` for a
+/// stiffness map, `s sum_j W_j grad s_j` for buried lumps (haptics/FeltPress.h), and their sum for both. A map with
+/// values per triangle has steps but no gradient, so there is no such force. Tissue friction removes the force and thus
+/// the oscillation.
 /// @return for each structure with such an edge the worst edge over both grips
 /// @par Cost O(triangles). Any thread.
 /// @par Source resources/docs/stability.md, "A map's edges": describing function of a relay, with the damping, friction
-/// and
-///     mass of device and hand.
+///             and mass of device and hand.
 [[nodiscard]] std::vector<MapEdge> mapEdges(const haptics::HapticScene& scene, const HeldDevice& device);
 
 } // namespace palpate::study

@@ -10,7 +10,7 @@
 
 namespace palpate::study {
 
-/// Appearance of a structure during a recording, and the way its surface was created from the mesh.
+/// Appearance of a structure during a recording, and the conversion of the mesh to a surface.
 struct RecordedLook
 {
     std::string name;

@@ -21,14 +21,14 @@ namespace palpate::study {
 
 /// Stores the scene of a recording in `info`: absolute path, path relative to the recording's folder if the scene is in
 /// that folder or below, and hash of a scene file.
-/// @param scene, recording  no effect if either is empty
+/// @param scene,  recording  no effect if either is empty
 void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
                const std::filesystem::path& recording);
 
 /// Finds the scene or mesh of a recording: at the original path, else relative to the recording.
 [[nodiscard]] std::optional<std::filesystem::path> recordedSceneFile(const session::RecordingReader& reader);
 
-/// Finds the surfaces of a recording: embedded surfaces, else those of the scene.
+/// Finds the surfaces of a recording: embedded surfaces, else the surfaces of the scene.
 /// @param scene  path of the scene; empty: as stored in the recording
 /// @return NotFound if neither is available. Surfaces that have changed since are omitted.
 [[nodiscard]] core::Result<session::MeshesByHash> recordedSurfaces(const session::RecordingReader& reader,
@@ -45,8 +45,7 @@ void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
 [[nodiscard]] bool hasFingertip(const session::RecordingReader& reader);
 
 /// Returns the default distance that counts as touched [mm]: the radius of the recorded fingertip, at least 1 mm; 5 mm
-/// for
-/// point contact; more for surfaces too large to be measured at that resolution.
+/// for point contact; more for surfaces too large to be measured at that resolution.
 [[nodiscard]] double usualDistance_mm(const session::RecordingReader& reader, const session::MeshesByHash& surfaces);
 
 } // namespace palpate::study

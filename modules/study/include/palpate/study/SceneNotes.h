@@ -39,16 +39,14 @@ struct NeighbourSurface
 [[nodiscard]] double pressStiffness(const core::Tissue& tissue);
 
 /// Returns the structures of a scene in order, without lumps that are transmitted through their organ because these
-/// have
-/// no contact surface. Valid for the lifetime of `scene` and `felt`.
+/// have no contact surface. Valid for the lifetime of `scene` and `felt`.
 /// @param felt  haptic scene with the same structures (see `hapticScene`)
 [[nodiscard]] std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene,
                                                        const haptics::HapticScene& felt);
 
 /// Returns a sentence for each pair of structures in one layer that are closer than kNarrowGap_mm without touching or
 /// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kFeltSeam: the force
-/// steps
-/// where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
+/// steps where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
 /// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
 [[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
 /// Computes the layering and calls the function above.

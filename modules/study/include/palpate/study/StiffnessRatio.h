@@ -24,7 +24,7 @@ enum class RatioSource : std::uint8_t
 /// Returns "as typed", "from the moduli", "from the tissues' stiffness" or "published for such lumps".
 [[nodiscard]] std::string_view sourceText(RatioSource source) noexcept;
 
-/// Stiffness of a lump divided by that of the organ [1].
+/// Ratio of stiffness, lump to organ [1].
 struct StiffnessRatio
 {
     double low = 1.0, typical = 1.0, high = 1.0; ///< all equal if the ratio is a single number
@@ -52,9 +52,8 @@ struct PublishedRatio
 /// Returns nullptr if there is no published ratio for this lump and organ.
 [[nodiscard]] const PublishedRatio* publishedRatio(meshio::AnatomyKind lump, meshio::AnatomyKind organ);
 
-/// Determines the stiffness ratio of a lump and its organ; shared by window, command line and scene files. Sources in
-/// order:
-/// entered ratio; moduli of both; stiffness of both tissues if chosen explicitly; published ratio for the names.
+/// Determines the stiffness ratio of a lump to the organ; shared by window, command line and scene files. Sources in
+/// order: entered ratio; moduli of both; stiffness of both tissues if chosen explicitly; published ratio for the names.
 /// @return empty without any source. Palpability must then not be reported, see `ratioQuestion`
 /// @param typed  ratio from the command line; takes precedence
 [[nodiscard]] std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
@@ -66,15 +65,14 @@ struct PublishedRatio
 [[nodiscard]] std::optional<double> tissueStiffness_N_per_mm(meshio::AnatomyKind kind);
 
 /// Returns the stiffness under a fingertip of 5 mm radius that the name of a structure implies [N/mm]; empty for other
-/// names. For a lump: that of the organ times the published ratio.
+/// names. For a lump: the organ's stiffness times the published ratio.
 /// @param organ  name of the enclosing structure; null: none
 /// @par Source resources/docs/felt.md#tissue-by-name
 [[nodiscard]] std::optional<double> namedStiffness_N_per_mm(const std::string& name,
                                                             const std::string* organ = nullptr);
 
 /// Returns a question about the ratio with the published choices: "lump x in thing: how many times as stiff as thing it
-/// is
-/// is not known; ...".
+/// is is not known; ...".
 [[nodiscard]] std::string ratioQuestion(const std::string& lump, const std::string& organ);
 
 } // namespace palpate::study

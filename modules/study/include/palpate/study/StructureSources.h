@@ -19,8 +19,7 @@ namespace palpate::study {
 /// @param embeds  include the surfaces
 [[nodiscard]] std::vector<session::StructureSource> sourcesOf(const meshio::LoadedScene& scene, bool embeds = false);
 /// Converts a recorded structure to a scene description. Properties that a recording does not store, such as colours,
-/// get
-/// the defaults of SceneStructure.
+/// get the defaults of SceneStructure.
 [[nodiscard]] meshio::SceneStructure descriptionOf(const session::StructureRecord& record);
 
 /// Returns the surfaces of a scene by hash.
@@ -29,7 +28,7 @@ namespace palpate::study {
 /// @param sources  from `sourcesOf` for the same scene
 [[nodiscard]] session::SurfacesByHash surfacesByHash(const haptics::HapticScene& scene,
                                                      const std::vector<session::StructureSource>& sources);
-/// Builds the index of each surface. @par Cost that of `indexed` for each surface.
+/// Builds the index of each surface. @par Cost one call of `indexed` per surface.
 [[nodiscard]] session::SurfacesByHash indexedByHash(const session::MeshesByHash& meshes);
 
 } // namespace palpate::study
