@@ -15,7 +15,7 @@ double mean(const std::vector<double>& values)
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Nearest-rank percentile: the smallest value that is not exceeded by at least this share of all values.
+/// Nearest-rank percentile: the smallest value that is greater than or equal to at least this share of all values.
 double percentile(std::vector<double> values, double share)
 {
     if (values.empty()) {

@@ -50,7 +50,7 @@ class RecordingPlace
     const std::string m_name; ///< file name in the folder
     int m_folder = -1;
     int m_file = -1; ///< holds the lock; closed after SQLite's descriptor, because closing any descriptor drops all
-                     ///< POSIX locks of the process
+                     ///< POSIX locks of the process on that file
     int m_old = -1;  ///< file to be replaced, locked
     bool m_isOldThere = false;
     struct stat m_oldIs
