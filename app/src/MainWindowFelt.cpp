@@ -57,7 +57,7 @@ void MainWindow::showFelt(bool isShown)
     m_feltDock->setVisible(isShown);
     if (isShown) {
         if (dockWidgetArea(m_feltDock) == Qt::BottomDockWidgetArea && !m_feltDock->isFloating()) {
-            // Only when visible: a hidden dock alone in its tab group would leave an empty tab bar.
+            // Only once visible: tabified while hidden, the dock would leave a tab bar with a single tab.
             tabifyDockWidget(m_docks.back(), m_feltDock);
         }
         m_feltDock->raise();

@@ -80,7 +80,7 @@ void MainWindow::showEngineering(bool isShown)
     m_engineeringDock->setVisible(isShown);
     if (isShown) {
         if (dockWidgetArea(m_engineeringDock) == Qt::LeftDockWidgetArea && !m_engineeringDock->isFloating()) {
-            // Only when visible: a hidden dock alone in its tab group would leave an empty tab bar.
+            // Only once visible: tabified while hidden, the dock would leave a tab bar with a single tab.
             tabifyDockWidget(m_docks.front(), m_engineeringDock);
         }
         m_engineeringDock->raise();

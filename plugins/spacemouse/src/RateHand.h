@@ -33,8 +33,8 @@ class RateHand
     /// @par Real-time Wait-free.
     device::DeviceState advance(const Held& held, std::int64_t held_ns,
                                 std::int64_t now_ns) noexcept PALPATE_NONBLOCKING;
-    /// Resets the pose to the origin without rotation. The next `advance` reports no hand, so that the jump is not
-    /// taken for motion.
+    /// Resets the pose to the origin without rotation. The next `advance` reports no hand; after
+    /// that, the hand reappears.
     void recentre() noexcept PALPATE_NONBLOCKING;
 
   private:
