@@ -178,8 +178,7 @@ double swing_mm(double jump_N, const Grip& grip, const HeldDevice& device)
     return 2.0 * root * root;
 }
 
-/// Returns the edge of a structure with the largest oscillation for a grip. Empty if there is no jump of the tangential
-/// force.
+/// Returns the edge of a structure with the largest oscillation for a grip. `jump_N` is 0 if no tangential force jumps.
 MapEdge worstEdge(const haptics::HapticStructure& one, const PushingMaps& maps, const Grip& grip,
                   const HeldDevice& device)
 {

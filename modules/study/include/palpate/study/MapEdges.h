@@ -57,7 +57,7 @@ struct MapEdge
     std::size_t structure = 0;
     core::Vec3 p_W = core::Vec3::Zero(); ///< midpoint of the edge [mm]
     double jump_N = 0.0;                 ///< jump of the tangential force at the edge, with a resting hand
-    /// Peak-to-peak oscillation of the tip around the edge without guaranteed damping [mm of the device].
+    /// Peak-to-peak oscillation of the tip around the edge that the device may be unable to damp [mm of the device].
     double swing_mm = 0.0;
     bool isOfLumps = false; ///< caused mostly by buried lumps, not by the stiffness map
 };
