@@ -237,16 +237,16 @@ class FeltSurface : public QObject
                                                 [](std::uint8_t why) { return why != 0; });
         QVERIFY2(curvedPlaces == 0, std::to_string(curvedPlaces).c_str());
         // A plate of 15 mm is thin, its middle is not curved, its edges are.
-        const auto plate = made(test::box(Vec3(-60.0, -60.0, -15.0), Vec3(60.0, 60.0, 0.0)));
+        const auto plate = made(test::box(Vec3(-35.0, -35.0, -15.0), Vec3(35.0, 35.0, 0.0)));
         const BuriedLump lump{"lump", made(ball(8, 3.0, Vec3(0.0, 0.0, -7.5))), 4.4};
         const auto thin = buried::feltSurface("plate", *plate, {lump});
         QVERIFY(thin.isOk());
         for (std::size_t v = 0; v < thin.value().surface.vertices.size(); ++v) {
             const Vec3& p = thin.value().surface.vertices[v];
             const std::uint8_t why = thin.value().notJudged[v];
-            if (std::abs(p.x()) < 40.0 && std::abs(p.y()) < 40.0) {
+            if (std::abs(p.x()) < 15.0 && std::abs(p.y()) < 15.0) {
                 QCOMPARE(int(why), int(buried::kThin));
-            } else if (std::abs(p.x()) > 57.0 || std::abs(p.y()) > 57.0) {
+            } else if (std::abs(p.x()) > 32.0 || std::abs(p.y()) > 32.0) {
                 QVERIFY((why & buried::kCurved) != 0);
             }
         }
@@ -254,7 +254,7 @@ class FeltSurface : public QObject
 
     void aCoarseOrganIsRefined()
     {
-        const auto block = made(test::box(Vec3(-60.0, -60.0, -60.0), Vec3(60.0, 60.0, 0.0)));
+        const auto block = made(test::box(Vec3(-35.0, -35.0, -60.0), Vec3(40.0, 35.0, 0.0)));
         const BuriedLump lump{"lump", made(ball(12, 10.0, Vec3(10.0, 5.0, -15.0))), 4.4};
         const auto map = buried::feltSurface("block", *block, {lump});
         QVERIFY(map.isOk());

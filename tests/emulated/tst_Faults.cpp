@@ -255,7 +255,7 @@ class Faults : public QObject
     void everythingAtRandom()
     {
         const char* asked = std::getenv("PALPATE_FAULT_MINUTES");
-        const double minutes = asked == nullptr ? 10.0 : std::atof(asked);
+        const double minutes = asked == nullptr ? 3.0 : std::atof(asked);
         freshArm();
         m_bench->with([](standin::Bench& b) { b.random = 20251; });
         const auto arm = makeArm();
