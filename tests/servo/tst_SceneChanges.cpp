@@ -5,6 +5,8 @@
 #include <palpate/device/DevicePresets.h>
 #include <palpate/servo/ServoCore.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -27,6 +29,14 @@ Scene nested(std::uint32_t innerLayer)
                                             palpate::test::sphereScene(27.0, 3.0)->structures().front()};
     structures[1].layer = innerLayer;
     return std::make_shared<const HapticScene>(std::move(structures));
+}
+
+/// Two balls in one layer that meet in a groove along the circle of radius 24 mm around x = 18 mm.
+Scene groove(double stiffness_N_per_mm, double other_N_per_mm)
+{
+    return std::make_shared<const HapticScene>(std::vector<HapticStructure>{
+        palpate::test::sphereScene(30.0, stiffness_N_per_mm)->structures().front(),
+        palpate::test::sphereScene(30.0, other_N_per_mm, 0.0, Vec3(36.0, 0.0, 0.0))->structures().front()});
 }
 
 /// What a user can do under a hand: structures shown and hidden, stiffness and damping changed, meshes swapped, poses
@@ -97,6 +107,44 @@ class SceneChanges : public QObject
         }
         QVERIFY(most > 0.5 * limits.maxForce_N); // it was felt
         QVERIFY(gated > 50);                     // and changes did ask for more
+    }
+
+    /// Two structures of unequal stiffness hold the hand in their groove while their stiffness is changed.
+    void unequalStructuresNeverStepTheForce()
+    {
+        auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+        info.workspaceRadius_mm = 0.0;
+        const GateLimits limits = GateLimits::forDevice(info);
+        const double bound = limits.maxForceRate_N_per_s * 0.001 + 1e-9;
+        const std::vector<Scene> all{groove(0.5, 4.0), groove(4.0, 0.5), groove(1.0, 1.0), groove(0.2, 0.3)};
+        palpate::servo::ServoCore core(limits, 1000.0, PassivityLimits::forDevice(info));
+        std::mt19937_64 random(23); // NOLINT: a fixed seed
+        std::uint32_t generation = 0;
+        Vec3 last = Vec3::Zero();
+        int shared = 0, changedWhileShared = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const bool isChanged = i % 50 == 0;
+            if (isChanged) {
+                core.setScene(all[random() % all.size()].get(), ++generation);
+            }
+            const double t = 1e-3 * i;
+            const auto now_ns = 1'000'000'000 + std::int64_t{i} * 1'000'000;
+            DeviceState state;
+            state.isPresent = true;
+            // Down into the groove within 1 s, then across it and along it.
+            state.p_D = Vec3(18.0 + 3.0 * std::sin(4.0 * t), 4.0 * std::sin(0.7 * t),
+                             std::max(40.0 - 18.0 * t, 22.0) + std::sin(2.3 * t));
+            state.time_ns = now_ns;
+            const TickRecord tick = core.tick(state, now_ns);
+            QVERIFY2((tick.fSent_W - last).norm() <= bound,
+                     qPrintable(QString("tick %1: %2 N").arg(i).arg((tick.fSent_W - last).norm())));
+            last = tick.fSent_W;
+            const bool isShared = tick.felt.contactCount == 2;
+            shared += isShared ? 1 : 0;
+            changedWhileShared += isShared && isChanged ? 1 : 0;
+        }
+        QVERIFY2(shared > 5000 && changedWhileShared > 100,
+                 qPrintable(QString("%1, %2").arg(shared).arg(changedWhileShared)));
     }
 
     /// What appears around a hand lets it out: no force until it has left and come back.
