@@ -1521,6 +1521,258 @@
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
+    <message>
+        <source>(%1 mm, %2 N)</source>
+        <translation>(%1 mm, %2 N)</translation>
+    </message>
+    <message>
+        <source>found %1, expected finite numbers</source>
+        <translation>gefunden: %1, erwartet: endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>found %1, expected the first point at 0 mm and 0 N</source>
+        <translation>gefunden: %1, erwartet: der erste Punkt bei 0 mm und 0 N</translation>
+    </message>
+    <message>
+        <source>found %1, expected a force of at least 0 N</source>
+        <translation>gefunden: %1, erwartet: eine Kraft von mindestens 0 N</translation>
+    </message>
+    <message>
+        <source>found %1, expected a depth of %2 to %3 mm</source>
+        <translation>gefunden: %1, erwartet: eine Tiefe von %2 bis %3 mm</translation>
+    </message>
+    <message>
+        <source>found %1, a slope of %2 N/mm from the previous point, expected at most %3 N/mm</source>
+        <translation>gefunden: %1, eine Steigung von %2 N/mm ab dem vorigen Punkt, erwartet: höchstens %3 N/mm</translation>
+    </message>
+    <message>
+        <source>found more points, expected 2 to %1</source>
+        <translation>mehr Punkte gefunden, erwartet: 2 bis %1</translation>
+    </message>
+    <message>
+        <source>found %1 points, expected 2 to %2</source>
+        <translation>%1 Punkte gefunden, erwartet: 2 bis %2</translation>
+    </message>
+    <message>
+        <source>point %1 of %2: %3</source>
+        <translation>Punkt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3 to %4 %5</source>
+        <translation>%1: gefunden: %2, erwartet: %3 bis %4 %5</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected at most %3 (%4)</source>
+        <translation>%1: gefunden: %2, erwartet: höchstens %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the force falls by %1 N/mm, expected at most %2 N/mm</source>
+        <translation>die Kraft fällt um %1 N/mm, erwartet: höchstens %2 N/mm</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>die Datei oder der Ordner ist nicht da</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei existiert bereits</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another folder</source>
+        <translation>%1: kann nicht geschrieben werden: %2; wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>hand script: found no target, expected at least one</source>
+        <translation>Handskript: kein Ziel gefunden, erwartet: mindestens eines</translation>
+    </message>
+    <message>
+        <source>hand script: target %1 is not finite</source>
+        <translation>Handskript: Ziel %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>hand script: found target %1 at %2 s, expected a time after %3 s</source>
+        <translation>Handskript: Ziel %1 bei %2 s gefunden, erwartet: eine Zeit nach %3 s</translation>
+    </message>
+    <message>
+        <source>hand script: target %1 needs too high a speed</source>
+        <translation>Handskript: Ziel %1 verlangt eine zu hohe Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the motion to play has no rows</source>
+        <translation>die Bewegung, die gespielt werden soll, ist leer</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another user, expected you or root as its owner</source>
+        <translation>%1 gehört einem anderen Benutzer, erwartet: Sie oder root als Eigentümer</translation>
+    </message>
+    <message>
+        <source>others may write to %1; remove this permission with: chmod go-w &apos;%1&apos;</source>
+        <translation>andere dürfen in %1 schreiben; nehmen Sie dieses Recht mit: chmod go-w &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1: skipped, %2</source>
+        <translation>%1: übersprungen, %2</translation>
+    </message>
+    <message>
+        <source>not a Qt plugin</source>
+        <translation>kein Qt-Plugin</translation>
+    </message>
+    <message>
+        <source>a plugin of another program: found &quot;%1&quot;, expected &quot;%2&quot;</source>
+        <translation>ein Plugin eines anderen Programms: gefunden „%1“, erwartet „%2“</translation>
+    </message>
+    <message>
+        <source>built for device API %1, this program has %2; rebuild it against this version</source>
+        <translation>für Geräte-API %1 gebaut, dieses Programm hat %2; bauen Sie es gegen diese Version neu</translation>
+    </message>
+    <message>
+        <source>found apiVersion %1 in its metadata, expected %2, which it was built for; correct its plugin.json and rebuild it</source>
+        <translation>apiVersion %1 in den Metadaten gefunden, erwartet: %2, wofür es gebaut ist; berichtigen Sie plugin.json und bauen Sie es neu</translation>
+    </message>
+    <message>
+        <source>found the id &quot;%1&quot; in its metadata, expected lowercase letters, digits and dashes</source>
+        <translation>Kennung „%1“ in den Metadaten gefunden, erwartet: Kleinbuchstaben, Ziffern und Bindestriche</translation>
+    </message>
+    <message>
+        <source>its id &quot;%1&quot; belongs to a built-in device</source>
+        <translation>seine Kennung „%1“ gehört einem eingebauten Gerät</translation>
+    </message>
+    <message>
+        <source>its metadata has no &quot;%1&quot;</source>
+        <translation>den Metadaten fehlt „%1“</translation>
+    </message>
+    <message>
+        <source>%1: skipped, %2 has the same id and comes first</source>
+        <translation>%1: übersprungen, %2 hat dieselbe Kennung und kommt zuerst</translation>
+    </message>
+    <message>
+        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (&quot;palpate devices&quot; also lists the built-in devices)</source>
+        <translation>kein Geräte-Plugin namens „%1“ gefunden, erwartet eines von: %2 („palpate devices“ nennt auch die eingebauten Geräte)</translation>
+    </message>
+    <message>
+        <source>%1: its root object is not a device plugin</source>
+        <translation>%1: das Wurzelobjekt ist kein Geräte-Plugin</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it hung when it was started</source>
+        <translation>%1: übersprungen, hing beim Start</translation>
+    </message>
+    <message>
+        <source>%1: could not be tried: %2: %3</source>
+        <translation>%1: konnte nicht geprüft werden: %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it crashed when it was started (signal %2)</source>
+        <translation>%1: übersprungen, beim Start abgestürzt (Signal %2)</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it ended the process when it was started</source>
+        <translation>%1: übersprungen, beendete den Prozess beim Start</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it failed when it was started: %2</source>
+        <translation>%1: übersprungen, schlug beim Start fehl: %2</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it failed when it was started</source>
+        <translation>%1: übersprungen, schlug beim Start fehl</translation>
+    </message>
+    <message>
+        <source>simulated hand: %1: found %2, expected at least %3</source>
+        <translation>simulierte Hand: %1: gefunden %2, erwartet mindestens %3</translation>
+    </message>
+    <message>
+        <source>simulated hand: %1: found %2, expected at most %3</source>
+        <translation>simulierte Hand: %1: gefunden %2, erwartet höchstens %3</translation>
+    </message>
+    <message>
+        <source>found a mesh of %1 mm from its centre to its side, expected at most %2 mm</source>
+        <translation>Netz mit %1 mm von der Mitte bis zur Seite gefunden, erwartet: höchstens %2 mm</translation>
+    </message>
+    <message>
+        <source>is not deeper than the previous knot</source>
+        <translation>ist nicht tiefer als die vorige</translation>
+    </message>
+    <message>
+        <source>has a steeper slope than any law</source>
+        <translation>ist steiler als jedes Gesetz</translation>
+    </message>
+    <message>
+        <source>follows a cell with a force below 0</source>
+        <translation>folgt auf eine Zelle mit einer Kraft unter 0</translation>
+    </message>
+    <message>
+        <source>has a number that is not finite</source>
+        <translation>enthält eine nicht endliche Zahl</translation>
+    </message>
+    <message>
+        <source>is not at 0 mm and 0 N</source>
+        <translation>liegt nicht bei 0 mm und 0 N</translation>
+    </message>
+    <message>
+        <source>has a force below 0</source>
+        <translation>hat eine Kraft unter 0</translation>
+    </message>
+    <message>
+        <source>ends with a slope below 0 or steeper than any law</source>
+        <translation>endet mit einer Steigung unter 0 oder steiler als jedes Gesetz</translation>
+    </message>
+    <message>
+        <source>force table: found %1 knots, expected 1 to %2</source>
+        <translation>Krafttabelle: %1 Stützstellen gefunden, erwartet: 1 bis %2</translation>
+    </message>
+    <message>
+        <source>force table: knot %1 of %2 %3</source>
+        <translation>Krafttabelle: Stützstelle %1 von %2 %3</translation>
+    </message>
+    <message>
+        <source>force table: found %1 bytes, expected %2 for each knot</source>
+        <translation>Krafttabelle: %1 Bytes gefunden, erwartet: %2 je Stützstelle</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::Fingertip</name>

@@ -1515,11 +1515,263 @@
     <name>palpate::Message</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation>%1 ; %2</translation>
+        <translation>%1&#x202f;; %2</translation>
+    </message>
+    <message>
+        <source>(%1 mm, %2 N)</source>
+        <translation>(%1 mm, %2 N)</translation>
+    </message>
+    <message>
+        <source>found %1, expected finite numbers</source>
+        <translation>trouvé : %1, des nombres finis étaient attendus</translation>
+    </message>
+    <message>
+        <source>found %1, expected the first point at 0 mm and 0 N</source>
+        <translation>trouvé : %1, le premier point était attendu à 0 mm et 0 N</translation>
+    </message>
+    <message>
+        <source>found %1, expected a force of at least 0 N</source>
+        <translation>trouvé : %1, une force d’au moins 0 N était attendue</translation>
+    </message>
+    <message>
+        <source>found %1, expected a depth of %2 to %3 mm</source>
+        <translation>trouvé : %1, une profondeur de %2 à %3 mm était attendue</translation>
+    </message>
+    <message>
+        <source>found %1, a slope of %2 N/mm from the previous point, expected at most %3 N/mm</source>
+        <translation>trouvé : %1, une pente de %2 N/mm depuis le point précédent, au plus %3 N/mm étaient attendus</translation>
+    </message>
+    <message>
+        <source>found more points, expected 2 to %1</source>
+        <translation>trop de points trouvés, 2 à %1 étaient attendus</translation>
+    </message>
+    <message>
+        <source>found %1 points, expected 2 to %2</source>
+        <translation>%1 points trouvés, 2 à %2 étaient attendus</translation>
+    </message>
+    <message>
+        <source>point %1 of %2: %3</source>
+        <translation>point %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3 to %4 %5</source>
+        <translation>%1 : trouvé : %2, attendu : de %3 à %4 %5</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected at most %3 (%4)</source>
+        <translation>%1 : trouvé : %2, attendu : au plus %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the force falls by %1 N/mm, expected at most %2 N/mm</source>
+        <translation>la force baisse de %1 N/mm, au plus %2 N/mm étaient attendus</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permission refusée</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Quota disque dépassé</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Fichier trop volumineux</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Est un dossier</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>N’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Erreur d’entrée/sortie</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another folder</source>
+        <translation>%1 : écriture impossible : %2 ; choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>hand script: found no target, expected at least one</source>
+        <translation>script de main : aucune cible trouvée, au moins une était attendue</translation>
+    </message>
+    <message>
+        <source>hand script: target %1 is not finite</source>
+        <translation>script de main : la cible %1 n’est pas finie</translation>
+    </message>
+    <message>
+        <source>hand script: found target %1 at %2 s, expected a time after %3 s</source>
+        <translation>script de main : cible %1 trouvée à %2 s, un temps après %3 s était attendu</translation>
+    </message>
+    <message>
+        <source>hand script: target %1 needs too high a speed</source>
+        <translation>script de main : la cible %1 exige une vitesse trop élevée</translation>
+    </message>
+    <message>
+        <source>the motion to play has no rows</source>
+        <translation>le mouvement à rejouer n’a pas de lignes</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another user, expected you or root as its owner</source>
+        <translation>%1 appartient à un autre utilisateur, vous ou root étiez attendus comme propriétaire</translation>
+    </message>
+    <message>
+        <source>others may write to %1; remove this permission with: chmod go-w &apos;%1&apos;</source>
+        <translation>d’autres peuvent écrire dans %1 ; retirez ce droit par chmod go-w &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1: skipped, %2</source>
+        <translation>%1 : ignoré, %2</translation>
+    </message>
+    <message>
+        <source>not a Qt plugin</source>
+        <translation>pas un greffon Qt</translation>
+    </message>
+    <message>
+        <source>a plugin of another program: found &quot;%1&quot;, expected &quot;%2&quot;</source>
+        <translation>un greffon d’un autre programme : trouvé « %1 », attendu « %2 »</translation>
+    </message>
+    <message>
+        <source>built for device API %1, this program has %2; rebuild it against this version</source>
+        <translation>construit pour l’API d’appareil %1, ce programme a %2 ; reconstruisez-le pour cette version</translation>
+    </message>
+    <message>
+        <source>found apiVersion %1 in its metadata, expected %2, which it was built for; correct its plugin.json and rebuild it</source>
+        <translation>apiVersion %1 trouvée dans ses métadonnées, %2 était attendue, pour laquelle il est construit ; corrigez plugin.json et reconstruisez-le</translation>
+    </message>
+    <message>
+        <source>found the id &quot;%1&quot; in its metadata, expected lowercase letters, digits and dashes</source>
+        <translation>identifiant « %1 » trouvé dans ses métadonnées, des minuscules, chiffres et tirets étaient attendus</translation>
+    </message>
+    <message>
+        <source>its id &quot;%1&quot; belongs to a built-in device</source>
+        <translation>son identifiant « %1 » est celui d’un appareil intégré</translation>
+    </message>
+    <message>
+        <source>its metadata has no &quot;%1&quot;</source>
+        <translation>ses métadonnées n’ont pas « %1 »</translation>
+    </message>
+    <message>
+        <source>%1: skipped, %2 has the same id and comes first</source>
+        <translation>%1 : ignoré, %2 a le même identifiant et vient d’abord</translation>
+    </message>
+    <message>
+        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (&quot;palpate devices&quot; also lists the built-in devices)</source>
+        <translation>aucun greffon d’appareil nommé « %1 » trouvé, attendu l’un de : %2 (« palpate devices » liste aussi les appareils intégrés)</translation>
+    </message>
+    <message>
+        <source>%1: its root object is not a device plugin</source>
+        <translation>%1 : son objet racine n’est pas un greffon d’appareil</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it hung when it was started</source>
+        <translation>%1 : ignoré, bloqué au démarrage</translation>
+    </message>
+    <message>
+        <source>%1: could not be tried: %2: %3</source>
+        <translation>%1 : essai impossible : %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it crashed when it was started (signal %2)</source>
+        <translation>%1 : ignoré, plantage au démarrage (signal %2)</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it ended the process when it was started</source>
+        <translation>%1 : ignoré, a mis fin au processus au démarrage</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it failed when it was started: %2</source>
+        <translation>%1 : ignoré, échec au démarrage : %2</translation>
+    </message>
+    <message>
+        <source>%1: skipped, it failed when it was started</source>
+        <translation>%1 : ignoré, échec au démarrage</translation>
+    </message>
+    <message>
+        <source>simulated hand: %1: found %2, expected at least %3</source>
+        <translation>main simulée : %1 : trouvé %2, attendu au moins %3</translation>
+    </message>
+    <message>
+        <source>simulated hand: %1: found %2, expected at most %3</source>
+        <translation>main simulée : %1 : trouvé %2, attendu au plus %3</translation>
+    </message>
+    <message>
+        <source>found a mesh of %1 mm from its centre to its side, expected at most %2 mm</source>
+        <translation>maillage de %1 mm du centre au côté trouvé, au plus %2 mm étaient attendus</translation>
+    </message>
+    <message>
+        <source>is not deeper than the previous knot</source>
+        <translation>n’est pas plus profond que le précédent</translation>
+    </message>
+    <message>
+        <source>has a steeper slope than any law</source>
+        <translation>a une pente plus forte que toute loi</translation>
+    </message>
+    <message>
+        <source>follows a cell with a force below 0</source>
+        <translation>suit une cellule dont la force est inférieure à 0</translation>
+    </message>
+    <message>
+        <source>has a number that is not finite</source>
+        <translation>contient un nombre non fini</translation>
+    </message>
+    <message>
+        <source>is not at 0 mm and 0 N</source>
+        <translation>n’est pas à 0 mm et 0 N</translation>
+    </message>
+    <message>
+        <source>has a force below 0</source>
+        <translation>a une force inférieure à 0</translation>
+    </message>
+    <message>
+        <source>ends with a slope below 0 or steeper than any law</source>
+        <translation>finit par une pente inférieure à 0 ou plus forte que toute loi</translation>
+    </message>
+    <message>
+        <source>force table: found %1 knots, expected 1 to %2</source>
+        <translation>table de force : %1 nœuds trouvés, 1 à %2 étaient attendus</translation>
+    </message>
+    <message>
+        <source>force table: knot %1 of %2 %3</source>
+        <translation>table de force : le nœud %1 sur %2 %3</translation>
+    </message>
+    <message>
+        <source>force table: found %1 bytes, expected %2 for each knot</source>
+        <translation>table de force : %1 octets trouvés, %2 par nœud étaient attendus</translation>
     </message>
 </context>
 <context>

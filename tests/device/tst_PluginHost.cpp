@@ -77,13 +77,13 @@ class PluginHost : public QObject
         auto all = host({m_found, path, "/nowhere"});
         QCOMPARE(all.plugins().size(), std::size_t{12});
         for (const char* older : {"old", "copied"}) { // whatever the metadata of the second says
-            QVERIFY(problemOf(all, older).find("built for device API 1, this program has 2; build it anew") !=
+            QVERIFY(problemOf(all, older).find("built for device API 1, this program has 2; rebuild it against") !=
                     std::string::npos);
             QCOMPARE(all.make(older).status().message(), problemOf(all, older));
         }
         QVERIFY(problemOf(all, "unsure").find("apiVersion is 1, expected 2") != std::string::npos);
         QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
-        QVERIFY(problemOf(all, "text").find("no Qt plugin") != std::string::npos);
+        QVERIFY(problemOf(all, "text").find("not a Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());
         const std::string nobody = all.find("nobody").status().message();
         for (const device::PluginEntry& entry : all.plugins()) {

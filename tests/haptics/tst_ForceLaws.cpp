@@ -376,22 +376,23 @@ class ForceLaws : public QObject
         const auto row = [](const char* name, LawKind kind, const QVector<double>& numbers, const char* word) {
             QTest::newRow(name) << static_cast<int>(kind) << numbers << QString(word);
         };
-        row("a negative stiffness", LawKind::Exponential, {-1, 0.35, 2}, "k0_N_per_mm is -1");
-        row("no number", LawKind::Exponential, {0.1, std::nan(""), 2}, "beta_per_mm is nan");
-        row("infinite", LawKind::Hertz, {std::numeric_limits<double>::infinity(), 8}, "young_kPa is inf");
-        row("steeper at the start than it may get", LawKind::Exponential, {3, 0.35, 2}, "above k_max_N_per_mm, 2");
-        row("no radius", LawKind::Hertz, {10, 0}, "radius_mm is 0");
-        row("no thickness", LawKind::Layer, {10, 8, 0, 1}, "thickness_mm is 0");
-        row("falls upwards", LawKind::Click, {0.5, 1, 1.5, 1, 0.5}, "F2_N is 1.5, above F1_N, 1");
+        row("a negative stiffness", LawKind::Exponential, {-1, 0.35, 2}, "k0_N_per_mm: found -1");
+        row("no number", LawKind::Exponential, {0.1, std::nan(""), 2}, "beta_per_mm: found nan");
+        row("infinite", LawKind::Hertz, {std::numeric_limits<double>::infinity(), 8}, "young_kPa: found inf");
+        row("steeper at the start than it may get", LawKind::Exponential, {3, 0.35, 2},
+            "expected at most 2 (k_max_N_per_mm)");
+        row("no radius", LawKind::Hertz, {10, 0}, "radius_mm: found 0");
+        row("no thickness", LawKind::Layer, {10, 8, 0, 1}, "thickness_mm: found 0");
+        row("falls upwards", LawKind::Click, {0.5, 1, 1.5, 1, 0.5}, "F2_N: found 1.5, expected at most 1 (F1_N)");
         row("falls off a cliff", LawKind::Click, {0.5, 20, 1, 0.001, 0.5}, "falls by 19000 N/mm");
-        row("one point", LawKind::Points, {0, 0}, "1 points; expected 2 to 64");
-        row("65 points", LawKind::Points, QVector<double>(130), "more points; expected 2 to 64");
-        row("a force at the surface", LawKind::Points, {0, 0.1, 1, 1}, "point 1 of 2 is (0 mm, 0.1 N)");
+        row("one point", LawKind::Points, {0, 0}, "found 1 points, expected 2 to 64");
+        row("65 points", LawKind::Points, QVector<double>(130), "found more points, expected 2 to 64");
+        row("a force at the surface", LawKind::Points, {0, 0.1, 1, 1}, "point 1 of 2: found (0 mm, 0.1 N)");
         row("back up", LawKind::Points, {0, 0, 2, 1, 1, 2},
-            "point 3 of 3 is (1 mm, 2 N); expected a depth of 2.001 to 1000 mm");
+            "point 3 of 3: found (1 mm, 2 N), expected a depth of 2.001 to 1000 mm");
         row("twice the same depth", LawKind::Points, {0, 0, 1, 1, 1, 1}, "point 3 of 3");
-        row("a negative force", LawKind::Points, {0, 0, 1, -0.5}, "point 2 of 2 is (1 mm, -0.5 N)");
-        row("a point that is no number", LawKind::Points, {0, 0, 1, std::nan("")}, "point 2 of 2 is (1 mm, nan N)");
+        row("a negative force", LawKind::Points, {0, 0, 1, -0.5}, "point 2 of 2: found (1 mm, -0.5 N)");
+        row("a point that is no number", LawKind::Points, {0, 0, 1, std::nan("")}, "point 2 of 2: found (1 mm, nan N)");
         row("too steep", LawKind::Points, {0, 0, 1, 1001}, "a slope of 1001 N/mm");
         row("too steep down", LawKind::Points, {0, 0, 2, 2000, 3, 0}, "a slope of -2000 N/mm");
     }

@@ -169,7 +169,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("law": {"kind": "hertz", "young_kPa": 0})", "law.young_kPa: found 0, expected 0.001 to");
     field(R"("law": {"kind": "hertz", "radius_mm": -8})", "law.radius_mm: found -8, expected 0.001 to 1000");
     field(R"("law": {"kind": "layer", "thickness_mm": 0})", "law.thickness_mm: found 0, expected 0.01 to 1000");
-    field(R"("law": {"kind": "click", "F1_N": 1, "F2_N": 2})", "law: F2_N is 2, above F1_N, 1");
+    field(R"("law": {"kind": "click", "F1_N": 1, "F2_N": 2})", "law: F2_N: found 2, expected at most 1 (F1_N)");
     field(R"("law": {"kind": "click", "fall_mm": 0})", "law.fall_mm: found 0, expected 0.001 to 25");
     field(R"("law": "hertz")", "law: found \"hertz\", expected an object");
     field(R"("law": {})", "law.kind: found nothing, expected one of linear, exponential, hertz, layer, click, points");
@@ -177,17 +177,18 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("law": {"kind": "exponential", "k0_N_per_mm": -0.1})",
           "law.k0_N_per_mm: found -0.1, expected 1e-06 to 1000");
     field(R"("law": {"kind": "exponential", "beta_per_mm": "steep"})", "law.beta_per_mm: found \"steep\"");
-    field(R"("law": {"kind": "exponential", "k0_N_per_mm": 3})", "law: k0_N_per_mm is 3, above k_max_N_per_mm, 2");
+    field(R"("law": {"kind": "exponential", "k0_N_per_mm": 3})",
+          "law: k0_N_per_mm: found 3, expected at most 2 (k_max_N_per_mm)");
     field(R"("law": {"kind": "layer", "bonded": 1})", "law.bonded: found 1, expected true or false");
     field(R"("law": {"kind": "points"})", "law.points: found nothing, expected points");
     field(R"("law": {"kind": "points", "points": [[0, 0], [1, 1]], "file": "a.csv"})", "law.points: found both");
     field(R"("law": {"kind": "points", "points": [[0, 0], [1]]})", "law.points[1]: found an array of 1");
     field(R"("law": {"kind": "points", "points": [[0, 0], [1, null]]})", "law.points[1]: found an array of 2");
-    field(R"("law": {"kind": "points", "points": [[0, 0.2], [1, 1]]})", "law: point 1 of 2 is (0 mm, 0.2 N)");
-    field(R"("law": {"kind": "points", "points": [[0, 0], [2, 1], [1, 2]]})", "law: point 3 of 3 is (1 mm, 2 N)");
-    field(R"("law": {"kind": "points", "points": [[0, 0], [2, -1]]})", "law: point 2 of 2 is (2 mm, -1 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0.2], [1, 1]]})", "law: point 1 of 2: found (0 mm, 0.2 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [2, 1], [1, 2]]})", "law: point 3 of 3: found (1 mm, 2 N)");
+    field(R"("law": {"kind": "points", "points": [[0, 0], [2, -1]]})", "law: point 2 of 2: found (2 mm, -1 N)");
     field(R"("law": {"kind": "points", "points": [[0, 0], [1, 2000]]})",
-          "law: point 2 of 2 is (1 mm, 2000 N), a slope of 2000 N/mm");
+          "law: point 2 of 2: found (1 mm, 2000 N), a slope of 2000 N/mm");
     field(R"("law": {"kind": "points", "file": "none.csv"})", "law.file: none.csv");
     const auto whole = [](const char* json, const char* message) {
         QTest::newRow(message) << std::string(json) << std::string(message);
@@ -320,19 +321,19 @@ void SceneFile::aWrongCurveIsNamedByItsLine_data()
     row("no points", head, "it has 0 points");
     row("a word", head + "0,0\n1,much\n", "line 3: force_N is \"much\"");
     row("a cell too few", head + "0,0\n1\n", "line 3: force_N is \"\"");
-    row("no number", head + "0,0\n1,nan\n", "line 3: point 2 of 2 is (1 mm, nan N)");
-    row("does not ascend", head + "0,0\n\n2,1\n1,2\n", "line 5: point 3 of 3 is (1 mm, 2 N)");
-    row("falls below nothing", head + "0,0\n1,-0.1\n", "line 3: point 2 of 2 is (1 mm, -0.1 N)");
-    row("no end", head + "0,0\n1,inf\n", "line 3: point 2 of 2 is (1 mm, inf N)");
-    row("twice the same depth", head + "0,0\n1,1\n1,1\n", "line 4: point 3 of 3 is (1 mm, 1 N)");
-    row("begins with a force", head + "0,0.2\n1,1\n", "line 2: point 1 of 2 is (0 mm, 0.2 N)");
-    row("begins in the air", head + "0.5,0\n1,1\n", "line 2: point 1 of 2 is (0.5 mm, 0 N)");
-    row("too steep", head + "0,0\n1,1001\n", "line 3: point 2 of 2 is (1 mm, 1001 N), a slope of 1001 N/mm");
+    row("no number", head + "0,0\n1,nan\n", "line 3: point 2 of 2: found (1 mm, nan N)");
+    row("does not ascend", head + "0,0\n\n2,1\n1,2\n", "line 5: point 3 of 3: found (1 mm, 2 N)");
+    row("falls below nothing", head + "0,0\n1,-0.1\n", "line 3: point 2 of 2: found (1 mm, -0.1 N)");
+    row("no end", head + "0,0\n1,inf\n", "line 3: point 2 of 2: found (1 mm, inf N)");
+    row("twice the same depth", head + "0,0\n1,1\n1,1\n", "line 4: point 3 of 3: found (1 mm, 1 N)");
+    row("begins with a force", head + "0,0.2\n1,1\n", "line 2: point 1 of 2: found (0 mm, 0.2 N)");
+    row("begins in the air", head + "0.5,0\n1,1\n", "line 2: point 1 of 2: found (0.5 mm, 0 N)");
+    row("too steep", head + "0,0\n1,1001\n", "line 3: point 2 of 2: found (1 mm, 1001 N), a slope of 1001 N/mm");
     std::string many = head;
     for (int i = 0; i < 65; ++i) {
         many += std::to_string(i) + "," + std::to_string(i) + "\n";
     }
-    row("too many", many, "it has more points; expected 2 to 64");
+    row("too many", many, "found more points, expected 2 to 64");
     row("bytes", std::string("\0\xFF\xFE,\n", 5), "line 1: no column");
 }
 

@@ -33,43 +33,33 @@ constexpr LawTerm kClick[] = {
     {"k3_N_per_mm", "Stiffness after the click", "N/mm", 1e-6, 1000.0, 0.5},
 };
 
-std::string text(double number)
-{
-    std::array<char, 32> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.6g", number);
-    return digits.data();
-}
-
-Status wrong(std::string what)
-{
-    return {StatusCode::OutOfRange, std::move(what)};
-}
-
 /// @return error of a measured point, by itself or relative to its predecessor; empty if valid.
-std::string pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* before)
+Message pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* before)
 {
     const auto [depth_mm, force_N] = point;
-    const std::string found = "is (" + text(depth_mm) + " mm, " + text(force_N) + " N)";
+    const Message found(PALPATE_TEXT("(%1 mm, %2 N)"), depth_mm, force_N);
     if (!std::isfinite(depth_mm) || !std::isfinite(force_N)) {
-        return found + "; expected numbers";
+        return Message(PALPATE_TEXT("found %1, expected finite numbers"), found);
     }
     if (before == nullptr) {
-        return depth_mm != 0.0 || force_N != 0.0 ? found + "; expected the first at 0 mm and 0 N" : "";
+        return depth_mm != 0.0 || force_N != 0.0
+                   ? Message(PALPATE_TEXT("found %1, expected the first point at 0 mm and 0 N"), found)
+                   : Message();
     }
     if (force_N < 0.0) {
-        return found + "; expected a force of at least 0 N";
+        return Message(PALPATE_TEXT("found %1, expected a force of at least 0 N"), found);
     }
     const double step_mm = depth_mm - (*before)[0];
     if (!(step_mm >= ForceLaw::kLeastStep_mm) || depth_mm > ForceLaw::kMostDepth_mm) {
-        return found + "; expected a depth of " + text((*before)[0] + ForceLaw::kLeastStep_mm) + " to " +
-               text(ForceLaw::kMostDepth_mm) + " mm";
+        return Message(PALPATE_TEXT("found %1, expected a depth of %2 to %3 mm"), found,
+                       (*before)[0] + ForceLaw::kLeastStep_mm, ForceLaw::kMostDepth_mm);
     }
     const double slope = (force_N - (*before)[1]) / step_mm;
     if (std::abs(slope) > ForceLaw::kMostSlope) {
-        return found + ", a slope of " + text(slope) + " N/mm from the one before; expected at most " +
-               text(ForceLaw::kMostSlope);
+        return Message(PALPATE_TEXT("found %1, a slope of %2 N/mm from the previous point, expected at most %3 N/mm"),
+                       found, slope, ForceLaw::kMostSlope);
     }
-    return "";
+    return {};
 }
 
 } // namespace
@@ -116,14 +106,14 @@ PointFault firstFault(std::span<const ForceLaw::Point> points)
 {
     if (points.size() < 2 || points.size() > ForceLaw::kMostPoints) {
         return {points.size(),
-                (points.size() > ForceLaw::kMostPoints ? std::string("it has more points")
-                                                       : "it has " + std::to_string(points.size()) + " points") +
-                    "; expected 2 to " + std::to_string(ForceLaw::kMostPoints)};
+                points.size() > ForceLaw::kMostPoints
+                    ? Message(PALPATE_TEXT("found more points, expected 2 to %1"), ForceLaw::kMostPoints)
+                    : Message(PALPATE_TEXT("found %1 points, expected 2 to %2"), points.size(), ForceLaw::kMostPoints)};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
-        if (!problem.empty()) {
-            return {i, "point " + std::to_string(i + 1) + " of " + std::to_string(points.size()) + ' ' + problem};
+        const Message problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
+        if (!problem.isEmpty()) {
+            return {i, Message(PALPATE_TEXT("point %1 of %2: %3"), i + 1, points.size(), problem)};
         }
     }
     return {};
@@ -134,23 +124,35 @@ Status check(const ForceLaw& law)
     const std::span<const LawTerm> terms = lawTerms(law.kind);
     for (std::size_t i = 0; i < terms.size(); ++i) {
         if (!(law.numbers[i] >= terms[i].least && law.numbers[i] <= terms[i].most)) {
-            return wrong(std::string(terms[i].key) + " is " + text(law.numbers[i]) + "; expected " +
-                         text(terms[i].least) + " to " + text(terms[i].most) + ' ' + std::string(terms[i].unit));
+            return {StatusCode::OutOfRange, PALPATE_TEXT("%1: found %2, expected %3 to %4 %5"),
+                    terms[i].key,           law.numbers[i],
+                    terms[i].least,         terms[i].most,
+                    terms[i].unit};
         }
     }
     const std::array<double, ForceLaw::kMostNumbers>& n = law.numbers;
     if (law.kind == LawKind::Exponential && n[0] > n[2]) {
-        return wrong("k0_N_per_mm is " + text(n[0]) + ", above k_max_N_per_mm, " + text(n[2]));
+        return {StatusCode::OutOfRange,
+                PALPATE_TEXT("%1: found %2, expected at most %3 (%4)"),
+                terms[0].key,
+                n[0],
+                n[2],
+                terms[2].key};
     }
     if (law.kind == LawKind::Click && n[2] > n[1]) {
-        return wrong("F2_N is " + text(n[2]) + ", above F1_N, " + text(n[1]));
+        return {StatusCode::OutOfRange,
+                PALPATE_TEXT("%1: found %2, expected at most %3 (%4)"),
+                terms[2].key,
+                n[2],
+                n[1],
+                terms[1].key};
     }
     if (law.kind == LawKind::Click && n[1] - n[2] > ForceLaw::kMostSlope * n[3]) {
-        return wrong("it falls by " + text((n[1] - n[2]) / n[3]) + " N/mm; expected at most " +
-                     text(ForceLaw::kMostSlope));
+        return {StatusCode::OutOfRange, PALPATE_TEXT("the force falls by %1 N/mm, expected at most %2 N/mm"),
+                (n[1] - n[2]) / n[3], ForceLaw::kMostSlope};
     }
-    std::string fault = law.kind == LawKind::Points ? firstFault(law.points).what : std::string();
-    return fault.empty() ? Status() : wrong(std::move(fault));
+    const Message fault = law.kind == LawKind::Points ? firstFault(law.points).what : Message();
+    return fault.isEmpty() ? Status() : Status(StatusCode::OutOfRange, fault);
 }
 
 } // namespace palpate::core

@@ -4,6 +4,9 @@
 #include "palpate/core/Numbers.h"
 #include "palpate/core/Text.h"
 
+#include <cerrno>
+#include <cstring>
+
 namespace palpate::core {
 
 namespace {
@@ -73,6 +76,43 @@ std::string filled(std::string_view text, const std::vector<std::string>& parts)
         }
     }
     return out;
+}
+
+Message systemError(int error)
+{
+    switch (error) { // the errors that files meet; the words are those of the C library
+    case ENOENT:
+        return Message(PALPATE_TEXT("No such file or directory"));
+    case EACCES:
+    case EPERM:
+        return Message(PALPATE_TEXT("Permission denied"));
+    case EROFS:
+        return Message(PALPATE_TEXT("Read-only file system"));
+    case ENOSPC:
+        return Message(PALPATE_TEXT("No space left on device"));
+    case EDQUOT:
+        return Message(PALPATE_TEXT("Disk quota exceeded"));
+    case EFBIG:
+        return Message(PALPATE_TEXT("File too large"));
+    case EISDIR:
+        return Message(PALPATE_TEXT("Is a directory"));
+    case ENOTDIR:
+        return Message(PALPATE_TEXT("Not a directory"));
+    case EEXIST:
+        return Message(PALPATE_TEXT("File exists"));
+    case EIO:
+        return Message(PALPATE_TEXT("Input/output error"));
+    case ENAMETOOLONG:
+        return Message(PALPATE_TEXT("File name too long"));
+    case EMFILE:
+    case ENFILE:
+        return Message(PALPATE_TEXT("Too many open files"));
+    case ENOTSUP: // of something that is not a file
+        return Message(PALPATE_TEXT("not a file"));
+    default:
+        const char* const reason = ::strerrordesc_np(error); // in English, unlike strerror
+        return Message::untranslated(reason == nullptr ? "unknown error" : reason);
+    }
 }
 
 Message joined(const std::vector<Message>& messages)

@@ -296,12 +296,10 @@ void removeScratchOnSignals()
 Status cannotWrite(const std::filesystem::path& path, int error)
 {
     const bool isFull = error == ENOSPC || error == EDQUOT || error == EFBIG;
-    const char* const reason = error == ENOTSUP ? "not a file" : ::strerrordesc_np(error); // in English
     return {isFull            ? StatusCode::NoSpace
             : error == ENOENT ? StatusCode::NotFound
                               : StatusCode::Unreadable,
-            path.string() + ": cannot be written: " + (reason == nullptr ? "unknown error" : reason) +
-                "; choose another folder"};
+            PALPATE_TEXT("%1: cannot be written: %2; choose another folder"), path, systemError(error)};
 }
 
 } // namespace palpate::core

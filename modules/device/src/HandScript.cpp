@@ -15,17 +15,16 @@ using core::Vec3;
 core::Result<HandScript> HandScript::make(std::vector<HandTarget> targets)
 {
     if (targets.empty()) {
-        return Status(StatusCode::Empty, "a hand's script needs at least one target");
+        return Status(StatusCode::Empty, PALPATE_TEXT("hand script: found no target, expected at least one"));
     }
     for (std::size_t i = 0; i < targets.size(); ++i) {
         if (!std::isfinite(targets[i].time_s) || !targets[i].p_W.allFinite()) {
-            return Status(StatusCode::NonFinite, "target " + std::to_string(i) + " of a hand's script is not finite");
+            return Status(StatusCode::NonFinite, PALPATE_TEXT("hand script: target %1 is not finite"), i);
         }
         if (i > 0 && !(targets[i].time_s > targets[i - 1].time_s)) {
-            return Status(StatusCode::OutOfRange, "target " + std::to_string(i) + " of a hand's script is at " +
-                                                      std::to_string(targets[i].time_s) +
-                                                      " s, not after the one before (" +
-                                                      std::to_string(targets[i - 1].time_s) + " s)");
+            return Status(StatusCode::OutOfRange,
+                          PALPATE_TEXT("hand script: found target %1 at %2 s, expected a time after %3 s"), i,
+                          targets[i].time_s, targets[i - 1].time_s);
         }
     }
     HandScript script;
@@ -43,7 +42,7 @@ core::Result<HandScript> HandScript::make(std::vector<HandTarget> targets)
             }
         }
         if (!script.m_v_W[i].allFinite()) {
-            return Status(StatusCode::OutOfRange, "target " + std::to_string(i) + " of a hand's script is too fast");
+            return Status(StatusCode::OutOfRange, PALPATE_TEXT("hand script: target %1 needs too high a speed"), i);
         }
     }
     script.m_targets = std::move(targets);

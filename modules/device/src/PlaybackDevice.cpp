@@ -63,7 +63,7 @@ DeviceInfo PlaybackDevice::info() const
 core::Status PlaybackDevice::start()
 {
     if (m_rows.empty()) {
-        return {core::StatusCode::Empty, "the motion to play has no rows"};
+        return {core::StatusCode::Empty, PALPATE_TEXT("the motion to play has no rows")};
     }
     m_whole = std::max<std::int64_t>(m_seek.exchange(-1, std::memory_order_relaxed), 0);
     m_part = 0.0;

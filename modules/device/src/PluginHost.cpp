@@ -37,7 +37,7 @@ bool isPlainId(const std::string& id)
 
 /// Describes how users other than root and the current user could replace a file or folder.
 /// @param mayShare  accept write access by others if the sticky bit prevents renaming of foreign files, as in /tmp
-std::optional<std::string> exposure(const std::filesystem::path& path, bool mayShare)
+std::optional<core::Message> exposure(const std::filesystem::path& path, bool mayShare)
 {
     struct stat found
     {
@@ -46,20 +46,20 @@ std::optional<std::string> exposure(const std::filesystem::path& path, bool mayS
         return std::nullopt; // e.g. a broken link, which cannot be loaded either
     }
     if (found.st_uid != 0 && found.st_uid != ::geteuid()) {
-        return path.string() + " belongs to another user; expected it to belong to you or to root";
+        return core::Message(PALPATE_TEXT("%1 belongs to another user, expected you or root as its owner"), path);
     }
     const bool isShared = mayShare && (found.st_mode & S_ISVTX) != 0;
     if ((found.st_mode & (S_IWGRP | S_IWOTH)) != 0 && !isShared) {
-        return "others may write to " + path.string() + "; take that right away with: chmod go-w '" + path.string() +
-               "'";
+        return core::Message(PALPATE_TEXT("others may write to %1; remove this permission with: chmod go-w '%1'"),
+                             path);
     }
     return std::nullopt;
 }
 
 /// As `exposure`, for a plugin file and all its parent folders. @param file  canonical
-std::optional<std::string> exposureOf(const std::filesystem::path& file)
+std::optional<core::Message> exposureOf(const std::filesystem::path& file)
 {
-    std::optional<std::string> found = exposure(file, false);
+    std::optional<core::Message> found = exposure(file, false);
     for (std::filesystem::path folder = file.parent_path(); !found; folder = folder.parent_path()) {
         found = exposure(folder, folder != file.parent_path());
         if (folder == folder.root_path()) {
@@ -73,8 +73,8 @@ PluginEntry readEntry(const std::filesystem::path& file)
 {
     PluginEntry entry;
     entry.file = file;
-    const auto refuse = [&](StatusCode code, const std::string& why) {
-        entry.status = Status(code, file.string() + ": skipped, " + why);
+    const auto refuse = [&](StatusCode code, const core::Message& why) {
+        entry.status = Status(code, PALPATE_TEXT("%1: skipped, %2"), file, why);
         return entry;
     };
     std::error_code error;
@@ -85,7 +85,7 @@ PluginEntry readEntry(const std::filesystem::path& file)
     // Reads the metadata section without executing code.
     const QJsonObject all = QPluginLoader(QString::fromStdU16String(file.u16string())).metaData();
     if (all.isEmpty()) {
-        return refuse(StatusCode::BadFormat, "it is no Qt plugin");
+        return refuse(StatusCode::BadFormat, core::Message(PALPATE_TEXT("not a Qt plugin")));
     }
     const QString iid = all.value(QLatin1String("IID")).toString();
     const QJsonObject own = all.value(QLatin1String("MetaData")).toObject();
@@ -94,30 +94,35 @@ PluginEntry readEntry(const std::filesystem::path& file)
                   text("license"), text("drives"), own.value(QLatin1String("apiVersion")).toInt()};
     const QString family = QStringLiteral(PALPATE_DEVICE_PLUGIN_IID).section(QLatin1Char('/'), 0, 0);
     if (iid.section(QLatin1Char('/'), 0, 0) != family) {
-        return refuse(StatusCode::Mismatch, "it is a plugin for something else: found \"" + iid.toStdString() +
-                                                "\", expected \"" PALPATE_DEVICE_PLUGIN_IID "\"");
+        return refuse(StatusCode::Mismatch,
+                      core::Message(PALPATE_TEXT("a plugin of another program: found \"%1\", expected \"%2\""),
+                                    iid.toStdString(), PALPATE_DEVICE_PLUGIN_IID));
     }
     if (iid != QLatin1String(PALPATE_DEVICE_PLUGIN_IID)) {
-        return refuse(StatusCode::Mismatch, "it was built for device API " +
-                                                iid.section(QLatin1Char('/'), 1).toStdString() + ", this program has " +
-                                                std::to_string(kDeviceApiVersion) +
-                                                "; build it anew against this version");
+        return refuse(StatusCode::Mismatch,
+                      core::Message(PALPATE_TEXT("built for device API %1, this program has %2; rebuild it against "
+                                                 "this version"),
+                                    iid.section(QLatin1Char('/'), 1).toStdString(), kDeviceApiVersion));
     }
     if (entry.info.apiVersion != kDeviceApiVersion) {
-        return refuse(StatusCode::Mismatch, "its metadata's apiVersion is " + std::to_string(entry.info.apiVersion) +
-                                                ", expected " + std::to_string(kDeviceApiVersion) +
-                                                ", which it is built for: correct its plugin.json and build it anew");
+        return refuse(StatusCode::Mismatch,
+                      core::Message(PALPATE_TEXT("found apiVersion %1 in its metadata, expected %2, which it was built "
+                                                 "for; correct its plugin.json and rebuild it"),
+                                    entry.info.apiVersion, kDeviceApiVersion));
     }
     if (!isPlainId(entry.info.id)) {
         return refuse(StatusCode::BadFormat,
-                      "its metadata's id is \"" + entry.info.id + "\", expected small letters, digits and dashes");
+                      core::Message(PALPATE_TEXT("found the id \"%1\" in its metadata, expected lowercase letters, "
+                                                 "digits and dashes"),
+                                    entry.info.id));
     }
     if (std::find(std::begin(kBuiltIn), std::end(kBuiltIn), entry.info.id) != std::end(kBuiltIn)) {
-        return refuse(StatusCode::Mismatch, "its id \"" + entry.info.id + "\" is that of a built-in device");
+        return refuse(StatusCode::Mismatch,
+                      core::Message(PALPATE_TEXT("its id \"%1\" belongs to a built-in device"), entry.info.id));
     }
     for (const char* key : {"name", "version", "license", "drives"}) {
         if (text(key).empty()) {
-            return refuse(StatusCode::BadFormat, std::string("its metadata has no ") + key);
+            return refuse(StatusCode::BadFormat, core::Message(PALPATE_TEXT("its metadata has no \"%1\""), key));
         }
     }
     return entry;
@@ -180,7 +185,8 @@ PluginHost::PluginHost(const std::vector<std::filesystem::path>& folders, std::v
             });
             if (entry.status.isOk() && same != m_plugins.end()) {
                 entry.status =
-                    Status(StatusCode::Mismatch, file.string() + ": skipped, " + same->file.string() + " comes first");
+                    Status(StatusCode::Mismatch, PALPATE_TEXT("%1: skipped, %2 has the same id and comes first"), file,
+                           same->file);
             }
             m_plugins.push_back(std::move(entry));
         }
@@ -222,9 +228,11 @@ core::Result<DevicePlugin*> PluginHost::load(std::string_view id)
     for (const PluginEntry& entry : m_plugins) {
         found += entry.status.isOk() ? (found.empty() ? "" : ", ") + entry.info.id : "";
     }
-    return Status(StatusCode::NotFound, "no device plugin is called \"" + std::string(id) +
-                                            "\"; found: " + (found.empty() ? "none" : found) +
-                                            " (\"palpate devices\" lists the built-in ones, too)");
+    return Status(
+        StatusCode::NotFound,
+        PALPATE_TEXT("found no device plugin called \"%1\", expected one of: %2 (\"palpate devices\" also lists "
+                     "the built-in devices)"),
+        id, found.empty() ? "-" : found);
 }
 
 core::Result<std::vector<FoundDevice>> PluginHost::find(std::string_view id)
@@ -236,7 +244,7 @@ core::Result<std::vector<FoundDevice>> PluginHost::find(std::string_view id)
     try {
         return plugin.value()->find(m_services);
     } catch (const std::exception& error) {
-        return Status(StatusCode::Internal, std::string(id) + ": " + error.what());
+        return Status(StatusCode::Internal, PALPATE_TEXT("%1: %2"), id, error.what());
     }
 }
 
@@ -249,7 +257,7 @@ core::Result<std::unique_ptr<HapticDevice>> PluginHost::make(std::string_view id
     try {
         return plugin.value()->make(m_services, address);
     } catch (const std::exception& error) {
-        return Status(StatusCode::Internal, std::string(id) + ": " + error.what());
+        return Status(StatusCode::Internal, PALPATE_TEXT("%1: %2"), id, error.what());
     }
 }
 

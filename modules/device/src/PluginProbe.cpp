@@ -23,11 +23,11 @@ core::Result<DevicePlugin*> loadPlugin(const std::filesystem::path& file)
     QPluginLoader loader(QString::fromStdU16String(std::filesystem::absolute(file, error).u16string()));
     QObject* root = loader.instance();
     if (root == nullptr) {
-        return Status(StatusCode::Unreadable, file.string() + ": " + loader.errorString().toStdString());
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: %2"), file, loader.errorString().toStdString());
     }
     auto* plugin = qobject_cast<DevicePlugin*>(root);
     if (plugin == nullptr) {
-        return Status(StatusCode::BadFormat, file.string() + ": its root object is no device plugin");
+        return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: its root object is not a device plugin"), file);
     }
     return plugin;
 }
@@ -48,18 +48,21 @@ Status runProbe(const std::vector<std::string>& command, const std::filesystem::
         const bool hasStarted = process.error() == QProcess::Timedout;
         process.kill();
         process.waitForFinished(1000);
-        return hasStarted ? Status(StatusCode::Unsupported, file.string() + ": skipped, it hung when it was started")
-                          : Status(StatusCode::Internal, file.string() + ": could not be tried: " + command.front() +
-                                                             ": " + process.errorString().toStdString());
+        return hasStarted
+                   ? Status(StatusCode::Unsupported, PALPATE_TEXT("%1: skipped, it hung when it was started"), file)
+                   : Status(StatusCode::Internal, PALPATE_TEXT("%1: could not be tried: %2: %3"), file, command.front(),
+                            process.errorString().toStdString());
     }
     if (process.exitStatus() == QProcess::CrashExit) {
-        return {StatusCode::Unsupported, file.string() + ": skipped, it crashed when it was started (signal " +
-                                             std::to_string(process.exitCode()) + ')'};
+        return {StatusCode::Unsupported, PALPATE_TEXT("%1: skipped, it crashed when it was started (signal %2)"), file,
+                process.exitCode()};
     }
     if (process.exitCode() != 0 || !process.readAllStandardOutput().endsWith(word + '\n')) {
         const std::string said = process.readAllStandardError().trimmed().toStdString();
         return {StatusCode::Unsupported,
-                said.empty() ? file.string() + ": skipped, it ended the process when it was started" : said};
+                said.empty()
+                    ? core::Message(PALPATE_TEXT("%1: skipped, it ended the process when it was started"), file)
+                    : core::Message::untranslated(said)};
     }
     return {};
 }
@@ -75,9 +78,10 @@ Status probePlugin(const std::filesystem::path& file)
         }
         (void)plugin.value()->find(services);
     } catch (const std::exception& error) {
-        return {StatusCode::Unsupported, file.string() + ": skipped, it failed when it was started: " + error.what()};
+        return {StatusCode::Unsupported, PALPATE_TEXT("%1: skipped, it failed when it was started: %2"), file,
+                error.what()};
     } catch (...) {
-        return {StatusCode::Unsupported, file.string() + ": skipped, it failed when it was started"};
+        return {StatusCode::Unsupported, PALPATE_TEXT("%1: skipped, it failed when it was started"), file};
     }
     return {};
 }

@@ -51,14 +51,13 @@ Status SimulatedHand::start()
                   {"subSteps", static_cast<double>(m_options.subSteps), 1.0}};
     for (const auto& check : checks) {
         if (!std::isfinite(check.value) || check.value < check.smallest) {
-            return {StatusCode::OutOfRange, std::string("simulated hand: ") + check.name + " is " +
-                                                std::to_string(check.value) + ", expected at least " +
-                                                std::to_string(check.smallest)};
+            return {StatusCode::OutOfRange, PALPATE_TEXT("simulated hand: %1: found %2, expected at least %3"),
+                    check.name, check.value, check.smallest};
         }
     }
     if (static_cast<std::size_t>(m_options.delayTicks) > kLongestDelay) {
-        return {StatusCode::OutOfRange, "simulated hand: delayTicks is " + std::to_string(m_options.delayTicks) +
-                                            ", expected at most " + std::to_string(kLongestDelay)};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("simulated hand: %1: found %2, expected at most %3"), "delayTicks",
+                m_options.delayTicks, kLongestDelay};
     }
     m_waiting.fill(Vec3::Zero());
     m_tick = 0;

@@ -3,7 +3,7 @@
 
 #include "SurfaceBuilder.h"
 
-#include <cstdio>
+#include <palpate/core/Numbers.h>
 
 namespace palpate::geometry {
 
@@ -15,10 +15,9 @@ SurfaceIndex SurfaceIndex::build(const RepairedMesh& repaired, unsigned threads)
         return none;
     }
     if (const double half = 0.5 * repaired.mesh.bounds().sizes().maxCoeff(); !(half <= kLargest_mm)) {
-        char text[160];
-        std::snprintf(text, sizeof text, "a mesh of %.3g mm from its middle to its side; expected at most %.0e mm",
-                      half, kLargest_mm);
-        none.m_status = {core::StatusCode::OutOfRange, text};
+        none.m_status = {core::StatusCode::OutOfRange,
+                         PALPATE_TEXT("found a mesh of %1 mm from its centre to its side, expected at most %2 mm"),
+                         core::shortNumber(half, 3), kLargest_mm};
         return none;
     }
     return SurfaceBuilder(repaired, threads).build();

@@ -90,9 +90,9 @@ core::Result<std::vector<ForceLaw::Point>> readCurve(const std::filesystem::path
         }
         hasHeader = true;
     }
-    if (const core::PointFault fault = core::firstFault(law.points); !fault.what.empty()) {
+    if (const core::PointFault fault = core::firstFault(law.points); !fault.what.isEmpty()) {
         const std::string place = fault.point < lines.size() ? internal::atLine(lines[fault.point]) + ": " : "";
-        return core::Status(StatusCode::OutOfRange, file + ": " + place + fault.what);
+        return core::Status(StatusCode::OutOfRange, file + ": " + place + fault.what.english());
     }
     return std::move(law.points);
 }

@@ -20,44 +20,44 @@ static_assert(std::endian::native == std::endian::little, "bytes() writes number
 
 constexpr double kDeepest_mm = 1e9; // maximum depth of a knot; keeps forces finite
 
-/// Returns the error of the cell between two knots, or null.
-const char* problem(const Knot& from, const Knot& to)
+/// Returns the error of the cell between two knots; empty if valid.
+core::Message problem(const Knot& from, const Knot& to)
 {
     const double length = to.depth_mm - from.depth_mm;
     if (!(length >= ForceTable::kLeastCell_mm)) {
-        return "does not lie below the knot before it";
+        return core::Message(PALPATE_TEXT("is not deeper than the previous knot"));
     }
     const double most = ForceTable::kMostSlope;
     if (std::abs(from.slopeAfter) > most || std::abs(to.slopeBefore) > most ||
         std::abs(to.force_N - from.force_N) > most * length) {
-        return "is steeper than any law";
+        return core::Message(PALPATE_TEXT("has a steeper slope than any law"));
     }
     // A cubic lies within the convex hull of its four control points; these are the inner two.
     const double allowed = -1e-9 * (from.force_N + to.force_N);
     if (from.force_N + from.slopeAfter * length / 3.0 < allowed ||
         to.force_N - to.slopeBefore * length / 3.0 < allowed) {
-        return "has a force below 0 before it";
+        return core::Message(PALPATE_TEXT("follows a cell with a force below 0"));
     }
-    return nullptr;
+    return {};
 }
 
-/// Returns the error of a single knot, or null.
-const char* problem(const Knot& knot, bool isFirst, bool isLast)
+/// Returns the error of a single knot; empty if valid.
+core::Message problem(const Knot& knot, bool isFirst, bool isLast)
 {
     if (!std::isfinite(knot.depth_mm) || !std::isfinite(knot.force_N) || !std::isfinite(knot.slopeBefore) ||
         !std::isfinite(knot.slopeAfter)) {
-        return "has a number that is not finite";
+        return core::Message(PALPATE_TEXT("has a number that is not finite"));
     }
     if (isFirst && (knot.depth_mm != 0.0 || knot.force_N != 0.0)) {
-        return "is not at 0 mm and 0 N";
+        return core::Message(PALPATE_TEXT("is not at 0 mm and 0 N"));
     }
     if (knot.force_N < 0.0) {
-        return "has a force below 0";
+        return core::Message(PALPATE_TEXT("has a force below 0"));
     }
     if (isLast && (knot.slopeAfter < 0.0 || knot.slopeAfter > ForceTable::kMostSlope || knot.depth_mm > kDeepest_mm)) {
-        return "ends with a slope below 0 or steeper than any law";
+        return core::Message(PALPATE_TEXT("ends with a slope below 0 or steeper than any law"));
     }
-    return nullptr;
+    return {};
 }
 
 } // namespace
@@ -65,17 +65,17 @@ const char* problem(const Knot& knot, bool isFirst, bool isLast)
 core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromKnots(std::vector<Knot> knots)
 {
     if (knots.empty() || knots.size() > kMostKnots) {
-        return Status(StatusCode::OutOfRange, "a force table has " + std::to_string(knots.size()) +
-                                                  " knots; expected 1 to " + std::to_string(kMostKnots));
+        return Status(StatusCode::OutOfRange, PALPATE_TEXT("force table: found %1 knots, expected 1 to %2"),
+                      knots.size(), kMostKnots);
     }
     for (std::size_t i = 0; i < knots.size(); ++i) {
-        const char* what = problem(knots[i], i == 0, i + 1 == knots.size());
-        if (what == nullptr && i > 0) {
+        core::Message what = problem(knots[i], i == 0, i + 1 == knots.size());
+        if (what.isEmpty() && i > 0) {
             what = problem(knots[i - 1], knots[i]);
         }
-        if (what != nullptr) {
-            return Status(StatusCode::OutOfRange, "knot " + std::to_string(i + 1) + " of " +
-                                                      std::to_string(knots.size()) + " of a force table " + what);
+        if (!what.isEmpty()) {
+            return Status(StatusCode::OutOfRange, PALPATE_TEXT("force table: knot %1 of %2 %3"), i + 1, knots.size(),
+                          what);
         }
     }
     return std::shared_ptr<const ForceTable>(new ForceTable(std::move(knots)));
@@ -84,7 +84,7 @@ core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromKnots(std::vecto
 std::shared_ptr<const ForceTable> ForceTable::build(const Tissue& tissue)
 {
     if (tissue.law.kind == core::LawKind::Linear || !core::check(tissue.law).isOk()) {
-        return nullptr;
+        return {};
     }
     core::Result<std::shared_ptr<const ForceTable>> table = fromKnots(law::knotsOf(tissue.law));
     return table.isOk() ? std::move(table).value() : nullptr;
@@ -93,8 +93,8 @@ std::shared_ptr<const ForceTable> ForceTable::build(const Tissue& tissue)
 core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromBytes(std::span<const std::byte> bytes)
 {
     if (bytes.size() % sizeof(Numbers) != 0 || bytes.size() > kMostKnots * sizeof(Numbers)) {
-        return Status(StatusCode::BadFormat, "a force table has " + std::to_string(bytes.size()) + " bytes; expected " +
-                                                 std::to_string(sizeof(Numbers)) + " a knot");
+        return Status(StatusCode::BadFormat, PALPATE_TEXT("force table: found %1 bytes, expected %2 for each knot"),
+                      bytes.size(), sizeof(Numbers));
     }
     std::vector<Knot> knots;
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(Numbers)) {

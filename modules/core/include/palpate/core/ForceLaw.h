@@ -73,7 +73,7 @@ inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, Law
 struct PointFault
 {
     std::size_t point = 0;
-    std::string what;
+    Message what;
 };
 [[nodiscard]] PointFault firstFault(std::span<const ForceLaw::Point> points);
 

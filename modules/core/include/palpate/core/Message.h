@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +17,8 @@
 #define PALPATE_TEXT(text) (::palpate::core::internal::MarkedText{text})
 
 namespace palpate::core {
+
+// Without <concepts>, which Qt's moc cannot parse: device plugins include this header.
 
 class Message;
 
@@ -64,7 +65,7 @@ class MessageText
 /// Whole number displayed with digit grouping: "1,234,567".
 struct Count
 {
-    template<std::integral T>
+    template<class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     explicit Count(T value)
         : magnitude(std::cmp_less(value, 0) ? std::uint64_t{0} - static_cast<std::uint64_t>(value)
                                             : static_cast<std::uint64_t>(value))
@@ -101,7 +102,7 @@ struct MessageArgument
         : english(path.string())
     {
     }
-    template<std::integral T>
+    template<class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     MessageArgument(T number)
         : english(std::to_string(number))
         , kind(Kind::Number)
@@ -150,6 +151,9 @@ class Message
 
 /// @return `text` with each placeholder %1 to %9 replaced by the part of that number; other per cent signs are kept
 [[nodiscard]] std::string filled(std::string_view text, const std::vector<std::string>& parts);
+
+/// @return the meaning of an `errno` value: "No such file or directory"
+[[nodiscard]] Message systemError(int error);
 
 /// @return the messages joined by "; "
 [[nodiscard]] Message joined(const std::vector<Message>& messages);
