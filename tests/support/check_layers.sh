@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# check_layers.sh ROOT   fails, naming file and line, on an include that ROOT/modules/layers.txt does not allow, and when one of
+# check_layers.sh ROOT   fails, naming file and line, on an include that modules/layers.txt does not allow, and when one of
 # the engine's modules reaches for VTK, Qt's window modules or hidapi, in its sources or in what it links.
 set -eu
 root=$1
-rules=$root/modules/layers.txt
+rules=$(dirname "${BASH_SOURCE[0]}")/../../modules/layers.txt
 
 # Folder of each source, then its name: "geometry modules/geometry/src/TriangleMesh.cpp".
 list() {

@@ -76,6 +76,7 @@ class FeltHere : public QObject
             m_desk->pressKeyOf("felt");
         }
         named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(0);
+        table().selectRow(0);
         QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
         QTest::qWait(2 * ui::CameraFlight::kTime_ms);
     }
