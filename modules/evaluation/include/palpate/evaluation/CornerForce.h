@@ -5,19 +5,19 @@
 
 namespace palpate::evaluation {
 
-/// Force in the corner between two surfaces, pressed along its bisector, over the right force: that of one spring from
-/// the corner to the HIP.
-/// @par Source Zilles & Salisbury, IROS 1995, figure 3: forces of two vector fields that are summed are right where the
-/// surfaces are perpendicular, too large where they are obtuse, twice as large where they are parallel, and too small
-/// where they are acute. With an angle a between the surfaces that is 1 - cos a.
+/// Force in the corner between two surfaces when the HIP is pressed in along the bisector, relative to the correct
+/// force, which is that of a single spring from the corner to the HIP.
+/// @par Source Zilles & Salisbury, IROS 1995, figure 3: the sum of two vector-field forces is correct for
+/// perpendicular surfaces, too large for obtuse angles, twice as large for parallel surfaces and too small for acute
+/// angles. For an angle a between the surfaces, the ratio is 1 - cos a.
 struct CornerForce
 {
-    double angle_deg = 0.0;   ///< between the surfaces: 180 is a plane
-    double vectorField = 0.0; ///< both volumes' forces summed
-    double godObject = 0.0;   ///< the product
+    double angle_deg = 0.0;   ///< between the surfaces; 180 is a plane
+    double vectorField = 0.0; ///< sum of the forces of both volumes
+    double godObject = 0.0;   ///< god-object of the product
 };
 
-/// Measures corners of 20 to 180 degrees, each made of two overlapping boxes.
+/// Measures corners of 20 to 180 degrees, each built from two overlapping boxes.
 [[nodiscard]] std::vector<CornerForce> forceInCorners();
 
 } // namespace palpate::evaluation

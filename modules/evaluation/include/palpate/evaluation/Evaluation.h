@@ -16,7 +16,7 @@
 
 namespace palpate::evaluation {
 
-/// Mean, median and tails of what was measured.
+/// Mean, median and upper percentiles of a series of measurements.
 struct Percentiles
 {
     std::size_t count = 0;
@@ -27,11 +27,11 @@ struct Percentiles
     double max = 0.0;
 };
 
-/// @return percentiles by the nearest rank; zeros without values
+/// @return nearest-rank percentiles; all zero if `values` is empty
 [[nodiscard]] Percentiles percentilesOf(std::vector<double> values);
 
-/// The farthest percentile that at least ten of the values lie beyond: 99.9 % from 10,000 values on, 99 % from 1,000
-/// on, otherwise the largest value. What is nearer to the end is decided by single values.
+/// Highest percentile with at least ten values above: 99.9 % from 10,000 values, 99 % from 1,000 values, otherwise the
+/// maximum. Higher percentiles would depend on single values.
 struct Tail
 {
     double value = 0.0;
@@ -40,70 +40,74 @@ struct Tail
 [[nodiscard]] Tail tailOf(const Percentiles& percentiles);
 inline constexpr std::size_t kFewestForP999 = 10000; ///< values
 
-/// What a trial varies from the product as it is.
+/// Parameter in which a trial differs from the default product.
 enum class Knob
 {
     Solver,    ///< another solver on the same mesh
-    Decimated, ///< the product on a copy with fewer triangles
-    OnePass,   ///< the product with one pass a tick
-    Rate,      ///< the product at another servo rate; errors are against the exact solver at 4 kHz, force held
-    Radius,    ///< the product with a ball as fingertip; errors are against the exact solver with the same ball
+    Decimated, ///< the product on a decimated mesh
+    OnePass,   ///< the product with one solver pass per tick
+    Rate,      ///< the product at another servo rate; errors relative to the exact solver at 4 kHz, with the force held
+               ///< between ticks
+    Radius,    ///< the product with a spherical fingertip; errors relative to the exact solver with the same sphere
 };
 
-/// A solver against one tick of the exact solver that starts from the state the solver was in, with the same hand.
+/// Comparison of a solver with the exact solver, both started from the solver's state and given the same HIP, tick by
+/// tick.
 struct SameState
 {
-    std::size_t ticks = 0;    ///< compared: every tick in contact
-    std::size_t parted = 0;   ///< in which the two end more than the threshold of `Trial::elsewhere` apart
-    double parted_mm = 0.0;   ///< largest distance of those
-    double longer_mm = 0.0;   ///< by how much the solver's spring was longer than the exact one's, at most, in those
+    std::size_t ticks = 0;    ///< compared: all ticks in contact
+    std::size_t parted = 0;   ///< in which the results differ by more than the threshold of `Trial::elsewhere`
+    double parted_mm = 0.0;   ///< largest distance in these ticks
+    double longer_mm = 0.0;   ///< largest excess of the solver's spring length over the exact one in these ticks
     double together_mm = 0.0; ///< largest distance in all other ticks
 };
 
-/// One mark of the report: a solver with its knob on one subject, all paths together.
+/// One data point of the report: a solver with one setting on one subject, over all paths.
 ///
-/// The solver and the exact one on the full mesh get the same samples of the hand, each runs on from its own state, and
-/// every tick in which either touches counts. With Knob::Rate the exact one gets all 4,000 samples a second.
+/// The solver and the exact solver (on the full mesh) receive the same HIP samples, and each continues from its own
+/// state. All ticks in which either is in contact count. With Knob::Rate, the exact solver receives all 4,000 samples
+/// per second.
 struct Trial
 {
     std::string subject;
     std::string solver;
     std::string setting; ///< "25 % of the triangles", "2000 Hz", or empty
     Knob knob = Knob::Solver;
-    double knobValue = 0.0;    ///< share of the triangles, Hz or mm
-    double fingertip_mm = 0.0; ///< radius of the ball; 0 is a point
+    double knobValue = 0.0;    ///< fraction of the triangles, Hz or mm
+    double fingertip_mm = 0.0; ///< fingertip radius; 0: point contact
     std::size_t triangles = 0;
     double rate_Hz = 1000.0;
-    std::size_t ticks = 0;       ///< run
-    std::size_t wanted = 0;      ///< that the paths have; fewer are run only when a time limit ends
-    std::size_t interrupted = 0; ///< ticks in which another program took the core: not in the times, unless all are
-    Percentiles time_us;         ///< a tick in which the exact solver touches; of brute force, the first of each path
-    Percentiles freeTime_us;     ///< any other tick
-    Percentiles position_mm;     ///< |god-object - exact|, of the layer where it is largest
-    Percentiles force_N;         ///< |force - exact|
-    Percentiles forcePercent;    ///< of the exact force, or of 2 % of the path's largest force where that is more
-    Percentiles direction_deg;   ///< where the exact force is at least 2 % of its largest
-    Percentiles residual_mm;     ///< of a sample of ticks; god-objects on the full mesh only
+    std::size_t ticks = 0;       ///< executed
+    std::size_t wanted = 0;      ///< in all paths; fewer are executed only if the time limit ends the run
+    std::size_t interrupted = 0; ///< ticks preempted by another process; excluded from the timings unless all were
+    Percentiles time_us; ///< ticks in which the exact solver is in contact; for brute force only the first such ticks
+                         ///< of each path
+    Percentiles freeTime_us;   ///< all other ticks
+    Percentiles position_mm;   ///< |god-object - exact|, of the layer with the largest value
+    Percentiles force_N;       ///< |force - exact|
+    Percentiles forcePercent;  ///< relative to the exact force, or to 2 % of the path's largest force if that is larger
+    Percentiles direction_deg; ///< where the exact force is at least 2 % of its maximum
+    Percentiles residual_mm;   ///< of a sample of ticks; only for god-object solvers on the full mesh
     std::size_t popThroughs = 0;
-    /// Ticks in which solver and exact one, given the same sample, are more than 1e-3 mm apart (on what is smaller than
-    /// 100 mm: 1e-5 of its extent). They are part of all errors above.
+    /// Ticks in which the solver and the exact solver differ by more than 1e-3 mm for the same sample (for subjects
+    /// below 100 mm: 1e-5 of the extent). These ticks are included in all errors above.
     std::size_t elsewhere = 0;
-    Percentiles elsewhere_mm;             ///< distance in those ticks
-    Percentiles elsewhereForcePercent;    ///< and the force's error
-    SameState sameState;                  ///< god-objects on the full mesh only
-    std::vector<std::int64_t> iterations; ///< ticks by iterations
-    double spring_mm = 0.0;   ///< mean of the exact force over the stiffest tissue touched, while any is: with one
-                              ///< layer the spring's length
-    bool isReference = false; ///< the exact solver itself: its error is 0 by definition
-    bool isOnFront = false;   ///< no other trial of the subject is both faster and nearer
-    // By path.
-    Spread pathTime_us;          ///< median of the path's ticks
-    Spread pathPosition_mm;      ///< mean of the path's ticks
-    Spread pathForcePercent;     ///< 99th percentile of the path's ticks
-    Spread pathElsewherePercent; ///< share of its ticks
+    Percentiles elsewhere_mm;             ///< distance in these ticks
+    Percentiles elsewhereForcePercent;    ///< force error in these ticks
+    SameState sameState;                  ///< only for god-object solvers on the full mesh
+    std::vector<std::int64_t> iterations; ///< number of ticks by iteration count
+    double spring_mm = 0.0;   ///< mean over the ticks in contact of the exact force divided by the stiffness of the
+                              ///< stiffest tissue in contact; with one layer the spring length
+    bool isReference = false; ///< the exact solver itself, with an error of 0 by definition
+    bool isOnFront = false;   ///< Pareto-optimal: no other trial of the subject is both faster and more accurate
+    // One value per path.
+    Spread pathTime_us;          ///< median over the ticks of the path
+    Spread pathPosition_mm;      ///< mean over the ticks of the path
+    Spread pathForcePercent;     ///< 99th percentile over the ticks of the path
+    Spread pathElsewherePercent; ///< percentage of the ticks of the path
 };
 
-/// Error of one trial tick by tick, thinned for drawing.
+/// Position error of one trial over time, thinned for plotting.
 struct ErrorSeries
 {
     std::string subject, solver, motion;
@@ -111,7 +115,7 @@ struct ErrorSeries
     std::vector<double> error_mm;
 };
 
-/// Cost on one generated sphere.
+/// Cost per tick on one generated sphere.
 struct SizePoint
 {
     std::string solver;
@@ -127,89 +131,90 @@ struct SubjectInfo
     std::size_t layers = 1;
     std::size_t triangles = 0;
     double extent_mm = 0.0;
-    std::size_t bytes = 0;          ///< of the haptic copy
-    double build_ms = 0.0;          ///< of its index
-    std::vector<std::string> paths; ///< that every mark was run on: "seed 1", or the name of a given motion
+    std::size_t bytes = 0;          ///< size of the haptic copy
+    double build_ms = 0.0;          ///< time to build the spatial index
+    std::vector<std::string> paths; ///< paths of every trial: "seed 1", or the name of a given motion
 };
 
-/// What a person should do, worked out from the trials.
+/// Recommended settings, derived from the trials.
 struct Advice
 {
     std::string subject, setting;
-    std::vector<std::string> why; ///< one sentence or two each: cost, error, what other settings would give
-    std::string warning;          ///< what to mend before all else; mostly empty
+    std::vector<std::string> why; ///< reasons, one or two sentences each: cost, error, effect of other settings
+    std::string warning;          ///< problem to fix first; usually empty
 };
 
-/// How many times the product's median on a sphere the median of another solver is, both in the same run.
+/// Median time of another solver divided by the product's median on a sphere, both from the same run.
 struct Ratio
 {
     std::string solver;
     std::size_t triangles = 0;
     double times = 0.0;
-    double wanted = 0.0; ///< at least
+    double wanted = 0.0; ///< required minimum
 };
 
 struct Machine
 {
     std::string cpu, compiler, build, startedUtc;
     int cores = 0;
-    double load = 0.0; ///< programs that wanted a core in the minute before
+    double load = 0.0; ///< load average over the minute before the run
 };
 
-/// All that the report shows.
+/// Complete content of the report.
 struct Evaluation
 {
     Machine machine;
-    std::uint64_t seed = 0; ///< of the first path
+    std::uint64_t seed = 0; ///< seed of the first path
     bool isQuick = false;
     bool isCancelled = false;
-    std::vector<std::string> leftOut; ///< what there was no time for, one line each
+    std::vector<std::string> leftOut; ///< items skipped because of the time limit, one line each
     double duration_s = 0.0;
     std::vector<std::string> motions;
     std::vector<SubjectInfo> subjects;
-    std::vector<Trial> trials;       ///< of each subject the exact solver, the product, its knobs, the other solvers
-    std::vector<ErrorSeries> series; ///< of the first motion of the first path
+    std::vector<Trial> trials;       ///< for each subject: exact solver, product, product variants, other solvers
+    std::vector<ErrorSeries> series; ///< first motion of the first path
     std::vector<SizePoint> sizes;
-    std::vector<SizePoint> tissues; ///< the product on one sphere, plain and with friction, a law, a map, all
+    std::vector<SizePoint> tissues; ///< the product on one sphere: plain, with friction, with a force law, with a
+                                    ///< stiffness map, with all of them
     std::vector<Ratio> ratios;
     std::vector<HardCaseResult> hardCases;
     std::vector<Advice> advice;
     VectorFieldFigures vectorField;
     std::vector<CornerForce> corners;
-    std::vector<Trial> paperBody; ///< the paper's solver, then the product, on paperBody() of 616 triangles
+    std::vector<Trial> paperBody;               ///< PaperSolver, then the product, on paperBody() with 616 triangles
     std::array<int, 3> eliminationOperations{}; ///< for 1, 2 and 3 planes
 };
 
 struct EvaluateOptions
 {
-    bool isQuick = false; ///< fewer paths, smaller spheres, no long hard case
-    double seconds = 0.0; ///< leaves out what it could not end within this time; 0: ten minutes
+    bool isQuick = false; ///< fewer paths, smaller spheres, no long hard cases
+    double seconds = 0.0; ///< time limit; items that would exceed the limit are skipped; 0: ten minutes
     bool withHardCases = true;
-    bool withLaidMotions = true; ///< beside given ones; without any they are laid in any case
-    std::uint64_t seed = 1;      ///< of the first path; the next ones have the next seeds
-    int seeds = 0;               ///< paths that are laid on each subject; 0: 16, of a quick run 3
-    /// Told the share done, 0 … 1, and what is being done; false cancels. May be empty.
+    bool withLaidMotions = true; ///< generated motions in addition to given ones; always generated if none are given
+    std::uint64_t seed = 1;      ///< of the first path; the following paths use consecutive seeds
+    int seeds = 0;               ///< number of generated paths per subject; 0: 16, or 3 in a quick run
+    /// Progress callback: fraction done (0 to 1) and current activity. Return false to cancel. May be empty.
     std::function<bool(double, const std::string&)> progress;
 };
 
-/// Runs every solver and every knob.
+/// Runs all solvers and all product variants.
 /// @param subjects  at least one
-/// @param given     motions to use, each of them a path of its own
+/// @param given     recorded motions, each evaluated as a separate path
 [[nodiscard]] Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects,
                                   const std::vector<HandMotion>& given, const EvaluateOptions& options);
 
-/// Which rows of the table of hard cases are run.
+/// Selection of hard cases to run.
 enum class HardCaseChoice
 {
-    Quick,    ///< none of more than 20,000 ticks
-    Ordinary, ///< those that are not left to the nightly run
+    Quick,    ///< only cases of at most 20,000 ticks
+    Ordinary, ///< all except those reserved for the nightly run
     All,
 };
 
-/// Runs the rows in their order. @param progress  as in EvaluateOptions; a row that it cancels is no result
+/// Runs the cases in table order. @param progress  as in EvaluateOptions; a cancelled case yields no result
 [[nodiscard]] std::vector<HardCaseResult> runHardCases(HardCaseChoice choice,
                                                        const std::function<bool(double, const std::string&)>& progress);
-/// How many rows that is.
+/// Number of cases in the selection.
 [[nodiscard]] std::size_t hardCaseCount(HardCaseChoice choice);
 
 } // namespace palpate::evaluation

@@ -12,54 +12,55 @@ namespace palpate::evaluation {
 
 using core::Vec3;
 
-/// A case in which god-object solvers fail: one row of a table. CONTRIBUTING.md says how to add one.
+/// Case in which god-object solvers tend to fail, one row of the table. CONTRIBUTING.md explains how to add a row.
 struct HardCase
 {
     std::string name;
     std::function<geometry::TriangleMesh()> mesh;
-    /// Makes the source of the hand's path, one HIP a call. [mm]
+    /// Creates the generator of the HIP path; each call of the generator returns the next HIP. [mm]
     std::function<std::function<Vec3()>()> motion;
     std::int64_t ticks = 0;
-    /// Compares with the exact solver at every so many ticks; what the product gives is checked at each.
+    /// Interval in ticks of the comparison with the exact solver; the product's results are checked in every tick.
     std::int64_t checkEvery = 1;
-    /// In how many ticks it may rest elsewhere than the exact solver; 0 means 0.1 %, of a ball 1 %. More is for paths
-    /// that jump across the scene in each tick: there ways part all the time.
+    /// Largest percentage of ticks in which the god-object may rest elsewhere than the exact one; 0: 0.1 %, or 1 % for
+    /// a spherical fingertip. Larger values are for paths that jump across the scene in every tick, where the solvers
+    /// often reach different local minima.
     double mostElsewhere_percent = 0.0;
-    double fingertip_mm = 0.0; ///< radius of the ball that touches, which grows with `scale`; 0 is a point
-    /// Coulomb's mu, at rest and sliding. With it a point is compared with the exact solver with friction, and must be
-    /// within the cone of the facet that holds it; a ball must be within the cone.
+    double fingertip_mm = 0.0; ///< fingertip radius, multiplied by `scale`; 0: point contact
+    /// Coulomb coefficient, static and dynamic. With friction, a point is compared with the exact solver with friction
+    /// and must be within the cone of the constraining facet; a sphere must be within the cone.
     double friction = 0.0;
-    /// How large the scene is compared with one of some 10 mm, where bounds in mm must grow with it.
+    /// Scene size relative to one of about 10 mm; bounds in mm are multiplied by this factor.
     double scale = 1.0;
-    /// For surfaces without an inside: how deep a point lies where the god-object must never be; <= 0 elsewhere. [mm]
+    /// For surfaces without an inside: depth of a point in the region forbidden to the god-object; <= 0 outside. [mm]
     std::function<double(const Vec3&)> intrusion_mm;
-    /// The case again with mesh and motion mapped by this; the answers must map into each other. May be empty.
+    /// Maps mesh and motion for a second run; the results must map into each other. May be empty.
     std::function<Vec3(const Vec3&)> twin;
     double twinBound_mm = 0.0;
-    /// A surface in a layer around this one, hidden and shown in turns of `otherEvery` ticks, hidden at first. May be
-    /// empty; not mapped by `twin`.
+    /// Surface in a layer around this one, alternately hidden and shown for `otherEvery` ticks, starting hidden. May
+    /// be empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> other;
     std::int64_t otherEvery = 0;
-    /// A structure in the same layer that is felt with `besideStiffness_N_per_mm`, where this one has 0.5 N/mm.
+    /// Structure in the same layer with a stiffness of `besideStiffness_N_per_mm`; the main structure has 0.5 N/mm.
     /// May be empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> beside;
     double besideStiffness_N_per_mm = 0.5;
-    /// With `beside`, on a path that ends where it began: by how much the force may change by the hand's way in a tick,
-    /// and how much work the hand may get or give on the whole path.
+    /// With `beside`, on a closed path: bounds on the change of the force per HIP displacement in a tick and on the
+    /// absolute work on the hand over the whole path.
     double mostSlope_N_per_mm = 0.0, mostWork_mJ = 0.0;
-    /// More facets meet in one place than a tick has work for: it may stop at its bound, where only its place is
-    /// judged.
+    /// True if more facets meet at one place than a tick can process: the solver may stop at its iteration limit, and
+    /// then only its position is checked.
     bool mayReachBound = false;
-    bool isLong = false; ///< left to the nightly run
+    bool isLong = false; ///< reserved for the nightly run
 };
 
-/// One thing that is required of a case.
+/// One requirement of a case, with its measured value.
 struct HardCaseFigure
 {
     std::string what;
     double measured = 0.0;
     double bound = 0.0;
-    std::int64_t worstTick = -1; ///< where it was measured, -1 when nowhere in particular
+    std::int64_t worstTick = -1; ///< tick of the largest value, -1 if not tied to a tick
     [[nodiscard]] bool passed() const { return measured <= bound; }
 };
 
@@ -69,26 +70,31 @@ struct HardCaseResult
     std::int64_t ticks = 0;
     std::size_t triangles = 0;
     std::vector<HardCaseFigure> figures;
-    std::vector<std::int64_t> iterations; ///< how many ticks took i iterations; the last entry holds all above
+    std::vector<std::int64_t>
+        iterations; ///< number of ticks by iteration count; the last entry includes all higher counts
 
     [[nodiscard]] bool passed() const;
-    /// The first figure that fails, else the one nearest to its bound; null without figures.
+    /// The first failed figure, or else the one closest to its bound; null without figures.
     [[nodiscard]] const HardCaseFigure* tightest() const;
 };
 
-/// All rows.
+/// The table of all cases.
 [[nodiscard]] const std::vector<HardCase>& hardCases();
 
-/// Runs the product on a case. Required: no pop-through, nothing non-finite, converged in every tick, the force k (g -
-/// p) and none only at the HIP, the same bits after a restored state, the layers' forces added up whichever come and
-/// go, the spring never more than 1e-3 mm longer than the exact solver's from the same place, residual <= 1e-6 mm, no
-/// jump larger than the exact solver's by more than 1e-3 mm, and the twin's answer the same. Where two structures hold
-/// the god-object, the force lies between what either would answer alone, no tick changes it by more than the row's
-/// slope, and the closed path makes or takes no more work than the row says. Where it rests (residual)
-/// in another local minimum than the exact solver, that tick is counted instead: at most 0.1 %, or what the row says. A
-/// ball that is nearer than its radius to what faces its centre counts as a pop-through. Lengths are for a scene of
-/// some 10 mm and scale with it.
-/// @param keepGoing  asked now and then; false cancels
+/// Runs the product on a case. Requirements:
+/// - no pop-through, no non-finite values, convergence in every tick;
+/// - force k (g - p), zero only at the HIP; bit-identical results after restoring a state;
+/// - total force equal to the sum over the layers while layers are hidden and shown;
+/// - spring at most 1e-3 mm longer than the exact solver's from the same position, residual <= 1e-6 mm;
+/// - no jump more than 1e-3 mm larger than the exact solver's;
+/// - the same result for the twin.
+///
+/// Where two structures hold the god-object, the force must be between the forces of either alone, change per tick by
+/// at most the row's slope, and do no more work over the closed path than the row allows. A tick in which the
+/// god-object rests (by its residual) in another local minimum than the exact one is counted instead, up to 0.1 % or
+/// the row's limit. A sphere closer than its radius to a facet that faces its centre counts as a pop-through. Lengths
+/// apply to a scene of about 10 mm and scale with its size.
+/// @param keepGoing  polled occasionally; return false to cancel
 [[nodiscard]] HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGoing = {});
 
 } // namespace palpate::evaluation

@@ -5,9 +5,9 @@
 
 namespace palpate::evaluation {
 
-/// Body with wings and a fin, 100 mm long along y, normals outwards: 616 triangles, as many as the space shuttle has
-/// that Zilles & Salisbury (IROS 1995) tried their solver on. data/paper/shuttle.stl is this mesh in single precision.
-/// [mm]
+/// Returns a closed body with wings and a fin, 100 mm long along y, with outward normals. [mm] Like the space shuttle
+/// used by Zilles & Salisbury (IROS 1995), the mesh has 616 triangles. data/paper/shuttle.stl is the same mesh in
+/// single precision.
 [[nodiscard]] geometry::TriangleMesh paperBody();
 
 } // namespace palpate::evaluation

@@ -10,23 +10,23 @@
 
 namespace palpate::evaluation {
 
-/// Zilles & Salisbury as published: every triangle is tested against the line from the old god-object to the HIP; the
-/// plane that is met becomes a constraint; with the new god-object in the HIP's place the search goes on for acute
-/// concavities, until nothing new is met or three planes are held. Nothing is kept between ticks but the god-object, so
-/// a convex edge takes two ticks.
+/// The algorithm of Zilles & Salisbury as published. Every triangle is tested against the line from the old god-object
+/// to the HIP, and an intersected plane becomes a constraint. The search is repeated with the new god-object in place
+/// of the HIP (for acute concavities) until no new plane is found or three are active. Only the god-object is kept
+/// between ticks, so crossing a convex edge takes two ticks.
 ///
-/// Where the paper leaves a choice: of several planes met the first along the line is taken; a god-object within a
-/// roundoff of a plane counts as on it. A fourth plane is not seen, and a pivot of 0 leaves the god-object in its
-/// place.
+/// Choices left open by the paper: of several intersected planes, the first along the line is used; a god-object
+/// within the roundoff tolerance of a plane counts as on the plane. A fourth plane is ignored, and a zero pivot leaves
+/// the god-object unchanged.
 /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876, sections 3 and 4.
 class PaperSolver : public ReferenceSolver
 {
   public:
-    /// How the facets on a line are found. Both give the same bits.
+    /// Search method for intersected facets. Both give bit-identical results.
     enum class Search
     {
-        BruteForce, ///< every facet is tested, as published: what its time is measured with
-        Boxes,      ///< only those whose boxes are near the line: fast enough to take the errors of whole paths
+        BruteForce, ///< tests every facet, as published; used for timings
+        Boxes,      ///< tests only facets whose boxes are near the line; fast enough to measure errors over whole paths
     };
 
     /// @param surface  must outlive this
@@ -48,7 +48,7 @@ class PaperSolver : public ReferenceSolver
     const Surface& m_surface;
     Search m_search;
     std::vector<Facet> m_facets;
-    std::vector<std::uint32_t> m_near; ///< facets to test, ascending
+    std::vector<std::uint32_t> m_near; ///< candidate facets, ascending
     double m_roundoff_mm;
     Vec3 m_god = Vec3::Zero();
 };

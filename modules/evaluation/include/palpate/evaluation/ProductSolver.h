@@ -9,12 +9,13 @@
 
 namespace palpate::evaluation {
 
-/// One layer of the product behind the interface of the references.
+/// Adapts one layer of the product to the ReferenceSolver interface.
 class ProductSolver : public ReferenceSolver
 {
   public:
-    /// @param layer  of the scene: each has a god-object of its own
-    /// @param iterations  bound on the moves of a tick; 1 is one pass a tick, as in the paper; 0 is the product's own
+    /// @param layer  index of the layer in the scene; each layer has a separate god-object
+    /// @param iterations  maximum number of moves per tick; 1: one pass per tick, as in the paper; 0: default of the
+    /// product
     ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, std::string name, std::uint32_t iterations = 0,
                   std::size_t layer = 0);
 
@@ -28,8 +29,8 @@ class ProductSolver : public ReferenceSolver
     haptics::Palpator m_palpator;
 };
 
-/// A scene of one structure, made as the program makes it.
-/// @param fingertip_mm  radius of the ball that touches; 0 is a point
+/// Returns a scene with one structure, built like in the program.
+/// @param fingertip_mm  fingertip radius; 0: point contact
 [[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const geometry::RepairedMesh& mesh,
                                                                   double fingertip_mm = 0.0);
 

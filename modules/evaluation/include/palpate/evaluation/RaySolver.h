@@ -8,24 +8,24 @@
 
 namespace palpate::evaluation {
 
-/// Casts a segment against a surface; how is what the ray solvers differ in.
+/// Segment intersection test with a surface; the ray solvers differ only in this backend.
 class SegmentCaster
 {
   public:
     struct Hit
     {
-        double share = 1.0; ///< of the segment, 0 … 1
+        double share = 1.0; ///< position along the segment, 0 to 1
         std::uint32_t triangle = 0;
     };
     virtual ~SegmentCaster() = default;
     [[nodiscard]] virtual std::string name() const = 0;
-    /// @return false when nothing is met after `from`, whichever side it faces.
+    /// @return false if there is no hit after `from`, on either side of the surface.
     [[nodiscard]] virtual bool cast(const Vec3& from, const Vec3& to, Hit& hit) = 0;
 };
 
-/// The god-object as one would write it on a library that casts segments: up to the first hit, along its plane to the
-/// next, up to three planes, again until it rests. It keeps a gap of a millionth of the scene, since such libraries
-/// have tolerances of their own.
+/// God-object built on a generic segment-casting library: moves to the first hit, then along the hit plane to the
+/// next, with up to three planes, until no move is left. Keeps a gap of 1e-6 of the scene size because such libraries
+/// use their own tolerances.
 class RaySolver : public ReferenceSolver
 {
   public:
@@ -47,9 +47,9 @@ class RaySolver : public ReferenceSolver
     Vec3 m_god = Vec3::Zero();
 };
 
-/// On vtkStaticCellLocator, VTK's fastest for lines.
+/// Creates a caster on vtkStaticCellLocator, the fastest VTK locator for lines.
 [[nodiscard]] std::unique_ptr<SegmentCaster> makeVtkCaster(const Surface& surface);
-/// On Embree 4 or 3, in single precision; null when this build was made without it.
+/// Creates a caster on Embree 4 or 3 in single precision; null if built without Embree.
 [[nodiscard]] std::unique_ptr<SegmentCaster> makeEmbreeCaster(const Surface& surface);
 
 } // namespace palpate::evaluation

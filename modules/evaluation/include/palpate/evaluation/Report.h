@@ -11,17 +11,17 @@
 
 namespace palpate::evaluation {
 
-/// Writes `report.html` (self-contained, no scripts), `results.csv`, `hard_cases.csv`, `results.json` (all of it)
-/// and `chart.svg` (speed against error on the first subject, as a picture) into a folder, which is made when it is
-/// missing; each file appears only when it is whole.
+/// Writes `report.html` (self-contained, no scripts), `results.csv`, `hard_cases.csv`, `results.json` (complete data)
+/// and `chart.svg` (speed against error on the first subject). Creates the folder if missing. Files are replaced
+/// atomically.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Evaluation& evaluation);
-/// @return the files that it writes
+/// @return paths of the files written by writeReport
 [[nodiscard]] std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder);
 
-/// The same as text.
+/// Content of the individual files.
 [[nodiscard]] std::string reportHtml(const Evaluation& evaluation);
 [[nodiscard]] std::string chartSvg(const Evaluation& evaluation);
-[[nodiscard]] std::string resultsCsv(const Evaluation& evaluation); ///< trials, then the cost on spheres
+[[nodiscard]] std::string resultsCsv(const Evaluation& evaluation); ///< trials, then cost on spheres
 [[nodiscard]] std::string hardCasesCsv(const Evaluation& evaluation);
 [[nodiscard]] std::string resultsJson(const Evaluation& evaluation);
 

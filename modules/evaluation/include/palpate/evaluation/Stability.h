@@ -13,42 +13,45 @@
 #include <string>
 #include <vector>
 
-/// How stiff a surface may be before device, hand and sampled force oscillate, found by closing the loop in virtual
-/// time: the servo's own tick (gate, god-object, tissue, passivity controller) against a simulated device held by a
+/// Largest stable stiffness of a surface, found by closing the loop of device, hand and sampled force in virtual time:
+/// the tick of the servo (gate, god-object, tissue, passivity controller) runs against a simulated device held by a
 /// simulated hand. Deterministic.
 namespace palpate::evaluation::stability {
 
 using core::Vec3;
 
-/// Defined beside the judgement of maps, which the window needs, too.
+/// Defined in the study module with the check of stiffness maps, which the user interface also needs.
 using study::Grip;
 using study::grips;
 using study::MapEdge;
 
-/// Where a hand presses.
+/// Place and direction of a press.
 struct Hold
 {
-    Vec3 p_W = Vec3::Zero();          ///< on the surface, where it rests in the end [mm]
-    Vec3 d_W = -Vec3::UnitZ();        ///< unit, into the surface
-    Vec3 slideFrom_mm = Vec3::Zero(); ///< touches down beside `p_W` by this and slides to it, when not zero
+    Vec3 p_W = Vec3::Zero();   ///< contact point at rest on the surface [mm]
+    Vec3 d_W = -Vec3::UnitZ(); ///< unit press direction, into the surface
+    Vec3 slideFrom_mm =
+        Vec3::Zero(); ///< offset of the touchdown point from `p_W`, followed by a slide to `p_W`; zero: no slide
 };
 
-/// Something to press.
+/// Geometry and tissue to press.
 struct Shape
 {
     std::string name;
     std::vector<haptics::HapticStructure> structures; ///< stiffness, damping and law are replaced
-    std::vector<double> share; ///< of the stiffness that a hand meets in all, for each structure: layers add up
+    std::vector<double>
+        share; ///< fraction of the total contact stiffness for each structure; overlapping layers add up
     std::vector<Hold> holds;
-    double own_N_per_mm = 0.0; ///< stiffness of a scene as it is, where it is stiffest; 0: not a scene
+    double own_N_per_mm = 0.0; ///< largest stiffness of an unmodified scene; 0: not a scene
 };
 
-/// Wall, inner corner, edge, 10 degree groove, stiffness step at a lump's border, fine sphere of 327,680 triangles, two
-/// layers that share the stiffness, a wall whose map steps by 2 : 1 over 10 mm, a wall with friction.
+/// Returns the standard shapes: wall, inner corner, edge, 10 degree groove, stiffness step at the border of a lump,
+/// fine sphere of 327,680 triangles, two layers that share the stiffness, wall with a map that steps 2 : 1 over 10 mm,
+/// wall with friction.
 [[nodiscard]] std::vector<Shape> standardShapes();
-/// A scene as a shape: its tissues as stiff in proportion to each other as they are, scaled together; the stiffness of
-/// the whole is that of the stiffest place of the stiffest one. It is held at a few triangles of each structure, and
-/// where its maps say most and change most. Of a law its greatest slope counts.
+/// Converts a scene to a shape. The stiffnesses of its tissues keep their proportions and are scaled together; the
+/// stiffness of the shape is the largest one in the scene. Holds are placed on a few triangles of each structure, and
+/// at the largest value and the largest gradient of its maps. A force law counts with its largest slope.
 [[nodiscard]] Shape shapeOf(std::string name, const haptics::HapticScene& scene);
 
 /// Device, loop and tissue of one trial.
@@ -56,31 +59,31 @@ struct Setup
 {
     device::DevicePreset preset;
     double rate_Hz = 1000.0;
-    int delayTicks = 1; ///< after the tick that computed it, a force acts so many ticks late
+    int delayTicks = 1; ///< delay from computing a force to applying it, in ticks
     double tissueDamping_Ns_per_mm = 0.0;
     bool isControlled = true; ///< with the passivity controller
-    double settle_s = 1.0;    ///< that the hand has to come to rest
+    double settle_s = 1.0;    ///< settling time of the hand
 };
 
-/// Largest peak-to-peak motion of the tip along any axis in the half second that begins `settle_s` after the hand
-/// rests, over grips, holds, and speeds of approach (30 and 200 mm/s). [mm] A hold that slips off something small and
-/// rests in the air counts for nothing; infinite when all do.
+/// Largest peak-to-peak motion of the tip along any axis in the half second that starts `settle_s` after the hand has
+/// stopped, over grips, holds, and approach speeds (30 and 200 mm/s). [mm] Holds that slip off a small object and end
+/// in the air are ignored; infinite if all do.
 [[nodiscard]] double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
 
-/// Motion at rest from which on it counts as a limit cycle. [mm]
+/// Smallest motion at rest that counts as a limit cycle. [mm]
 inline constexpr double kLimitCycle_mm = study::kLeastSwing_mm;
-/// The search ends here. [N/mm]
+/// Upper limit of the search. [N/mm]
 inline constexpr double kStiffest_N_per_mm = 25.0;
 
-/// The largest stiffness below which no limit cycle was found, to 4 %; kStiffest_N_per_mm when none at all was.
+/// Largest stiffness without a limit cycle, to within 4 %; kStiffest_N_per_mm if no limit cycle was found at all.
 [[nodiscard]] double largestStiffness(const Shape& shape, const Setup& setup);
 
-/// @param setup  its device, rate and delay; the tissue is the scene's own
-/// @return the edge of the scene's maps with the largest swing over both grips, see study::mapEdges; nothing without a
-/// map that bends that way
+/// @param setup  device, rate and delay; the tissue is that of the scene
+/// @return the edge of the scene's stiffness maps with the largest swing over both grips, see study::mapEdges; empty
+/// if no map can destabilise the contact
 [[nodiscard]] std::optional<MapEdge> worstMapEdge(const haptics::HapticScene& scene, const Setup& setup);
 
-/// What the controller changes in the force while a hand presses and slides over the shape at 100 mm/s.
+/// Change of the force by the controller while a hand presses and slides over the shape at 100 mm/s.
 struct Cost
 {
     double mean_percent = 0.0; ///< of the force
@@ -88,27 +91,27 @@ struct Cost
 };
 [[nodiscard]] Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
 
-/// One shape with one device.
+/// Results of one shape with one device.
 struct Row
 {
     std::string device, shape;
-    double stated_N_per_mm = 0.0;  ///< the most that the maker states
-    double without_N_per_mm = 0.0; ///< held without the controller
-    double with_N_per_mm = 0.0;    ///< held with it
-    double restless_mm = 0.0;      ///< with it, at what is stated
-    Cost cost;                     ///< at what is stated
-    Cost costSoft;                 ///< at 0.3 N/mm, or what is stated when less: tissue
+    double stated_N_per_mm = 0.0;  ///< largest stiffness stated by the manufacturer
+    double without_N_per_mm = 0.0; ///< largest stable stiffness without the controller
+    double with_N_per_mm = 0.0;    ///< largest stable stiffness with the controller
+    double restless_mm = 0.0;      ///< with the controller, at the stated stiffness
+    Cost cost;                     ///< at the stated stiffness
+    Cost costSoft;                 ///< at 0.3 N/mm (soft tissue), or at the stated stiffness if lower
     [[nodiscard]] bool isHeld() const { return restless_mm < kLimitCycle_mm; }
 };
 
-/// Held stiffness on the wall against one quantity.
+/// Largest stable stiffness on the wall as a function of one quantity.
 struct SweepPoint
 {
     double x = 0.0;
     double without_N_per_mm = 0.0;
     double with_N_per_mm = 0.0;
     double passive_N_per_mm = 0.0; ///< 2 (b - |B|) / T
-    double held_N_per_mm = 0.0;    ///< what the window allows, servo::heldStiffness_N_per_mm
+    double held_N_per_mm = 0.0;    ///< limit in the user interface, servo::heldStiffness_N_per_mm
 };
 struct Sweep
 {
@@ -128,7 +131,7 @@ struct Result
 
 struct Options
 {
-    std::vector<device::DevicePreset> presets; ///< to measure
+    std::vector<device::DevicePreset> presets; ///< devices to measure
     double rate_Hz = 1000.0;
     int delayTicks = 1;
     bool hasSweeps = true;
@@ -136,13 +139,13 @@ struct Options
 };
 [[nodiscard]] Result measure(const std::string& subject, const std::vector<Shape>& shapes, const Options& options);
 
-/// @return one line for each device of `options` and each structure whose maps can keep it swinging: structure, device,
-/// place, jump and swing. See study::mapEdges.
+/// @return one line per device of `options` and structure whose stiffness maps can sustain an oscillation: structure,
+/// device, place, jump and swing. See study::mapEdges.
 [[nodiscard]] std::vector<std::string> mapWarnings(const haptics::HapticScene& scene, const Options& options);
 
-/// `stability.html` (self-contained) and `stability.csv` in a folder, each only when whole.
+/// Writes `stability.html` (self-contained) and `stability.csv` to a folder. Files are replaced atomically.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Result& result);
-/// @return these files
+/// @return paths of the files written by writeReport
 [[nodiscard]] std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder);
 [[nodiscard]] std::string html(const Result& result);
 [[nodiscard]] std::string csv(const Result& result);

@@ -11,10 +11,11 @@ namespace palpate::evaluation {
 using core::Box;
 using core::Vec3;
 
-/// What the reference solvers touch: a repaired mesh, or several as one, and boxes around its triangles.
+/// Surface for the reference solvers: one or several merged repaired meshes with bounding boxes.
 ///
-/// The boxes are no more than a filter for brute force: the triangles in the order of a space-filling curve, one box
-/// around every 64 and one around every 4096, all of which are looked at. Nothing of the product's index is used.
+/// The boxes only filter the brute-force search: the triangles are sorted along a space-filling curve, with one box
+/// around every 64 and one around every 4096 triangles, and all of the latter are tested. Nothing is shared with the
+/// product's spatial index.
 class Surface
 {
   public:
@@ -32,31 +33,31 @@ class Surface
     }
     [[nodiscard]] Box box(std::uint32_t triangle) const noexcept;
     [[nodiscard]] bool isTwoSided(std::uint32_t triangle) const noexcept { return m_mesh.twoSided[triangle] != 0; }
-    /// True when every component has an inside.
+    /// True if every component is closed.
     [[nodiscard]] bool isClosed() const noexcept { return m_isClosed; }
     [[nodiscard]] const Box& bounds() const noexcept { return m_bounds; } ///< [mm]
-    /// Largest coordinate or side of the box, whichever is larger: what rounding errors are relative to. [mm]
+    /// Largest absolute coordinate or box side, the scale of rounding errors. [mm]
     [[nodiscard]] double magnitude_mm() const noexcept { return m_magnitude_mm; }
     /// Side of an equilateral triangle of mean area. [mm]
     [[nodiscard]] double facetSize_mm() const noexcept { return m_facetSize_mm; }
 
-    /// Appends the triangles whose boxes touch `box`, in a fixed order.
+    /// Appends the triangles whose boxes touch `box`, in a deterministic order.
     void appendNear(const Box& box, std::vector<std::uint32_t>& triangles) const;
 
-    /// How often the one-sided surfaces wind around `p`: 1 inside a closed one that faces outwards, 0 outside, -1 in a
-    /// cavity that faces inwards. Signed crossings of a long segment, each decided exactly.
-    /// @param component  counts only this component of `components()`, all of them when negative
+    /// Winding number of the one-sided surfaces around `p`: 1 inside a closed surface that faces outwards, 0 outside,
+    /// -1 in a cavity that faces inwards. Computed from the signed crossings of a long segment, each decided exactly.
+    /// @param component  index in `components()`; negative: all components
     [[nodiscard]] int winding(const Vec3& p, int component = -1) const;
 
-    /// For each triangle the number of its connected component, from 0.
+    /// Connected component of each triangle, numbered from 0.
     [[nodiscard]] const std::vector<std::uint32_t>& components() const noexcept { return m_components; }
     [[nodiscard]] std::uint32_t componentCount() const noexcept { return m_componentCount; }
 
   private:
     geometry::RepairedMesh m_mesh;
     std::vector<std::uint32_t> m_order;
-    std::vector<Box> m_fine;   ///< around 64 triangles of `m_order`
-    std::vector<Box> m_coarse; ///< around 64 of `m_fine`
+    std::vector<Box> m_fine;   ///< boxes around 64 triangles of `m_order`
+    std::vector<Box> m_coarse; ///< boxes around 64 boxes of `m_fine`
     std::vector<std::uint32_t> m_components;
     std::uint32_t m_componentCount = 0;
     Box m_bounds;
@@ -65,7 +66,7 @@ class Surface
     bool m_isClosed = true;
 };
 
-/// Puts several repaired meshes into one.
+/// Merges several repaired meshes into one.
 [[nodiscard]] geometry::RepairedMesh merged(const std::vector<const geometry::RepairedMesh*>& meshes);
 
 } // namespace palpate::evaluation
