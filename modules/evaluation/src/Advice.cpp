@@ -12,20 +12,20 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kNoError_mm = 1e-6; // the bound on the product's residual: less counts as none
-constexpr double kTiny_mm = 3.0;     // no anatomy to touch: most likely a file in metres
-constexpr double kWorthSaving = 0.1; // of the time
+constexpr double kNoError_mm = 1e-6; // bound on the product's residual: smaller errors count as zero
+constexpr double kTiny_mm = 3.0;     // too small for anatomy: most likely a file in metres
+constexpr double kWorthSaving = 0.1; // fraction of the time
 
-/// The product's trials on one subject; null where there was no time for one.
+/// Trials of the product on one subject; null if skipped because of the time limit.
 struct Found
 {
     const Trial* full = nullptr;
     const Trial* onePass = nullptr;
     const Trial* standardRate = nullptr; ///< 1 kHz
     const Trial* fastRate = nullptr;     ///< 4 kHz
-    const Trial* ball = nullptr;         ///< the middle one
-    const Trial* same = nullptr;         ///< fewest triangles that feel the same
-    const Trial* half = nullptr;         ///< most triangles of the decimated ones
+    const Trial* ball = nullptr;         ///< median radius
+    const Trial* same = nullptr;         ///< fewest triangles without a perceptible difference
+    const Trial* half = nullptr;         ///< most triangles among the decimated copies
 };
 
 Found find(const Evaluation& evaluation, const std::string& subject)
@@ -63,7 +63,7 @@ Found find(const Evaluation& evaluation, const std::string& subject)
     return found;
 }
 
-/// The median of the paths with its interval: "0.067 (0.05 to 1.5)".
+/// Median over the paths with its confidence interval: "0.067 (0.05 to 1.5)".
 std::string median(const Spread& spread)
 {
     const std::string low = shortNumber(spread.medianLow), high = shortNumber(spread.medianHigh);
@@ -76,7 +76,7 @@ std::string share(std::size_t part, std::size_t of)
            (part > 0 ? " (" + shortNumber(100.0 * static_cast<double>(part) / static_cast<double>(of)) + " %)" : "");
 }
 
-/// "99.9 % of them at most 3 µs", as far into the tail as the number of ticks allows.
+/// "99.9 % of them at most 3 µs", using the highest percentile that the number of ticks supports.
 std::string tailOfTime(const Trial& t)
 {
     const Tail tail = tailOf(t.time_us);
@@ -85,7 +85,7 @@ std::string tailOfTime(const Trial& t)
                                             : std::string(tail.name) + " of them at most " + value;
 }
 
-/// Whether a setting saves time on most paths.
+/// Describes the time saved by a setting, if it is faster on most paths.
 std::string savedBy(const Trial& other, const Trial& full)
 {
     const double saved_us = full.pathTime_us.median - other.pathTime_us.median;
@@ -164,7 +164,7 @@ std::string onBall(const Trial& ball)
            share(ball.elsewhere, ball.position_mm.count) + ".";
 }
 
-/// What the figures in brackets are.
+/// Explains the intervals in brackets.
 std::string onIntervals(const SubjectInfo& subject, const Spread& spread)
 {
     if (subject.paths.size() < 2) {
@@ -190,7 +190,7 @@ void markFront(std::vector<Trial>& trials, const std::string& subject)
         }
         t.isOnFront = true;
         for (const Trial& o : trials) {
-            // Slower or faster only where the medians of the paths tell.
+            // Faster or slower only if the confidence intervals of the medians do not overlap.
             const bool isSlower = o.pathTime_us.medianLow > t.pathTime_us.medianHigh;
             const bool isFaster = o.pathTime_us.medianHigh < t.pathTime_us.medianLow;
             const bool isNoWorse = !isSlower && error(o) <= error(t);

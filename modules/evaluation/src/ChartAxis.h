@@ -9,10 +9,10 @@ namespace palpate::evaluation {
 
 /// Escapes text for HTML and SVG.
 [[nodiscard]] std::string escaped(std::string_view text);
-/// A number in three digits at most, with powers of ten as superscripts where they are shorter: 0.35, 12, 2·10⁻⁹.
+/// Formats a number with at most three digits, with a power of ten in superscripts where shorter: 0.35, 12, 2·10⁻⁹.
 [[nodiscard]] std::string shortNumber(double value);
 
-/// Range of one axis of a chart.
+/// Axis range of a chart.
 struct ChartAxis
 {
     double low = 0.0;
@@ -20,11 +20,11 @@ struct ChartAxis
     bool isLog = false;
     std::string title;
 
-    /// A logarithmic axis of whole decades around what is positive in `values`.
+    /// Logarithmic axis of whole decades that covers the positive `values`.
     [[nodiscard]] static ChartAxis decades(const std::vector<double>& values, std::string title);
-    /// A linear axis from 0 to a round number above all of `values`.
+    /// Linear axis from 0 to a round number above all `values`.
     [[nodiscard]] static ChartAxis linear(const std::vector<double>& values, std::string title);
-    /// Share of the axis at `value`, 0 … 1, clamped.
+    /// Relative position of `value` on the axis, clamped to 0 to 1.
     [[nodiscard]] double share(double value) const;
     [[nodiscard]] std::vector<double> ticks() const;
 };

@@ -8,7 +8,7 @@
 
 namespace palpate::evaluation {
 
-/// @return the point of the closed triangle a, b, c that is nearest to `p`; the foot on its plane, or else on an edge.
+/// @return the point of the closed triangle a, b, c closest to `p`: the foot in its plane, or a point on an edge.
 template<class T>
 [[nodiscard]] Eigen::Matrix<T, 3, 1> closestPoint(const Eigen::Matrix<T, 3, 1>& a, const Eigen::Matrix<T, 3, 1>& b,
                                                   const Eigen::Matrix<T, 3, 1>& c, const Eigen::Matrix<T, 3, 1>& p)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases of contacts: edges, corners, grooves, thin walls and unequal tissues.
+// Hard cases for contact geometry: edges, corners, grooves, thin walls and unequal tissues.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -23,9 +23,9 @@ void addCreases(std::vector<HardCase>& rows)
                 [=] { return shapes::crease(side * angle); },
                 HandPath({-9, 2, 1})
                     .to({-9, 2, -5}, 0.1)
-                    .to({9, -3, -5}, 0.03) // across
+                    .to({9, -3, -5}, 0.03) // across the crease
                     .to({0, 3, -5}, 0.05)
-                    .to({0, -9, -5}, 0.1) // exactly along
+                    .to({0, -9, -5}, 0.1) // exactly along the crease
                     .to({0.001, 9, -4}, 0.1)
                     .to({0, 9, 3}, 0.2)));
         }
@@ -47,7 +47,7 @@ void addFans(std::vector<HardCase>& rows)
                     .to({4, -3, height - 4}, 0.05)
                     .to({-3, -4, height - 2}, 0.1)
                     .to({0, 0, height + 5}, 0.2)));
-            // The exact solver tries each of a thousand facets and edges.
+            // The exact solver tries each of a thousand facets and edges, so compare less often.
             rows.back().checkEvery = n > 100 ? 25 : 1;
             rows.back().mayReachBound = n > 100;
         }
@@ -64,7 +64,7 @@ void addGrooves(std::vector<HardCase>& rows)
             HandPath({0.9 * lip, -10, 21})
                 .to({0.9 * lip, -10, 19.9}, 0.1)
                 .to({0, -10, -5}, 0.1) // 5 mm past the bottom
-                .to({0, 10, -5}, 0.1)  // dragged along it
+                .to({0, 10, -5}, 0.1)  // along the bottom
                 .to({0.7 * lip, 10.3, -4}, 0.1)
                 .to({-0.6 * lip, -3, -3}, 0.1)
                 .to({0, 0, 30}, 0.3)));
@@ -101,7 +101,7 @@ void addPockets(std::vector<HardCase>& rows)
     rows.push_back(row(
         "saddle between two peaks",
         [] {
-            // Four planes meet at one point: two hollow, two raised.
+            // Four planes meet at one point, two concave and two convex.
             TriangleMesh mesh = shapes::plate({-10, 0, 10}, {-10, 0, 10}, 20.0);
             for (Vec3& v : mesh.vertices) {
                 if (v.z() == 0.0 && v.x() * v.y() == 0.0) {
@@ -166,28 +166,28 @@ void addExactWays(std::vector<HardCase>& rows)
     rows.push_back(row("exactly along mesh edges", cube,
                        HandPath({-8, 0, 13})
                            .to({-8, 0, 7}, 0.1)
-                           .to({8, 0, 7}, 0.125) // along y = 0, an edge line
+                           .to({8, 0, 7}, 0.125) // along the edge line y = 0
                            .to({5, 0, 7}, 0.125)
-                           .to({5, 8, 7}, 0.125) // along x = 5, another
+                           .to({5, 8, 7}, 0.125) // along the edge line x = 5
                            .to({-5, -2, 7}, 0.125)
                            .to({0, 0, 7}, 0.1)
                            .to({10, 0, 7}, 0.125)
                            .to({10, 0, 14}, 0.5)));
     rows.push_back(row("exactly through vertices", cube,
                        HandPath({5, 5, 13})
-                           .to({5, 5, 7}, 0.5)     // down onto a vertex
-                           .to({-5, -5, 7}, 0.125) // diagonally over more of them
+                           .to({5, 5, 7}, 0.5)     // onto a vertex
+                           .to({-5, -5, 7}, 0.125) // diagonally over further vertices
                            .to({0, 0, 7}, 0.125)
                            .to({14, 14, 14}, 0.5)
-                           .to({8, 8, 8}, 0.125) // onto the corner
+                           .to({8, 8, 8}, 0.125) // onto the corner of the cube
                            .rest(20)
                            .to({7, 9, 8}, 0.125)
                            .to({14, 14, 14}, 0.5)));
     rows.push_back(row("exactly in the plane of triangles", cube,
                        HandPath({-14, 1, 10})
-                           .to({14, 1, 10}, 0.25) // the top's own plane
+                           .to({14, 1, 10}, 0.25) // in the plane of the top face
                            .to({14, 10, 10}, 0.25)
-                           .to({-14, 10, 10}, 0.25) // along its border
+                           .to({-14, 10, 10}, 0.25) // along the border of the top face
                            .to({-14, 3, 10}, 0.25)
                            .to({0, 3, 9.5}, 0.1)
                            .to({0, 3, 10}, 0.1)
@@ -204,7 +204,7 @@ void addExactWays(std::vector<HardCase>& rows)
                            .to({14, 14, 14}, 0.5)));
 }
 
-/// A box below the plane through the origin with this normal, which lies in the plane of x and z.
+/// Returns a box below the plane through the origin with normal `n`, which lies in the xz plane.
 TriangleMesh slabBelow(const Vec3& n)
 {
     TriangleMesh slab = shapes::box({-60, -30, -40}, {60, 30, 0});
@@ -215,18 +215,19 @@ TriangleMesh slabBelow(const Vec3& n)
     return slab;
 }
 
-/// The crease between two structures of different stiffness, opened by so many degrees, and a path into it along one
-/// of them, around it and out along the other. resources/docs/god-object.md, "Several structures in one contact", has
-/// the bounds: with theta the angle between the normals, the force changes by k_max or, below 90 degrees, by k1 + (k2 -
-/// k1) / sin theta by the hand's way. Below 90 degrees the path makes or takes (k2 - k1) / tan theta times the area
-/// that it encloses behind both planes, which is less than all it encloses; else nothing.
+/// Crease between two structures of different stiffness with the given opening, and a closed path that goes in along
+/// one, around the crease and out along the other. For the bounds see resources/docs/god-object.md, "Several
+/// structures in one contact": with theta the angle between the normals, the slope of the force over the HIP
+/// displacement is at most k_max or, for theta below 90 degrees, k1 + (k2 - k1) / sin theta. For theta below 90
+/// degrees, the work over the path is (k2 - k1) / tan theta times the area enclosed behind both planes, which is less
+/// than the total area enclosed; otherwise zero.
 HardCase unequalCrease(double opening_deg, double stiffness_N_per_mm, bool isBack)
 {
     constexpr double kOwn_N_per_mm = 0.5, kDepth_mm = 5.0, kStep_mm = 0.05;
     const double theta = (180.0 - opening_deg) * std::numbers::pi / 180.0;
     const auto direction = [](double angle) { return Vec3(std::sin(angle), 0.0, std::cos(angle)); };
     const Vec3 above(0.0, 0.7, 0.0);
-    // A ball of 4 mm starts in front of both as well.
+    // Far enough out that a sphere of 4 mm also starts in front of both planes.
     const Vec3 start = above + 8.0 / std::sin(opening_deg * std::numbers::pi / 360.0) * Vec3::UnitZ();
     std::vector<Vec3> corners;
     for (int i = 0; i <= 8; ++i) {
@@ -254,8 +255,8 @@ HardCase unequalCrease(double opening_deg, double stiffness_N_per_mm, bool isBac
                  more = std::abs(stiffness_N_per_mm - kOwn_N_per_mm);
     const bool isWide = opening_deg > 90.0;
     crease.mostSlope_N_per_mm = isWide ? most - more + more / std::sin(theta) : most;
-    // Where the force bends, the mean over a tick misses up to an eighth of the slope times the step's square; the path
-    // passes such places less than eight times.
+    // Where the slope of the force changes, the mean over a tick is off by up to an eighth of the slope times the
+    // squared step. The path has fewer than eight such places.
     crease.mostWork_mJ = most * kStep_mm * kStep_mm + (isWide ? more / std::tan(theta) * area_mm2 : 0.0);
     return crease;
 }
@@ -270,7 +271,7 @@ void addUnequalCreases(std::vector<HardCase>& rows)
     }
 }
 
-/// Some of them again, with friction.
+/// Repeats some of the cases with friction.
 void addRough(std::vector<HardCase>& rows)
 {
     const std::size_t count = rows.size();
@@ -284,8 +285,8 @@ void addRough(std::vector<HardCase>& rows)
                     rough.name += formatted(", friction %g", mu);
                     rough.friction = mu;
                     if (rough.name.find("concave apex") != std::string::npos) {
-                        // Which of a thousand facets in one place hold it is not one answer, and friction adds up all
-                        // that do: of some thirty ticks that are checked one or two may rest elsewhere.
+                        // A thousand facets meet here, the choice among them is not unique, and friction sums over all
+                        // constraining facets: one or two of about thirty checked ticks may rest elsewhere.
                         rough.mostElsewhere_percent = 10.0;
                     }
                     rows.push_back(std::move(rough));

@@ -13,10 +13,10 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr std::size_t kMostPlanes = 24; // that are tried with each other: 2,324 sets
-constexpr double kResolved = 1e-6;      // share of the spring, and mm, that rounding and the skin leave
+constexpr std::size_t kMostPlanes = 24; // planes whose combinations are tried: 2,324 sets
+constexpr double kResolved = 1e-6;      // tolerance for rounding and the skin, relative to the spring and in mm
 
-/// Multipliers of planes by which they make up a spring best, and what they leave of it.
+/// Multipliers of planes with the best fit to a spring, and the residual.
 struct Resolved
 {
     Eigen::VectorXd lambda_mm;
@@ -35,7 +35,7 @@ Resolved resolve(std::span<const SpringPlane> planes, const Vec3& spring_mm)
     return result;
 }
 
-/// Tells planes apart: of those that are one, the stiffest stays, as at a seam. The ones most along the spring.
+/// Merges identical planes, keeping the stiffest one as at a seam, and sorts by alignment with the spring.
 std::vector<SpringPlane> distinct(const std::vector<SpringPlane>& touched, const Vec3& spring_mm)
 {
     constexpr double kSame = 1e-9;
@@ -56,7 +56,7 @@ std::vector<SpringPlane> distinct(const std::vector<SpringPlane>& touched, const
     return planes;
 }
 
-/// The smallest set of planes that makes up the spring; else the one that leaves least of it.
+/// Returns the smallest set of planes that supports the spring, or else the set with the smallest residual.
 std::vector<SpringPlane> holding(const std::vector<SpringPlane>& planes, const Vec3& spring_mm)
 {
     std::vector<SpringPlane> best;

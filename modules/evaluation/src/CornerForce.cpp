@@ -12,12 +12,12 @@ namespace palpate::evaluation {
 
 namespace {
 
-// The second box is wider, or the two would be one surface where both tops lie in a plane.
+// The second box is wider: otherwise both would form a single surface when their tops are coplanar.
 constexpr double kHalfWidth_mm = 60.0, kSecondHalfWidth_mm = 70.0, kThickness_mm = 40.0;
-constexpr double kPress_mm = 2.0; // below the corner, along its bisector
-constexpr double kAside_mm = 0.3; // off the boxes' middle, where the diagonals of their faces cross
+constexpr double kPress_mm = 2.0; // depth below the corner, along the bisector
+constexpr double kAside_mm = 0.3; // offset from the middle of the boxes, where the face diagonals cross
 
-/// A box below z = 0, turned about y so that its top leans by `lean_rad`.
+/// Returns a box below z = 0, rotated about y by `lean_rad`.
 geometry::TriangleMesh leaningBox(double lean_rad, double halfWidth_mm)
 {
     geometry::TriangleMesh mesh =

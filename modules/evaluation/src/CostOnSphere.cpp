@@ -19,18 +19,18 @@ namespace {
 
 constexpr double kSphere_mm = 50.0, kDepth_mm = 5.0, kStep_mm = 0.1;
 constexpr int kApproach = 50, kTicks = 2000, kTurn = 50;
-constexpr std::uint32_t kMostForPaper = 100000; // triangles: beyond, a tick of brute force says nothing new
+constexpr std::uint32_t kMostForPaper = 100000; // triangles; brute force on larger meshes adds no information
 
-/// One solver on its way over the sphere.
+/// One solver and its progress over the sphere.
 struct Slide
 {
     std::unique_ptr<ReferenceSolver> solver;
-    double seconds; ///< that it may still take
+    double seconds; ///< remaining time budget
     int tick = -kApproach;
     std::vector<double> time_us;
 };
 
-/// @return false when it is at its end
+/// @return false when finished
 bool advance(Slide& slide)
 {
     const TimeLimit limit(slide.seconds);
@@ -51,7 +51,7 @@ bool advance(Slide& slide)
     return slide.tick < kTicks && slide.seconds > 0.0;
 }
 
-/// Plays all slides in turns, and tells what their ticks took.
+/// Runs all slides interleaved and returns their tick times.
 std::vector<SizePoint> inTurns(std::vector<Slide> slides, std::uint32_t triangles)
 {
     for (bool isGoing = true; isGoing;) {
@@ -81,7 +81,7 @@ void addLaw(haptics::HapticStructure& on)
     on.tissue.law = core::usualLaw(core::LawKind::Exponential);
 }
 
-/// Softer to one side, stiffer to the other: 1 % a millimetre.
+/// Adds a stiffness map with a gradient of 1 % per millimetre across the sphere.
 void addMap(haptics::HapticStructure& on)
 {
     auto corners = std::make_shared<std::vector<std::array<float, 3>>>(on.surface->triangleCount());
@@ -93,7 +93,7 @@ void addMap(haptics::HapticStructure& on)
     on.maps.stiffness.corners = std::move(corners);
 }
 
-/// A lump below one side: 30 % stiffer there at the surface, twice as stiff when pressed deep.
+/// Adds a buried lump below one side: 30 % stiffer at the surface, twice as stiff at full depth.
 void addLump(haptics::HapticStructure& on)
 {
     for (std::size_t j = 0; j < on.maps.felt.size(); ++j) {
@@ -158,7 +158,7 @@ std::vector<SizePoint> costOfTissue(int n, double seconds)
 
 std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes)
 {
-    // What is wanted of the product: the paper's bound is for 20,000 triangles.
+    // Required ratios; the bound for the paper's solver applies to 20,000 triangles.
     constexpr std::size_t kPaperTriangles = 20480;
     std::vector<Ratio> ratios;
     for (const SizePoint& own : sizes) {

@@ -5,15 +5,16 @@
 
 namespace palpate::evaluation {
 
-/// Slides each solver over a sphere of 50 mm and 20 n² triangles at 100 mm/s, 5 mm deep, in turns of a few ticks, so
-/// that what else the machine does falls on all of them.
-/// @param seconds,bruteForceSeconds  that one solver may take
+/// Slides each solver over a sphere of 50 mm radius with 20 n² triangles, at 100 mm/s and 5 mm depth. The solvers run
+/// interleaved, a few ticks at a time, so that other load on the machine affects all of them equally.
+/// @param seconds,bruteForceSeconds  time limit per solver
 [[nodiscard]] std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds);
 
-/// The product on that slide, in turns too: plain, with friction, with a law, with a map of stiffness, and with all.
+/// The same slide for the product, interleaved: plain, with friction, with a force law, with a stiffness map, with
+/// all.
 [[nodiscard]] std::vector<SizePoint> costOfTissue(int n, double seconds);
 
-/// The medians of the other solvers over the product's, on each sphere.
+/// Median times of the other solvers divided by the product's, for each sphere.
 [[nodiscard]] std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes);
 
 } // namespace palpate::evaluation

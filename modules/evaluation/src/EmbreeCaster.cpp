@@ -24,7 +24,7 @@ class EmbreeCaster : public SegmentCaster
     explicit EmbreeCaster(const Surface& surface)
         : m_device(rtcNewDevice(nullptr))
         , m_scene(rtcNewScene(m_device))
-        // Relative to the middle: single precision has no digits to spare.
+        // Coordinates relative to the centre preserve single precision.
         , m_centre(surface.bounds().center())
     {
         const geometry::TriangleMesh& mesh = surface.repaired().mesh;

@@ -22,13 +22,13 @@ namespace {
 
 constexpr Extent kQuick{3, 600, 2.0, 22.0, 1.0, 1.0, 64};
 constexpr Extent kFull{16, 1000, 20.0, 560.0, 6.0, 20.0, 256};
-constexpr double kFullSize_mm = 100.0; // what is smaller gets a smaller fingertip
-constexpr double kSubjectsShare = 0.6; // of the time; the spheres and the hard cases get the rest
-constexpr double kHardShare = 0.2;     // of the time, for the hard cases at least, however late it has become
-constexpr double kFirstShare = 0.3;    // of what is left, for one piece of the first path
+constexpr double kFullSize_mm = 100.0; // smaller subjects get a smaller fingertip
+constexpr double kSubjectsShare = 0.6; // fraction of the time; the rest is for the spheres and the hard cases
+constexpr double kHardShare = 0.2;     // fraction of the time reserved for the hard cases, even when late
+constexpr double kFirstShare = 0.3;    // fraction of the remaining time for one part of the first path
 constexpr int kTissueSphere = 32;      // 20,480 triangles
-constexpr std::size_t kStride = 4;     // base samples of a tick at 1 kHz
-constexpr double kDecimation_s = 2e-5; // for each triangle removed, where it was slow
+constexpr std::size_t kStride = 4;     // base samples per tick at 1 kHz
+constexpr double kDecimation_s = 2e-5; // per removed triangle, measured on a slow case
 constexpr std::uint32_t kFewestTriangles = 8;
 
 std::string percent(double share)
@@ -43,7 +43,7 @@ std::string ballOf(double radius_mm)
     return "ball of " + shortNumber(radius_mm) + " mm";
 }
 
-/// One solver for each layer of a subject, or none where a layer's is not in this build.
+/// Returns one solver per layer, or an empty result if the solver is not available in this build.
 template<class Make>
 LayerSolvers solversOf(const Subject& subject, const Make& make)
 {
@@ -190,7 +190,7 @@ void Evaluator::addPart(Trial description, const std::vector<const Surface*>& ow
     m_marks.push_back({TrialRun(std::move(description), own, isOnTruth), std::move(solvers), std::move(timed)});
 }
 
-/// The product as it is, with one pass a tick, at four rates and with three balls.
+/// Adds the product with default settings, with one pass per tick, at four rates and with three fingertip radii.
 void Evaluator::addProducts(const Subject& subject)
 {
     const std::vector<const Surface*> own = surfacesOf(subject);
@@ -234,7 +234,7 @@ void Evaluator::addOthers(const Subject& subject)
     } else if (std::find(m_result.leftOut.begin(), m_result.leftOut.end(), noEmbree) == m_result.leftOut.end()) {
         m_result.leftOut.push_back(noEmbree);
     }
-    // Its god-object may be a roundoff behind a facet: no state to start the exact solver from.
+    // The god-object of this solver may be a roundoff behind a facet, so the exact solver cannot start from its state.
     addPart({}, own, false, paperOn(subject, PaperSolver::Search::Boxes),
             paperOn(subject, PaperSolver::Search::BruteForce));
     using Overlap = VectorFieldSolver::Overlap;
@@ -252,7 +252,7 @@ void Evaluator::addOthers(const Subject& subject)
     }
 }
 
-/// Each copy is made from the one before, which takes a quarter of the time of making each from all triangles.
+/// Decimates each copy from the previous one, which takes a quarter of the time of decimating the full mesh each time.
 void Evaluator::addDecimated(const Subject& subject, double end_s)
 {
     std::vector<geometry::TriangleMesh> fewer;
@@ -343,7 +343,7 @@ void Evaluator::feelMotion(const Subject& subject, const HandMotion& motion, dou
     m_exact.ticks += truth.ticks;
     m_exact.wanted += (motion.p_WH.size() + kStride - 1) / kStride;
     m_exactTime_us.push_back(truth.time_us.p50);
-    Truth fast; // all samples: made when a rate asks for it
+    Truth fast; // exact solver at the full sample rate, computed on first use by a rate trial
     for (Part& part : m_marks) {
         const Trial& trial = part.run.description();
         if (trial.knob == Knob::Radius) {
@@ -391,7 +391,7 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPa
     std::size_t done = 0; // samples
     std::vector<std::string> run;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        // Whole paths only, or the marks would not be of the same paths.
+        // Run only complete paths: all trials must cover the same paths.
         const double perSample_s = done > 0 ? (threadTime_s() - started_s) / static_cast<double>(done) : 0.0;
         if (i > 0 && threadTime_s() + perSample_s * static_cast<double>(samplesOf(paths[i])) > end_s) {
             leaveOut(subject.name + ": " + paths[i].name);
@@ -413,7 +413,8 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPa
     markFront(m_result.trials, subject.name);
 }
 
-/// What the paper had: its solver, brute force, on a body of as many triangles as its space shuttle; and the product.
+/// Evaluates the paper's configuration: its solver with brute force, and the product, on a body with as many triangles
+/// as the paper's space shuttle.
 void Evaluator::evaluatePaperBody()
 {
     const auto body = subjectOf("paper's 616 triangles", paperBody());

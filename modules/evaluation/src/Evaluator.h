@@ -14,26 +14,26 @@
 
 namespace palpate::evaluation {
 
-/// How much is run, and the seconds that parts may take.
+/// Amount of work, and time limits of its parts in seconds.
 struct Extent
 {
     int seeds;
-    int motion_ms;       ///< of each laid motion
+    int motion_ms;       ///< of each generated motion
     double given_s;      ///< of a given motion
-    double limit_s;      ///< for all of it, on an idle machine
-    double bruteForce_s; ///< for the times of a brute-force solver, over all paths of a subject
-    double sphere_s;     ///< for a solver on one sphere
+    double limit_s;      ///< total, on an idle machine
+    double bruteForce_s; ///< for the timings of a brute-force solver, over all paths of a subject
+    double sphere_s;     ///< per solver on one sphere
     int largestSphere;
 };
 
-/// Motions that together give one value of each spread.
+/// Motions that together give one value of each Spread.
 struct HandPaths
 {
-    std::string name; ///< "seed 1", or that of a given motion
+    std::string name; ///< "seed 1", or the name of a given motion
     std::vector<HandMotion> motions;
 };
 
-/// Runs every solver and every knob within its time; see evaluate().
+/// Runs all solvers and product variants within the time limit; see evaluate().
 class Evaluator
 {
   public:
@@ -41,20 +41,20 @@ class Evaluator
     Evaluation run(const std::vector<std::shared_ptr<const Subject>>& subjects, const std::vector<HandMotion>& given);
 
   private:
-    /// One mark in the making: its solvers live through all paths of a subject.
+    /// Trial in progress; its solvers persist over all paths of a subject.
     struct Part
     {
         TrialRun run;
         LayerSolvers solvers;
-        LayerSolvers timed; ///< where `solvers` are a faster copy: what the times are taken of
+        LayerSolvers timed; ///< used for timings if `solvers` are a faster equivalent
     };
 
-    /// On the clock, for the hard cases: they are cut where the time is up.
+    /// Wall-clock time, used to cut off the hard cases at the time limit.
     [[nodiscard]] double elapsed_s() const
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_started).count();
     }
-    /// @return false when the run is cancelled
+    /// @return false if the run is cancelled
     bool next(const std::string& what);
     void leaveOut(const std::string& what) { m_result.leftOut.push_back(what + ", for lack of time"); }
 
@@ -66,7 +66,7 @@ class Evaluator
     void addProducts(const Subject& subject);
     void addOthers(const Subject& subject);
     void addDecimated(const Subject& subject, double end_s);
-    /// @param end_s  processor time at which no more is begun, here and below
+    /// @param end_s  thread CPU time after which no new work is started, also for the functions below
     void evaluateSubject(const Subject& subject, const std::vector<HandPaths>& paths, double end_s);
     void feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst);
     void feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths, bool isFirst);
@@ -81,11 +81,11 @@ class Evaluator
     std::chrono::steady_clock::time_point m_started = std::chrono::steady_clock::now();
     double m_startedThread_s = threadTime_s();
     Evaluation m_result;
-    // Of the subject at hand.
+    // State of the current subject.
     std::vector<Part> m_marks;
     std::vector<std::unique_ptr<Surface>> m_fewer; ///< surfaces of the decimated copies
     Trial m_exact;
-    std::vector<double> m_exactTime_us; ///< medians of the motions
+    std::vector<double> m_exactTime_us; ///< median tick time of each motion
 };
 
 } // namespace palpate::evaluation

@@ -12,15 +12,15 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr long double kSpare = 1.0L / 64; // skins: what rounding may bring a contact nearer
-constexpr long double kTangent = 1e-17L;  // of a way, where two contacts are told from one
-constexpr long double kLongest = 0.1L;    // radii that a way is drawn out to
-constexpr long double kSlow = 0.3L;       // of the way before: what is longer is drawn out
-constexpr long double kAlike = 0.9L;      // cosine between the two
-constexpr long double kProbe = 1e-3L;     // radii that it is moved aside to see whether it topples
-constexpr long double kLevel = 1e-9L;     // sine of a slope
+constexpr long double kSpare = 1.0L / 64; // skins: margin for rounding errors of the distance
+constexpr long double kTangent = 1e-17L;  // relative to a move: contacts closer than this coincide
+constexpr long double kLongest = 0.1L;    // radii: longest extrapolated move
+constexpr long double kSlow = 0.3L;       // ratio of successive moves above which to extrapolate
+constexpr long double kAlike = 0.9L;      // cosine between successive moves
+constexpr long double kProbe = 1e-3L;     // radii: lateral probe for unstable equilibria
+constexpr long double kLevel = 1e-9L;     // sine of the slope that counts as level
 constexpr long double kNever = 2;
-constexpr int kMostSteps = 200; // of Newton's: at a grazing touch each only halves what is left
+constexpr int kMostSteps = 200; // Newton steps; at a grazing contact each only halves the error
 constexpr std::size_t kFewNormals = 24;
 
 } // namespace
@@ -58,7 +58,7 @@ void ExactBall::gather(const Vec3& centre, double reach_mm)
     }
 }
 
-/// True when a ball with its centre at `p` feels the triangle.
+/// Returns true if a sphere with centre `p` is in front of the triangle, so that the triangle can block it.
 bool ExactBall::faces(const Candidate& t, const Long3& p)
 {
     const Long3 ap = p - t.a;
@@ -80,7 +80,7 @@ long double ExactBall::firstTouch(const Candidate& t, const Long3& from, const L
             return at;
         }
         if (growth >= 0) {
-            return kNever; // only farther from here on
+            return kNever; // the distance only grows from here
         }
         at += (distance - kept_mm) * distance / -growth;
     }
@@ -107,7 +107,7 @@ Long3 ExactBall::sweep(const Long3& from, const Long3& to) const
         const Long3 away = from - closestPoint<long double>(t.a, t.b, t.c, from);
         const long double distance = away.norm();
         if (away.dot(way) >= 0) {
-            continue; // the distance from a convex set only grows from here
+            continue; // the distance from a convex set only grows along this move
         }
         if (distance <= m_radius_mm + m_skin_mm) {
             const long double spareHere = kSpare * m_skin_mm + t.normalError * m_radius_mm;
@@ -145,8 +145,8 @@ void ExactBall::findNormals(const Long3& g)
     }
 }
 
-/// Takes in the contact that the way so far runs into most, and keeps of the few then known those that stand against
-/// `wanted` together. Each round shortens the way, so that no set comes back.
+/// Repeatedly adds the contact that the current move violates most, and keeps the contacts among the known ones that
+/// constrain `wanted` together. Each iteration shortens the move, so no set recurs.
 Long3 ExactBall::free(const Long3& wanted)
 {
     Long3 way = wanted;
@@ -160,7 +160,7 @@ Long3 ExactBall::free(const Long3& wanted)
             return way;
         }
         held[count++] = *worst;
-        // The longest of: along the new one alone, along it and one of the others.
+        // Choose the longest move: along the new contact alone, or along the new contact and one of the others.
         const Long3 n = *worst, onPlane = wanted - n.dot(wanted) * n;
         Long3 best = Long3::Zero();
         std::array<std::size_t, 2> kept{count - 1, count - 1};
@@ -197,7 +197,7 @@ Long3 ExactBall::free(const Long3& wanted)
     return Long3::Zero();
 }
 
-/// Round an edge or a corner each way is a fixed share of the one before; then it is drawn out to where they all lead.
+/// Around an edge or a corner, the moves shrink geometrically; extrapolates to the limit of the series.
 long double ExactBall::drawnOut(const Long3& way, const Long3& before) const
 {
     const long double length = way.norm(), last = before.norm();
@@ -227,8 +227,9 @@ long double ExactBall::advance(Long3& g, const Long3& way, long double share, co
     return best;
 }
 
-/// Where the pull goes straight through an edge or a corner a ball may stand on its very top, and roll down on any
-/// side: what little it can gain there does not show in the way. @return true when it has begun to roll
+/// Detects an unstable equilibrium: when the pull goes straight through an edge or a corner, the sphere may rest on
+/// the top although it could roll down on any side, with an initial gain too small to measure. @return true if the
+/// sphere was moved
 bool ExactBall::topples(Long3& g, const Long3& hip) const
 {
     const Long3 n = (g - hip).normalized(), across = n.unitOrthogonal(), along = n.cross(across);
@@ -240,7 +241,8 @@ bool ExactBall::topples(Long3& g, const Long3& hip) const
     }
     const long double least = leastGain(hip - g);
     for (const Long3& way : ways) {
-        // Downhill from the very start, not beyond a hump: the foot may be on a facet's last tenth of a micrometre.
+        // Require descent along the whole probe, not beyond a hump: the foot may be within the last tenth of a
+        // micrometre of a facet.
         Long3 reached = g;
         int downhill = 0;
         for (const long double share : {1.0L / 64, 0.25L, 1.0L}) {
@@ -264,7 +266,7 @@ long double ExactBall::leastGain(const Long3& wanted) const
 
 std::uint32_t ExactBall::converge(Long3& g, const Long3& hip)
 {
-    // No move leads farther from the HIP than the start is but for a way drawn out, by a radius at most.
+    // No move ends farther from the HIP than the start, except extrapolated ones, by at most a radius.
     gather(hip.cast<double>(), static_cast<double>((hip - g).norm() + (2 + kLongest) * m_radius_mm) * (1 + 1e-12));
     g = sweep(g, hip);
     Long3 before = Long3::Zero();

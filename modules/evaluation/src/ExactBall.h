@@ -8,22 +8,23 @@
 
 namespace palpate::evaluation {
 
-/// Brings the centre of a ball to a local minimum of its distance to the HIP by straight moves on which the ball comes
-/// no nearer than its radius to any triangle that faces the centre; see ExactSolver.
+/// Moves the centre of a sphere to a local minimum of its distance to the HIP by straight moves during which the
+/// sphere never comes closer than its radius to a triangle that faces the centre; see ExactSolver.
 ///
-/// Nothing but the distance from a triangle is computed. It is convex along a line, so that Newton's steps towards the
-/// first touch never pass it; and moves at a right angle to a contact's normal, or away from it, never come nearer.
+/// Uses only the distance to a triangle. This distance is convex along a line, so Newton steps towards the first
+/// contact never overshoot, and moves perpendicular to a contact normal or away from the contact never reduce the
+/// distance.
 class ExactBall
 {
   public:
     ExactBall(const Surface& surface, double radius_mm);
 
-    /// @param g    where the centre starts, then where it ended [mm]
-    /// @return moves made; `kMostMoves` when that was not enough
+    /// @param g    start position of the centre; receives the end position [mm]
+    /// @return number of moves; `kMostMoves` if the limit was reached
     std::uint32_t converge(Long3& g, const Long3& hip);
-    /// Contacts that hold the ball after `converge`, at most 3.
+    /// Number of contacts that constrain the sphere after `converge`, at most 3.
     [[nodiscard]] int constraints() const noexcept { return m_constraints; }
-    /// Distance from `p` to the nearest triangle that faces it, or `most_mm` when none is that near. [mm]
+    /// Distance from `p` to the nearest triangle that faces `p`, at most `most_mm`. [mm]
     [[nodiscard]] double clearance_mm(const Vec3& p, double most_mm);
 
     static constexpr std::uint32_t kMostMoves = 5000;
@@ -32,25 +33,26 @@ class ExactBall
     struct Candidate
     {
         Long3 a, b, c, n;        ///< corners and unit normal [mm]
-        long double normalError; ///< bound on the error of `n` times a length, per length
-        Vec3 middle;             ///< of a ball around it [mm]
-        double reach_mm;         ///< its radius
+        long double normalError; ///< bound on the error of `n` times a length, relative to the length
+        Vec3 middle;             ///< centre of the bounding sphere [mm]
+        double reach_mm;         ///< radius of the bounding sphere
         bool isTwoSided;
     };
 
     void gather(const Vec3& centre, double reach_mm);
     [[nodiscard]] static bool faces(const Candidate& t, const Long3& p);
-    /// Share of the move at which the triangle is first as near as `kept_mm`; more than `limit` when not before that.
+    /// Fraction of the move at which the distance to the triangle first equals `kept_mm`; greater than `limit` if
+    /// later.
     [[nodiscard]] long double firstTouch(const Candidate& t, const Long3& from, const Long3& way, long double kept_mm,
                                          long double limit) const;
-    /// @return where the move from → to ends: at `to`, or a skin before the ball touches
+    /// @return end of the move from → to: `to`, or one skin before the first contact
     [[nodiscard]] Long3 sweep(const Long3& from, const Long3& to) const;
     void findNormals(const Long3& g);
-    /// The part of `wanted` that no contact stands against: its projection onto the cone of free directions.
+    /// Projects `wanted` onto the cone of unconstrained directions.
     [[nodiscard]] Long3 free(const Long3& wanted);
     [[nodiscard]] long double drawnOut(const Long3& way, const Long3& before) const;
-    /// Moves along `way`, as long as it is or `share` times that, whichever serves better, and on towards the HIP.
-    /// @return how much nearer to the HIP it ends [mm²]
+    /// Moves along `way` by its length or by `share` times its length, whichever is better, and then towards the HIP.
+    /// @return decrease of the squared distance to the HIP [mm²]
     [[nodiscard]] long double advance(Long3& g, const Long3& way, long double share, const Long3& hip) const;
     [[nodiscard]] bool topples(Long3& g, const Long3& hip) const;
     [[nodiscard]] long double leastGain(const Long3& wanted) const; ///< [mm²]
@@ -60,7 +62,7 @@ class ExactBall
     Box m_gathered;
     std::vector<std::uint32_t> m_near;
     std::vector<Candidate> m_candidates;
-    std::vector<Long3> m_normals; ///< of the contacts, towards the centre; no two the same
+    std::vector<Long3> m_normals; ///< contact normals towards the centre, without duplicates
     int m_constraints = 0;
 };
 

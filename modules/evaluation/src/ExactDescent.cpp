@@ -13,8 +13,8 @@ namespace palpate::evaluation {
 
 namespace {
 
-// Pairs of touched triangles without a common edge cross only where surfaces cross; beyond this many touched
-// triangles (the apex of a fan) only pairs with a common edge are tried.
+// Touched triangles without a common edge only intersect where surfaces cross. Above this number of touched triangles
+// (the apex of a fan), only pairs with a common edge are tried.
 constexpr std::size_t kFewTouched = 24;
 
 bool isApart(const Box& box, const Vec3& low, const Vec3& high)
@@ -33,7 +33,7 @@ ExactDescent::ExactDescent(const Surface& surface, double friction)
 
 void ExactDescent::gather(const Long3& g, const Long3& hip)
 {
-    // No move leads farther from the HIP than the start is, but for the lift of some skins.
+    // No move ends farther from the HIP than the start, apart from the lift by a few skins.
     const auto reach = static_cast<double>((hip - g).norm() + 4 * kTouched * m_skin_mm) * (1.0 + 1e-12);
     const Vec3 centre = hip.cast<double>();
     const Box wanted(centre.array() - reach, centre.array() + reach);
@@ -61,7 +61,8 @@ void ExactDescent::gather(const Long3& g, const Long3& hip)
     }
 }
 
-/// On which side of the triangle's plane `p` is: +1 in front, 0 on it. By the normal where that is sure, else exactly.
+/// Side of the triangle's plane: +1 in front, 0 on the plane. Uses the normal where the sign is certain, otherwise
+/// exact arithmetic.
 int ExactDescent::side(const Candidate& t, const Long3& p)
 {
     const Long3 ap = p - t.a;
@@ -82,7 +83,7 @@ bool ExactDescent::blocks(const Candidate& t, const Long3& from, const Long3& to
         }
         facing = -1;
     }
-    // A surface that is touched from both sides may not even be reached: on it the side would be forgotten.
+    // A two-sided surface must not be reached exactly, because the side would then be lost.
     const int end = facing * side(t, to);
     if (end > 0 || (end == 0 && (!t.isTwoSided || start == 0))) {
         return false;
@@ -103,7 +104,7 @@ Long3 ExactDescent::sweep(const Long3& from, const Long3& to, bool& isBlocked) c
             continue;
         }
         const long double start = std::abs(t.n.dot(from - t.a)), end = std::abs(t.n.dot(to - t.a));
-        const long double length = start + end; // they lie on either side
+        const long double length = start + end; // on opposite sides
         const long double share = length > 0 ? start / length : 0;
         const long double here = length > 0 ? std::max(0.0L, (start - m_skin_mm) / length) : 0;
         if (share < first || (share == first && here < stop)) {
@@ -137,7 +138,7 @@ void ExactDescent::findTouched(const Long3& g)
     }
 }
 
-/// All pairs of touched triangles, or only those with a common edge where many are touched.
+/// Collects all pairs of touched triangles, or only pairs with a common edge if many are touched.
 void ExactDescent::findPairs()
 {
     m_pairs.clear();
@@ -150,7 +151,8 @@ void ExactDescent::findPairs()
         }
         return;
     }
-    std::vector<std::array<std::uint32_t, 3>> uses; // smaller and larger vertex of an edge, touched triangle
+    std::vector<std::array<std::uint32_t, 3>>
+        uses; // smaller and larger vertex of the edge, index of the touched triangle
     for (std::uint32_t i = 0; i < count; ++i) {
         const geometry::Triangle& t = m_surface.repaired().mesh.triangles[m_touched[i].triangle->triangle];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -186,9 +188,9 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
         const Touched &p = m_touched[i], &q = m_touched[j];
         const Long3 line = p.n.cross(q.n);
         if (line.norm() < 1e-13L) {
-            continue; // the same plane as far as a long double can tell
+            continue; // the same plane within long double precision
         }
-        // u = wanted on both planes: first on p, then along p to q.
+        // u: `wanted` projected onto both planes, first onto p, then within p onto q.
         const Long3 across = line.cross(p.n).normalized();
         Long3 u = wanted + p.n * (room(p) - p.n.dot(wanted));
         u += across * ((room(q) - q.n.dot(u)) / q.n.dot(across));
@@ -201,8 +203,8 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
     std::sort(m_ways.begin(), m_ways.end(), [](const Way& a, const Way& b) { return a.promise > b.promise; });
 }
 
-/// Tells quickly, for many touched triangles, that one of them ends the move before it is worth a look; the one that
-/// did so last is asked first.
+/// Quick rejection for many touched triangles: returns true if one of them blocks the move within the minimum length.
+/// The triangle that blocked the previous move is tested first.
 bool ExactDescent::isShutAtOnce(const Long3& from, const Long3& to, long double leastMove_mm)
 {
     if (m_touched.size() <= kFewTouched) {
@@ -226,7 +228,7 @@ bool ExactDescent::isShutAtOnce(const Long3& from, const Long3& to, long double 
     return false;
 }
 
-/// Takes the way from `from` that brings the point closest to the HIP. @return false when none moves it
+/// Makes the move from `from` that ends closest to the HIP. @return false if no move is possible
 bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long double leastMove_mm)
 {
     const Long3 wanted = hip - g;
@@ -238,7 +240,7 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
     const long double lost = (2 * wanted - (from - g)).dot(from - g);
     for (const Way& way : m_ways) {
         if (way.promise + lost <= best) {
-            break; // the rest promise less than what one already keeps
+            break; // the remaining moves promise less than the best one found
         }
         if (isShutAtOnce(from, way.target, leastMove_mm) || (m_friction > 0 && stays_mm(way, from) <= leastMove_mm)) {
             continue;
@@ -265,7 +267,8 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
     return true;
 }
 
-/// How far a way leads before it leaves one of the triangles that hold it; a triangle holds only what stands on it.
+/// Length of a move until it leaves one of the supporting triangles; a triangle supports the point only above its
+/// area.
 long double ExactDescent::stays_mm(const Way& way, const Long3& from)
 {
     const Long3 along = (way.target - from).normalized();
@@ -286,9 +289,9 @@ long double ExactDescent::stays_mm(const Way& way, const Long3& from)
     return stays;
 }
 
-/// Friction's part of a way along what is touched: the point stays R = friction times push behind where it would stand
-/// without. It goes no farther than a little beyond the triangles that hold it: there other ones do.
-/// @return false when it is held, or hardly moves
+/// Move with friction along the contact: the point stays R = friction times push behind its frictionless end point.
+/// The move ends slightly beyond the supporting triangles, where others take over.
+/// @return false if the point sticks or hardly moves
 bool ExactDescent::dragOn(Long3& g, const Long3& from, const Way& way, long double leastMove_mm)
 {
     const Long3 left = way.target - from;
@@ -321,8 +324,8 @@ std::uint32_t ExactDescent::converge(Long3& g, const Long3& hip)
         if (advance(g, g, hip, 4 * m_skin_mm)) {
             continue;
         }
-        // Within a skin's thickness the very edge of a triangle may stand in the way of what is open beyond it: the
-        // ways are tried from a little above as well.
+        // Within the thickness of a skin, the edge of a triangle can block a direction that is free beyond the edge:
+        // also try all moves from slightly above.
         bool isBlocked = false;
         const Long3 above = sweep(g, g - (hip - g).normalized() * kTouched * m_skin_mm, isBlocked);
         collectWays(above, hip);

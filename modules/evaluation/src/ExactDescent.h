@@ -10,18 +10,18 @@
 
 namespace palpate::evaluation {
 
-/// Brings a point to a local minimum of its distance to the HIP by moves that no triangle blocks, or as near to it as
-/// friction lets it; see ExactSolver.
+/// Moves a point to a local minimum of its distance to the HIP by moves that no triangle blocks, or as close as
+/// friction permits; see ExactSolver.
 class ExactDescent
 {
   public:
-    /// @param friction  coefficient of all triangles, at rest and sliding [1]
+    /// @param friction  static and dynamic coefficient of all triangles [1]
     explicit ExactDescent(const Surface& surface, double friction = 0.0);
 
-    /// @param g    where it starts, then where it ended [mm]
-    /// @return moves made; `kMostMoves` when that was not enough
+    /// @param g    start position; receives the end position [mm]
+    /// @return number of moves; `kMostMoves` if the limit was reached
     std::uint32_t converge(Long3& g, const Long3& hip);
-    /// Planes that hold the point after `converge`, at most 3.
+    /// Number of planes that constrain the point after `converge`, at most 3.
     [[nodiscard]] int constraints() const noexcept { return m_constraints; }
 
     static constexpr std::uint32_t kMostMoves = 5000;
@@ -30,26 +30,26 @@ class ExactDescent
     struct Candidate
     {
         Long3 a, b, c, n;        ///< corners and unit normal [mm]
-        long double normalError; ///< bound on the error of `n` times a length, per length
+        long double normalError; ///< bound on the error of `n` times a length, relative to the length
         std::uint32_t triangle;
         bool isTwoSided;
     };
     struct Touched
     {
         const Candidate* triangle;
-        Long3 n; ///< on the side of the point
+        Long3 n; ///< towards the side of the point
     };
     struct Way
     {
         Long3 target;
-        long double promise; ///< how much the squared distance to the HIP would fall [mm^2]
+        long double promise; ///< expected decrease of the squared distance to the HIP [mm^2]
         int planes;
-        std::array<const Candidate*, 2> on; ///< whose planes these are
-        long double pushed_mm;              ///< sum of the multipliers that hold the target on them
+        std::array<const Candidate*, 2> on; ///< triangles of these planes
+        long double pushed_mm;              ///< sum of the multipliers that keep the target on the planes
     };
 
     void gather(const Long3& g, const Long3& hip);
-    /// @return where the move from → to ends: at `to`, or a skin before the first triangle in the way
+    /// @return end of the move from → to: `to`, or one skin before the first blocking triangle
     [[nodiscard]] Long3 sweep(const Long3& from, const Long3& to, bool& isBlocked) const;
     [[nodiscard]] static int side(const Candidate& t, const Long3& p);
     [[nodiscard]] static bool blocks(const Candidate& t, const Long3& from, const Long3& to);
@@ -67,10 +67,10 @@ class ExactDescent
     Box m_gathered;
     std::vector<std::uint32_t> m_near;
     std::vector<Candidate> m_candidates;
-    std::vector<Box> m_boxes; ///< of the candidates
+    std::vector<Box> m_boxes; ///< boxes of the candidates
     std::vector<Touched> m_touched;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_pairs; ///< of touched triangles
-    std::size_t m_lastShut = 0;                                   ///< touched triangle that shut the last way
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_pairs; ///< indices of touched triangles
+    std::size_t m_lastShut = 0;                                   ///< touched triangle that blocked the previous move
     std::vector<Way> m_ways;
     int m_constraints = 0;
 };

@@ -18,7 +18,7 @@ struct ExactSolver::Private
     Long3 god = Long3::Zero();
     Long3 hip = Long3::Zero();
 
-    /// @return true when it came to rest
+    /// @return true if the descent converged
     bool converge(const Long3& to, SolverStep& step)
     {
         const std::uint32_t moves = ball ? ball->converge(god, to) : point.converge(god, to);

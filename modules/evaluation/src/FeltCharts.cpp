@@ -75,7 +75,7 @@ std::string coverChart(const Comparison& comparison, double sphereRadius, double
         estimate.push_back({cover, k.estimate});
         high.push_back({cover, std::min(k.high, 1e6)});
     }
-    // Up to a little above what is drawn in it: the upper bound of a stiff lump leaves the chart.
+    // Limit the axis to slightly above the plotted data: the upper bound of a stiff lump exceeds the chart.
     double least = ratio < 1.0 ? low.front()[1] : 1.0, most = ratio < 1.0 ? 1.0 : 1.15 * estimate.front()[1] - 0.15;
     for (const SphereCase& c : comparison.spheres) {
         if (c.sphereRadius == sphereRadius && c.ratio == ratio) {

@@ -8,15 +8,15 @@
 
 namespace palpate::evaluation::felt {
 
-/// 0.333: "1/3"; infinite: "rigid"; else the number.
+/// Formats a ratio: 0.333 as "1/3", infinity as "rigid", other values as numbers.
 [[nodiscard]] std::string ratioText(double ratio);
 
-/// Stiffness against cover for spheres of one size and ratio: bounds as a band, estimate, elements.
+/// Chart of stiffness against cover for spheres of one size and ratio: bounds as a band, estimate, finite elements.
 [[nodiscard]] std::string coverChart(const Comparison& comparison, double sphereRadius, double ratio);
-/// Error of the estimate against the excess by the elements, each case under both presses.
+/// Chart of the estimate's error against the finite-element excess, with both presses for each case.
 [[nodiscard]] std::string estimateChart(const Comparison& comparison);
 
-/// What there is of each, ascending.
+/// Distinct values present in the comparison, ascending.
 [[nodiscard]] std::vector<double> radiiOf(const Comparison& comparison);
 [[nodiscard]] std::vector<double> ratiosOf(const Comparison& comparison);
 

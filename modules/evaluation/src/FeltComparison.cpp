@@ -18,16 +18,16 @@ namespace palpate::evaluation::felt {
 namespace {
 
 constexpr double kRigid = std::numeric_limits<double>::infinity();
-constexpr double kHalfSpace = 1e4; // a sphere of this radius
+constexpr double kHalfSpace = 1e4; // a sphere of this radius approximates a half-space
 
-/// A sphere, or the half-space, at a depth: one grid for all ratios.
+/// Sphere or half-space at a given depth; one grid serves all ratios.
 struct Place
 {
     double sphereRadius = 0.0, cover = 0.0;
     [[nodiscard]] bool isLayer() const { return sphereRadius == kHalfSpace; }
 };
 
-/// What was found at one place.
+/// Results for one place.
 struct Found
 {
     std::vector<LayerCase> layers;
@@ -54,7 +54,7 @@ std::vector<Place> placesOf(bool isQuick)
 Found solved(const Place& place)
 {
     const LumpElements elements(place.sphereRadius, place.cover);
-    // Both relative to the same elements without a lump: what they get wrong of a press alone falls out.
+    // Both are relative to the same elements without a lump, which cancels the discretisation error of the press.
     const auto punch = elements.press(Press::Punch, 1.0), bell = elements.press(Press::Bell, 1.0);
     Found found;
     found.elements = elements.elementCount();

@@ -50,7 +50,7 @@ std::string verdictMark(bool isGood)
     return isGood ? "<span class='pass'>within</span>" : "<span class='fail'>outside</span>";
 }
 
-/// Of what need not be within.
+/// Text for results that are not required to be within the bounds.
 std::string remark(bool isWithinBounds)
 {
     return isWithinBounds ? "within" : "outside";
@@ -94,14 +94,14 @@ std::string spheresTable(const Comparison& comparison)
     return out + "</tbody></table>";
 }
 
-/// The estimate's form with another weight of what lies between.
+/// The estimate's formula with another weight between the bounds.
 double weighted(double share, double ratio, double beta)
 {
     const double rest = beta * (1.0 - share);
     return std::isinf(ratio) ? 1.0 + share / rest : 1.0 + share * (ratio - 1.0) / (1.0 + rest * (ratio - 1.0));
 }
 
-/// What other weights make of the same cases.
+/// Table of the errors for other weights on the same cases.
 std::string weightsTable(const Comparison& comparison)
 {
     struct Weight

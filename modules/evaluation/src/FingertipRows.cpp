@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hard cases felt with a ball.
+// Hard cases with a spherical fingertip.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::array kFingertips_mm{0.1, 1.0, 4.0};
 constexpr std::int64_t kMostTicks = 5000;
-constexpr std::int64_t kCheckEvery = 4; // beyond the row's own: the exact ball takes its time
+constexpr std::int64_t kCheckEvery = 4; // in addition to the row's own interval, because the exact sphere is slow
 
-/// Balls far larger than the facets: many are touched at once, and nothing but counts bounds the work.
+/// Adds spheres much larger than the facets: many facets are in contact at once, and only iteration limits bound the
+/// work.
 void addLargeBallRows(std::vector<HardCase>& rows)
 {
     for (const double radius_mm : {4.0, 10.0, 20.0}) {
@@ -24,7 +25,7 @@ void addLargeBallRows(std::vector<HardCase>& rows)
             [] { return shapes::bumpySphere(47, 50.0, 0.02); },
             HandPath({0.1, 0.2, over + 2})
                 .to({0.1, 0.2, over - 2}, 0.2)
-                .to({0.2 * over, 0.1 * over, 0.95 * over}, 0.1) // 100 mm/s, some 2 mm deep
+                .to({0.2 * over, 0.1 * over, 0.95 * over}, 0.1) // 100 mm/s, about 2 mm deep
                 .to({0.1 * over, -0.1 * over, 0.85 * over}, 0.3)
                 .to({0.15 * over, 0.1 * over, 0.97 * over}, 0.1)
                 .to({0, 0, over + 2}, 0.5));
@@ -32,7 +33,7 @@ void addLargeBallRows(std::vector<HardCase>& rows)
         ball.checkEvery = 50;
         rows.push_back(std::move(ball));
     }
-    // As deep as its radius a ball turns about the HIP: every place around is as near.
+    // At a depth equal to its radius, a sphere can rotate about the HIP: all surrounding places are equally close.
     for (const double radius_mm : {1.0, 4.0, 20.0}) {
         const auto mesh = [] { return shapes::bumpySphere(20, 20.0, 0.0); };
         Dice dice(95);
@@ -46,10 +47,10 @@ void addLargeBallRows(std::vector<HardCase>& rows)
         HardCase ball =
             row(formatted("HIPs on the vertices of a sphere of 8,000 facets, ball of %g mm", radius_mm), mesh, path);
         ball.fingertip_mm = radius_mm;
-        // The exact ball creeps around there: minutes at 20 mm, whose places are left to the adversary.
+        // The exact sphere converges slowly here (minutes at 20 mm); the adversary covers those positions.
         ball.checkEvery = radius_mm > 4.0 ? 1000 : 50;
         ball.mostElsewhere_percent = 100.0;
-        ball.mayReachBound = true; // of a large ball, whose cell holds a thousand facets, with each jump
+        ball.mayReachBound = true; // for a large sphere, whose cell holds a thousand facets, at each jump
         rows.push_back(std::move(ball));
     }
 }

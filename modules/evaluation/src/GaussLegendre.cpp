@@ -11,7 +11,7 @@ Quadrature gaussLegendre(int n, double low, double high)
     Quadrature rule;
     const double half = 0.5 * (high - low), middle = 0.5 * (high + low);
     for (int i = 0; i < n; ++i) {
-        // Newton's method on Legendre's polynomial, from a guess that is nearest to this root.
+        // Newton's method on the Legendre polynomial, starting from an approximation of the i-th root.
         double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1.0;
         for (int step = 0; step < 20; ++step) {
             double before = 1.0, value = x;

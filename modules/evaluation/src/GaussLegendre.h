@@ -5,13 +5,13 @@
 
 namespace palpate::evaluation {
 
-/// Points and weights of a rule for an integral.
+/// Nodes and weights of a quadrature rule.
 struct Quadrature
 {
     std::vector<double> at, weight;
 };
 
-/// Gauss's rule between two limits, exact for polynomials up to degree 2 n - 1. @param n  >= 1
+/// Gauss-Legendre rule on an interval, exact for polynomials up to degree 2 n - 1. @param n  >= 1
 [[nodiscard]] Quadrature gaussLegendre(int n, double low, double high);
 
 } // namespace palpate::evaluation

@@ -10,7 +10,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// A place that wanders over a surface: steps along it and is put back to the nearest point of it.
+/// Random walk on a surface: steps in a direction and projects back to the nearest surface point.
 class SurfaceWalk
 {
   public:
@@ -18,7 +18,7 @@ class SurfaceWalk
         : m_surface(surface)
         , m_dice(seed)
     {
-        // The farthest corner out along some direction lies on the outside, whatever the surface.
+        // The extreme vertex in any direction is on the outside, whatever the surface.
         const Vec3 out = m_dice.normal3().normalized();
         double farthest = -std::numeric_limits<double>::infinity();
         std::uint32_t triangle = 0;
@@ -58,7 +58,7 @@ class SurfaceWalk
         }
         m_at = put;
         const Vec3 n = normal(nearest);
-        // Turned gently: a hand doesn't follow every facet.
+        // Smooth the normal: a hand does not follow every facet.
         m_n = (m_n + 0.05 * (m_surface.isTwoSided(nearest) && n.dot(m_n) < 0.0 ? Vec3(-n) : n)).normalized();
         const Vec3 along = m_heading - m_n * m_n.dot(m_heading);
         m_heading = along.norm() > 1e-6 ? Vec3(along.normalized()) : m_n.unitOrthogonal();
@@ -82,13 +82,13 @@ class SurfaceWalk
 
 constexpr int kPerMillisecond = static_cast<int>(HandMotion::kBase_Hz / 1000.0);
 
-/// A hand slows down on small things: 100 mm/s on what is 200 mm long or more. [mm a base sample]
+/// Slide speed: 100 mm/s on subjects of 200 mm or more, slower on smaller ones. [mm per base sample]
 double slidePerSample(const Surface& surface)
 {
     return std::min(100.0, 0.5 * surface.bounds().sizes().maxCoeff()) / HandMotion::kBase_Hz;
 }
 
-/// 5 mm, or a tenth of a small thing.
+/// Press depth: 5 mm, or a tenth of a small subject.
 double pressDepth(const Surface& surface)
 {
     return std::min(5.0, 0.1 * surface.bounds().sizes().maxCoeff());
@@ -121,7 +121,7 @@ HandMotion poke(const Surface& surface, std::uint64_t seed, int milliseconds)
     for (int i = 0; i < kPerMillisecond * milliseconds; ++i) {
         const double phase = 2.0 * std::numbers::pi * (i % period) / period;
         if (std::cos(phase) > 0.0) {
-            walk.step(1.5 * slidePerSample(surface)); // on while above the surface
+            walk.step(1.5 * slidePerSample(surface)); // advance while above the surface
         }
         motion.p_WH.push_back(walk.above(depth * (0.9 * std::cos(phase) + 0.1)));
     }
@@ -147,7 +147,7 @@ HandMotion resampled(std::string name, const std::vector<Vec3>& p_WH, double dt_
 
 std::vector<HandMotion> standardMotions(const Surface& surface, std::uint64_t seed, int milliseconds)
 {
-    // Four streams of random numbers a seed, none of which another seed has.
+    // Four random streams per seed, not shared with any other seed.
     const std::uint64_t first = 4 * seed;
     HandMotion noisy = slide(surface, first + 2, milliseconds);
     noisy.name = "slide with noise";

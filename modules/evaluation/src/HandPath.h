@@ -14,8 +14,8 @@ namespace palpate::evaluation {
 
 using core::Vec3;
 
-/// Uniform random numbers that are the same with every standard library: a 64-bit linear congruential generator, its
-/// upper bits taken. @par Source Multiplier: Knuth, MMIX.
+/// Uniform random numbers, identical on all standard libraries: upper bits of a 64-bit linear congruential generator.
+/// @par Source Multiplier: Knuth, MMIX.
 class Dice
 {
   public:
@@ -25,13 +25,13 @@ class Dice
         (void)next();
         (void)next();
     }
-    /// In 0 … 1.
+    /// Uniform in 0 to 1.
     double next()
     {
         m_state = m_state * 6364136223846793005ull + 1442695040888963407ull;
         return static_cast<double>((m_state ^ m_state >> 29) >> 11 & 0xfffffffffffffull) * 0x1p-52;
     }
-    /// About normal, of variance 1: the sum of twelve uniform ones.
+    /// Approximately normal with variance 1: sum of twelve uniform numbers.
     double normal()
     {
         double sum = -6.0;
@@ -50,12 +50,12 @@ class Dice
     std::uint64_t m_state;
 };
 
-/// A path of the hand, put together from straight pieces.
+/// HIP path made of straight segments.
 class HandPath
 {
   public:
     explicit HandPath(const Vec3& start) { m_points.push_back(start); }
-    /// Straight on to `end`, at `speed_mm` a tick at most, in at least one.
+    /// Appends a straight segment to `end` with at most `speed_mm` per tick and at least one tick.
     HandPath& to(const Vec3& end, double speed_mm)
     {
         const Vec3 from = m_points.back();
@@ -75,7 +75,7 @@ class HandPath
         m_points.push_back(end);
         return *this;
     }
-    /// Adds noise to all of it so far. @param sigma_mm  of each coordinate
+    /// Adds noise to the whole path so far. @param sigma_mm  standard deviation per coordinate
     HandPath& noise(double sigma_mm, std::uint64_t seed)
     {
         Dice dice(seed);
@@ -90,11 +90,11 @@ class HandPath
     std::vector<Vec3> m_points;
 };
 
-/// Smooth random motion below a surface around the origin: the direction wanders, the depth breathes.
+/// Smooth random motion below a surface around the origin, with a random direction and varying depth.
 class WanderingHand
 {
   public:
-    /// @param speed_mm  least and greatest, a tick
+    /// @param slowest_mm,fastest_mm  range of the speed per tick
     WanderingHand(double radius_mm, double deepest_mm, double slowest_mm, double fastest_mm, std::uint64_t seed)
         : m_dice(seed)
         , m_radius_mm(radius_mm)

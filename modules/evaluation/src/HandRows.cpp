@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases of moved scenes and of what hands and devices do.
+// Hard cases for transformed scenes and for hand and device behaviour.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -17,7 +17,7 @@ geometry::TriangleMesh bumpy()
     return shapes::bumpySphere(24, kRadius_mm, 0.04);
 }
 
-/// @param speed  least and greatest [mm a tick]
+/// @param slowest,fastest  range of the speed [mm per tick]
 std::function<std::function<Vec3()>()> wandering(double deepest_mm, double slowest, double fastest, std::uint64_t seed)
 {
     return [=] {
@@ -41,7 +41,7 @@ HardCase wanderingRow(std::string name, std::int64_t ticks, double slowest, doub
 
 void addTransformRows(std::vector<HardCase>& rows)
 {
-    // What the answer may differ by: 1e-9 of the scene, and what coordinates that far out can hold.
+    // Tolerance of the results: 1e-9 of the scene, plus the precision of coordinates at that offset.
     const auto twinRow = [&rows](std::string name, std::function<Vec3(const Vec3&)> map, double scale, double offset) {
         HardCase c = wanderingRow(std::move(name), 3000, 0.05, 0.15, 21);
         c.twin = std::move(map);

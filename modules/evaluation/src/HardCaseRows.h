@@ -8,19 +8,20 @@
 
 namespace palpate::evaluation {
 
-// Each appends the rows of one kind.
+// Each function appends the rows of one group.
 void addMeshFaultRows(std::vector<HardCase>& rows); ///< zero-area, duplicate, flipped, slivers, cracks, fins, soup
 void addContactRows(std::vector<HardCase>& rows);   ///< creases, fans, grooves, pockets, plates, edges, vertices
-void addTransformRows(std::vector<HardCase>& rows); ///< moved, scaled and turned scenes
-void addHandRows(std::vector<HardCase>& rows);      ///< noise, teleports, stillness, bad numbers, long random motion
-void addTieRows(std::vector<HardCase>& rows);       ///< HIPs on vertices, on edges, in planes and within the skin
-void addLayerRows(std::vector<HardCase>& rows);     ///< a layer around that comes and goes
-void addFingertipRows(std::vector<HardCase>& rows); ///< those there are, felt with a ball; large balls on fine meshes
+void addTransformRows(std::vector<HardCase>& rows); ///< translated, scaled and rotated scenes
+void addHandRows(std::vector<HardCase>& rows);  ///< noise, teleports, stillness, invalid numbers, long random motion
+void addTieRows(std::vector<HardCase>& rows);   ///< HIPs on vertices, on edges, in planes and within the skin
+void addLayerRows(std::vector<HardCase>& rows); ///< surrounding layer that is alternately shown and hidden
+void addFingertipRows(
+    std::vector<HardCase>& rows); ///< existing cases with a spherical fingertip; large spheres on fine meshes
 
-/// @return a row that plays `path` on `mesh`.
+/// @return a case that follows `path` on `mesh`
 [[nodiscard]] HardCase row(std::string name, std::function<geometry::TriangleMesh()> mesh, const HandPath& path);
 
-/// printf into a string.
+/// Formats like printf into a string.
 template<class... Args>
 [[nodiscard]] std::string formatted(const char* format, Args... args)
 {
