@@ -11,17 +11,17 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr std::size_t kHistogram = 33; // 0 … 31 iterations, and more
+constexpr std::size_t kHistogram = 33; // 0 to 31 iterations, and a last bin for more
 
-// On a surface, in a scene of some 10 mm: a hundred skins, far below any device's step.
+// Tolerance for lying on a surface in a scene of about 10 mm: a hundred skins, far below the resolution of any device.
 constexpr double kOnSurface_mm = 1e-8;
-// A ball parts at every edge and corner that it rolls over.
-// A force is a difference times a number, summed with zero: an ulp.
+// The force is a difference times a factor, summed with zero: one ulp. A sphere may diverge from the exact one at
+// every edge and corner, hence its larger percentage below.
 constexpr double kForceRounding = 1e-15;
 constexpr double kLayersRounding_N = 1e-9;
 constexpr double kMostElsewhere_percent = 0.1, kMostElsewhereOfBall_percent = 1.0;
 
-/// Keeps the worst of what is measured.
+/// Tracks the largest value of a figure and its tick.
 class Worst
 {
   public:
@@ -44,7 +44,7 @@ class Worst
     HardCaseFigure m_figure;
 };
 
-/// One case on one mesh: the product tick by tick, and the exact solver from where the product was.
+/// One case on one mesh: runs the product tick by tick, and the exact solver from the product's state.
 class Run
 {
   public:
@@ -96,7 +96,7 @@ class Run
         }
         if (!hip.allFinite()) {
             if (step.p_WG != m_god || step.f_W != Vec3::Zero()) {
-                m_nonFinite.count(number); // bad input must move nothing and push nothing
+                m_nonFinite.count(number); // invalid input must cause neither motion nor force
             }
             return;
         }
@@ -158,7 +158,7 @@ class Run
     }
 
   private:
-    /// How much the force changed by the hand's way, and the work done on the hand.
+    /// Tracks the change of the force per HIP displacement, and the work on the hand.
     void followForce(const Vec3& f_W, const Vec3& hip, std::int64_t number)
     {
         const Vec3 way = hip - m_hip;
@@ -168,13 +168,14 @@ class Run
         m_work_mJ += 0.5 * (f_W + m_f_W).dot(way);
     }
 
-    /// @param isAtRest  whether that is required, too
+    /// @param isAtRest  whether the residual is checked as well
     void check(const Vec3& god, const Vec3& hip, bool isAtRest, std::int64_t number)
     {
         ++m_checked;
         const double intrusion = m_straight.intrusion_mm(god);
         if ((m_case.intrusion_mm ? m_case.intrusion_mm(god) > 0.0 : isBehind(god)) ||
-            intrusion > std::max(0.0, m_intrusion_mm) + m_onSurface_mm) { // a ball put down too deep goes no deeper
+            intrusion >
+                std::max(0.0, m_intrusion_mm) + m_onSurface_mm) { // a sphere released too deep must not go deeper
             m_popThrough.count(number);
         }
         m_intrusion_mm = intrusion;
@@ -185,8 +186,9 @@ class Run
         double excess = 0.0, jumpExcess = 0.0;
         compare(god, hip, excess, jumpExcess);
         if (residual <= m_residual.figure().bound && !isGood(residual, excess, jumpExcess)) {
-            // At rest, but elsewhere: two ways parted, at a ridge or a saddle, and either is legal. A ball that was put
-            // down where it doesn't fit comes to another rest by each way, as every finite move lets it out a little.
+            // At rest in another local minimum: the paths diverged at a ridge or a saddle, and either result is valid.
+            // A sphere released where it does not fit ends elsewhere on each path, because every finite move lets it
+            // out a little.
             if (m_straight.intrusion_mm(m_god) <= m_onSurface_mm) {
                 m_elsewhere += 1.0;
             }
@@ -197,7 +199,8 @@ class Run
         m_jump.see(jumpExcess, number);
     }
 
-    /// Behind a closed surface that it started in front of, and not on it: a HIP exactly in a plane is not behind.
+    /// Returns true if behind a closed surface that the path started in front of, and not on the surface: a HIP
+    /// exactly in a plane is not behind the plane.
     [[nodiscard]] bool isBehind(const Vec3& god) const
     {
         if (!m_surface.isClosed() || m_surface.winding(god) <= m_windingAtStart) {
@@ -218,11 +221,11 @@ class Run
                jumpExcess <= m_jump.figure().bound;
     }
 
-    /// How much longer the spring, and how much larger the move in this tick, than the exact solver's.
+    /// Computes the excess of the spring length and of the move in this tick over the exact solver's.
     void compare(const Vec3& god, const Vec3& hip, double& excess, double& jumpExcess)
     {
         const double spring = (god - hip).norm(), jump = (god - m_god).norm();
-        // In one go as the product, or in small steps as a slow hand: either is legal, and they may part at a ridge.
+        // In one step like the product, or in small steps like a slow hand: both are valid and may diverge at a ridge.
         for (ExactSolver* exact : {&m_straight, &m_fine}) {
             exact->resume(m_god, m_hip);
             const SolverStep truth = exact->step(hip);
@@ -239,7 +242,7 @@ class Run
     std::function<Vec3(const Vec3&)> m_map;
     geometry::RepairedMesh m_mesh;
     std::optional<geometry::RepairedMesh> m_beside;
-    Surface m_surface; ///< of both
+    Surface m_surface; ///< main structure and `beside` merged
     JudgedProduct m_product;
     ExactSolver m_straight, m_fine;
     std::function<Vec3()> m_next;
@@ -302,7 +305,7 @@ HardCaseResult run(const HardCase& hardCase, const std::function<bool()>& keepGo
         one.finish();
         return one.result();
     }
-    // The bounds are checked where the scene is hard; the plain one is only what it must agree with.
+    // The bounds are checked on the transformed scene; the plain scene is only the reference for the comparison.
     HardCase plain = hardCase;
     plain.checkEvery = hardCase.ticks + 1;
     HardCase mapped = hardCase;

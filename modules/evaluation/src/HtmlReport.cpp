@@ -44,7 +44,7 @@ std::string card(const std::string& title, const std::string& content)
     return "<div class='card'>" + tag("h3", escaped(title)) + content + "</div>";
 }
 
-/// A median with the spread of the paths below it.
+/// Table cell with a median and, below, the spread over the paths.
 std::string spreadCell(const Spread& spread)
 {
     const bool isOne = spread.values.size() < 2;
@@ -160,7 +160,7 @@ std::string hardCaseSection(const Evaluation& evaluation)
            "</div>";
 }
 
-/// Each stiffness once, with the structures that have it where there are few.
+/// Lists each distinct stiffness, with the names of the structures if there are few.
 std::string tissuesOf(const SubjectInfo& subject)
 {
     std::map<double, std::vector<std::string>> byStiffness;
@@ -258,7 +258,7 @@ std::string methodSection(const Evaluation& evaluation)
            (evaluation.isQuick ? ", quick run" : "") + ". The same numbers: results.csv, results.json.</p></div>";
 }
 
-/// The product against what others would write, with what is wanted of it.
+/// Card that compares the product's speed with the other solvers and with the required ratios.
 std::string ratioCard(const Evaluation& evaluation)
 {
     if (evaluation.ratios.empty()) {
@@ -275,7 +275,7 @@ std::string ratioCard(const Evaluation& evaluation)
                 tag("table", head({"triangles", "", "takes", "wanted"}) + tag("tbody", rows)));
 }
 
-/// What friction, a law and a map add to a tick.
+/// Card with the additional cost per tick of friction, a force law and a stiffness map.
 std::string tissueCard(const Evaluation& evaluation)
 {
     std::string rows;

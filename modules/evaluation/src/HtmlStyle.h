@@ -3,7 +3,7 @@
 
 namespace palpate::evaluation {
 
-/// The part of it that charts need, also as files of their own.
+/// Styles needed by the charts, also in standalone SVG files.
 inline constexpr const char* kChartStyle = R"(
 svg text{font:12px "Inter","Segoe UI","Noto Sans","DejaVu Sans",sans-serif}
 .grid{stroke:#e9edf0}.tick{fill:#5b6670}svg .axis{fill:#1d252c;font-size:12.5px}
@@ -11,7 +11,7 @@ svg text{font:12px "Inter","Segoe UI","Noto Sans","DejaVu Sans",sans-serif}
 .label{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}svg .strong{font-size:14px;font-weight:700}
 )";
 
-/// The style sheet of every report, inside the file: a report needs no other.
+/// Style sheet of all reports, embedded so that a report is self-contained.
 inline constexpr const char* kReportStyle = R"(
 :root{--ink:#1d252c;--soft:#5b6670;--line:#dfe4e8;--ground:#f6f8f9;--card:#fff;--good:#0b7a75;--bad:#b3261e}
 *{box-sizing:border-box}

@@ -5,8 +5,8 @@
 
 namespace palpate::evaluation {
 
-/// How often another program has taken the core from this thread. A tick during which it rises is no measure of a
-/// solver: what it took is counted apart.
+/// Number of times the scheduler has preempted this thread. A tick during which this number rises does not measure the
+/// solver; its time is recorded separately.
 [[nodiscard]] inline long interruptions()
 {
     rusage usage{};

@@ -10,7 +10,7 @@ namespace palpate::evaluation {
 namespace {
 
 constexpr double kTick_s = 1e-3;
-constexpr std::int64_t kRestoreEvery = 61; // ticks: no period of a path
+constexpr std::int64_t kRestoreEvery = 61; // ticks; not the period of any path
 
 using haptics::HapticScene;
 using haptics::HapticStructure;
@@ -53,7 +53,7 @@ JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedM
         const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0, 0.0);
         m_otherScene = std::make_unique<HapticScene>(std::vector{other}, hardCase.fingertip_mm);
         m_bothScene = std::make_unique<HapticScene>(std::vector{other, surface}, hardCase.fingertip_mm);
-        HapticStructure hidden = other; // keeps its number, as in a program
+        HapticStructure hidden = other; // keeps its index, like in the program
         hidden.surface = nullptr;
         m_hiddenScene = std::make_unique<HapticScene>(std::vector{hidden, surface}, hardCase.fingertip_mm);
         m_both.setScene(m_hiddenScene.get());
@@ -69,7 +69,7 @@ void JudgedProduct::start(const Vec3& hip)
     (void)m_other.step(hip, kTick_s);
 }
 
-/// The layer around comes or goes. All are given their scenes anew, so that each lets go of the same contacts.
+/// Shows or hides the surrounding layer. All palpators get their scenes again, so that all drop the same contacts.
 void JudgedProduct::switchOther()
 {
     const bool isShown = m_tick / m_otherEvery % 2 != 0;
@@ -108,7 +108,7 @@ void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
 {
     const double stiffness = m_scene->structures()[0].tissue.stiffness_N_per_mm;
     const Vec3 spring = result.tick.p_WG - hip, wanted = stiffness * spring;
-    // Free means at the HIP, but for the last digits of a coordinate.
+    // Free means at the HIP, up to the rounding of the coordinates.
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
     result.isForceless = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
     if (m_scene->structures().size() > 1) {
@@ -118,10 +118,11 @@ void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
     }
 }
 
-/// Between the softest and the stiffest of what holds it; where that is one structure, its own answer.
+/// Checks that the force is between those of the softest and the stiffest constraining structure, or equal to that of
+/// the only one.
 void JudgedProduct::judgeShared(JudgedTick& result, const Vec3& spring) const
 {
-    constexpr double kRounding = 1e-9; // the skin's share of a spring that is resolved into planes
+    constexpr double kRounding = 1e-9; // share of the spring lost to the skin when resolved into planes
     const TickResult& tick = result.tick;
     if (tick.f_W.isZero(0.0) || tick.constraints == 0) {
         return;

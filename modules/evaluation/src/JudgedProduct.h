@@ -10,24 +10,24 @@
 
 namespace palpate::evaluation {
 
-/// What a tick of the product must be by itself, whatever the exact solver says.
+/// Result of one tick of the product, with checks that do not need the exact solver.
 struct JudgedTick
 {
     haptics::TickResult tick;
-    bool isForceless = false;     ///< no force, though the god-object is not at the HIP
-    double forceError = 0.0;      ///< |f - k (g - p)|, as a share of k |g - p|; of two structures, by how much f is
-                                  ///< outside what either would answer alone
-    bool isRestoredApart = false; ///< restored from a recorded state it gives other bits
-    double outsideCone_mm = 0.0;  ///< one facet holds it: |g - g*| - mu lambda, the definition of law/Friction.h
-    double layersError_N = 0.0;   ///< force of both layers, less those of each alone
+    bool isForceless = false; ///< no force although the god-object is not at the HIP
+    double forceError = 0.0;  ///< |f - k (g - p)| relative to k |g - p|; for two structures, the distance of f from the
+                              ///< range between the forces of either alone
+    bool isRestoredApart = false; ///< different bits after restoring a recorded state
+    double outsideCone_mm = 0.0; ///< for one constraining facet: |g - g*| - mu lambda, the definition in law/Friction.h
+    double layersError_N = 0.0;  ///< force of both layers minus the sum of the forces of each alone
 };
 
-/// The product on a hard case, as the servo thread runs it: with a second one that is restored from its state now and
-/// then, and with a layer around it that comes and goes, where the case has one.
+/// Runs the product on a hard case like the servo thread does, with a second instance that is restored from its state
+/// at intervals and, for cases with one, with a surrounding layer that is shown and hidden.
 class JudgedProduct
 {
   public:
-    /// @param beside  of the case, or null
+    /// @param beside  second structure of the case, or null
     JudgedProduct(const HardCase& hardCase, const geometry::RepairedMesh& mesh, const geometry::RepairedMesh* beside);
     JudgedProduct(const JudgedProduct&) = delete;
     JudgedProduct& operator=(const JudgedProduct&) = delete;
@@ -42,7 +42,7 @@ class JudgedProduct
     void judgeFriction(JudgedTick& result, const Vec3& hip) const;
 
     std::int64_t m_otherEvery, m_tick = 0;
-    double m_magnitude_mm = 0.0; ///< largest coordinate
+    double m_magnitude_mm = 0.0; ///< largest absolute coordinate
     std::unique_ptr<haptics::HapticScene> m_scene, m_otherScene, m_bothScene, m_hiddenScene;
     haptics::Palpator m_alone, m_restored, m_other, m_both;
 };

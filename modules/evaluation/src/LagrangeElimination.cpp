@@ -5,7 +5,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// A number that counts the multiplications and divisions it takes part in.
+/// Number that counts the multiplications and divisions applied to it.
 struct Counted
 {
     double value = 0.0;
@@ -32,7 +32,8 @@ Elimination eliminate(const Vec3& hip, std::span<const Plane> planes)
             n[i][axis] = {planes[i].n[static_cast<Eigen::Index>(axis)], count};
         }
     }
-    // The rows of N minus N times the identity's rows leave -N N^T, of which one triangle is made, and d - N hip.
+    // Subtracting N times the identity rows from the rows of N leaves -N N^T (of which one triangle is computed) and d
+    // - N hip.
     std::array<std::array<Counted, 3>, 3> s;
     std::array<Counted, 3> r;
     for (std::size_t i = 0; i < k; ++i) {
@@ -41,7 +42,7 @@ Elimination eliminate(const Vec3& hip, std::span<const Plane> planes)
         }
         r[i] = n[i][0] * h[0] + n[i][1] * h[1] + n[i][2] * h[2] - Counted{planes[i].d, count};
     }
-    // s lambda = r, symmetric.
+    // Solve the symmetric system s lambda = r.
     for (std::size_t i = 0; i < k; ++i) {
         if (s[i][i].value == 0.0) {
             return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases of layers that come and go while an inner one is pressed.
+// Hard cases with layers that are shown and hidden while an inner layer is pressed.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -8,7 +8,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// Moves a mesh up.
+/// Translates a mesh upwards.
 geometry::TriangleMesh raised(geometry::TriangleMesh mesh, double by_mm)
 {
     for (Vec3& v : mesh.vertices) {

@@ -13,24 +13,24 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kFar = 30.0; // u from which the layer is as good as a half-space: 1 - L is below 1e-22
+constexpr double kFar = 30.0; // u above which the layer acts as a half-space: 1 - L is below 1e-22
 
 double rigidBase(double u)
 {
     if (u < 1e-2) {
-        return 2.0 / 3.0 * u * u * u; // the next term is u^5
+        return 2.0 / 3.0 * u * u * u; // the next term is of order u^5
     }
     return (std::sinh(2.0 * u) - 2.0 * u) / (std::cosh(2.0 * u) + 2.0 * u * u + 1.0);
 }
 
-/// A derivative of e^-s, s e^-s, e^(s - u) and s e^(s - u).
+/// Derivative of the given order of e^-s, s e^-s, e^(s - u) and s e^(s - u).
 Eigen::Vector4d basis(double s, int derivative, double u)
 {
     const double down = (derivative % 2 == 0 ? 1.0 : -1.0) * std::exp(-s), up = std::exp(s - u);
     return {down, (s - derivative) * down, up, (s + derivative) * up};
 }
 
-/// By complete pivoting, which loses no digits to the order of the equations.
+/// Solves with complete pivoting, which is insensitive to the order of the equations.
 Eigen::VectorXd solved(const Eigen::MatrixXd& equations, const Eigen::VectorXd& right)
 {
     return equations.fullPivLu().solve(right);
@@ -46,8 +46,9 @@ double layerCompliance(double u, double ratio)
     if (std::isinf(ratio)) {
         return rigidBase(u);
     }
-    // W(s), s = depth times wave number: the vertical displacement. No shear on top; displacements and tractions go on
-    // into the half-space below, where W = (A + B s) e^-s; the normal traction on top is 1.
+    // W(s): vertical displacement as a function of s = depth times wave number. Boundary conditions: no shear and unit
+    // normal traction on top; displacements and tractions continuous with the half-space below, where W = (A + B s)
+    // e^-s.
     const auto w = [u](double s, int derivative) { return basis(s, derivative, u); };
     Eigen::MatrixXd equations(4, 4);
     equations.row(0) = w(0.0, 2) + w(0.0, 0);
@@ -61,7 +62,7 @@ double layeredPunch(double thickness, double ratio)
 {
     constexpr int kNodes = 24, kPanelNodes = 12;
     const Quadrature x = gaussLegendre(kNodes, 0.0, 1.0);
-    // Panels short against the ripples that fit between the punch's middle and its rim.
+    // Panels must be short relative to the oscillations between the centre and the rim of the punch.
     const int panels = std::max(24, static_cast<int>(std::ceil(kFar / thickness / 4.0)));
     Eigen::MatrixXd equations = Eigen::MatrixXd::Identity(kNodes, kNodes);
     const Eigen::Map<const Eigen::VectorXd> weight(x.weight.data(), kNodes);

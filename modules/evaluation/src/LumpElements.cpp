@@ -18,12 +18,12 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kBulkModulus = 1e5; // by the shear modulus: k is 1e-5 too small by it
-constexpr int kDofs = 18;            // of a cell: each node's way from the axis, then down
+constexpr double kBulkModulus = 1e5; // relative to the shear modulus; makes k 1e-5 too small
+constexpr int kDofs = 18;            // per cell: radial and axial displacement of each node
 using CellMatrix = Eigen::Matrix<double, kDofs, kDofs>;
 using CellRow = Eigen::Matrix<double, 1, kDofs>;
 
-/// The parabolas that are 1 at one of -1, 0, 1 and 0 at the others; with their slopes.
+/// Quadratic Lagrange polynomials on the nodes -1, 0, 1, with their derivatives.
 struct Parabolas
 {
     explicit Parabolas(double x)
@@ -34,8 +34,8 @@ struct Parabolas
     Eigen::Vector3d value, slope;
 };
 
-/// Of a cell of shear modulus 1. Its pressures are eliminated: they belong to no other cell. Lazy products, as fast at
-/// this size, spare the compiler Eigen's blocked ones.
+/// Stiffness matrix of a cell of shear modulus 1. The pressures are local to the cell and eliminated. Lazy products
+/// are as fast at this size and avoid instantiating Eigen's blocked kernels.
 CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
 {
     static const Quadrature kRule = gaussLegendre(4, -1.0, 1.0);
@@ -63,7 +63,7 @@ CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
             const double part =
                 std::abs(jacobian.determinant()) * kRule.weight[p] * kRule.weight[q] * 2.0 * std::numbers::pi * r;
             slope = jacobian.inverse() * slope;
-            // Strains: along the radius, around, down; shear.
+            // Strain components: radial, hoop, axial; shear.
             Eigen::Matrix<double, 4, kDofs> strain = Eigen::Matrix<double, 4, kDofs>::Zero();
             for (int i = 0; i < 9; ++i) {
                 strain(0, 2 * i) = strain(3, 2 * i + 1) = slope(0, i);
@@ -83,12 +83,12 @@ CellMatrix cellMatrix(const LumpGrid& grid, const LumpGrid::Cell& cell)
     return stiffness;
 }
 
-/// Which displacements are asked for, and what the others are.
+/// Unknown displacements, and the prescribed values of the others.
 struct Unknowns
 {
     static constexpr Eigen::Index kGiven = -1;
-    std::vector<Eigen::Index> of; ///< of each displacement; kGiven: not asked for
-    Eigen::VectorXd given;        ///< of each displacement
+    std::vector<Eigen::Index> of; ///< equation index of each displacement; kGiven: prescribed
+    Eigen::VectorXd given;        ///< prescribed value of each displacement
     Eigen::Index count = 0;
 };
 
@@ -97,7 +97,7 @@ Unknowns unknownsOf(const LumpGrid& grid, Press how, bool isLumpRigid)
     const std::size_t nodes = grid.nodes.size();
     Unknowns unknowns{std::vector<Eigen::Index>(2 * nodes, Unknowns::kGiven),
                       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * nodes)), 0};
-    // A rigid sphere on the axis moves down, or not at all where it is as large as a half-space.
+    // A rigid sphere on the axis translates vertically, or is fixed if it approximates a half-space.
     Eigen::Index lump = Unknowns::kGiven;
     if (isLumpRigid) {
         bool isHeld = false;
@@ -161,7 +161,7 @@ struct LumpElements::Parts
     LumpGrid grid;
     std::vector<CellMatrix> matrices;
 
-    /// Modulus of a cell; 0: rigid, it takes no energy.
+    /// Modulus of a cell; 0 for a rigid cell, which stores no energy.
     [[nodiscard]] double modulus(std::size_t cell, double ratio) const
     {
         return grid.isCellInLump[cell] == 0 ? 1.0 : std::isinf(ratio) ? 0.0 : ratio;
@@ -170,7 +170,7 @@ struct LumpElements::Parts
     [[nodiscard]] Eigen::VectorXd displacements(Press how, double ratio) const;
 };
 
-/// Of every node; NaN when the equations can't be solved.
+/// Displacements of all nodes; NaN if the linear system cannot be solved.
 Eigen::VectorXd LumpElements::Parts::displacements(Press how, double ratio) const
 {
     const Unknowns unknowns = unknownsOf(grid, how, std::isinf(ratio));
@@ -239,7 +239,7 @@ std::size_t LumpElements::elementCount() const noexcept
 LumpElements::Response LumpElements::press(Press how, double ratio) const
 {
     const Eigen::VectorXd all = m_parts->displacements(how, ratio);
-    double energy = 0.0, inLump = 0.0; // twice as large as they are
+    double energy = 0.0, inLump = 0.0; // both without the factor 1/2
     for (std::size_t c = 0; c < m_parts->matrices.size(); ++c) {
         Eigen::Matrix<double, kDofs, 1> own;
         for (int i = 0; i < kDofs; ++i) {
@@ -249,7 +249,8 @@ LumpElements::Response LumpElements::press(Press how, double ratio) const
         energy += part;
         inLump += m_parts->grid.isCellInLump[c] != 0 ? part : 0.0;
     }
-    // The punch goes down by 1, so that its force is the energy; the bell's force is 1, and its work the compliance.
+    // The punch has a displacement of 1, so its force equals the energy; the bell has a force of 1, so its work equals
+    // the compliance.
     return {(how == Press::Punch ? energy : 1.0 / energy) / 8.0, inLump / energy};
 }
 

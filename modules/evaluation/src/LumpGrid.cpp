@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Steps from one value to another, each as long as `size` says there; the last is up to half longer.
+/// Divides an interval into steps of the local length `size`; the last step is up to half longer.
 template<class Size>
 std::vector<double> march(double from, double to, const Size& size)
 {
@@ -28,20 +28,20 @@ std::vector<double> march(double from, double to, const Size& size)
     }
 }
 
-/// The lines of the grid.
+/// Grid lines in bispherical coordinates.
 struct Lines
 {
-    std::vector<double> xi;  ///< 0 to pi; the punch is the largest ones
-    std::vector<double> eta; ///< 0: the surface
-    double focus = 0.0;      ///< depth of the point eta = infinity
-    double rim = 0.0;        ///< xi of the punch's rim
-    std::size_t lump = 0;    ///< index of the sphere's eta
-    std::size_t far = 0;     ///< index of the eta below which the first cell is left out
+    std::vector<double> xi;  ///< 0 to pi; the punch covers the largest values
+    std::vector<double> eta; ///< 0 is the surface
+    double focus = 0.0;      ///< depth of the focus, eta = infinity
+    double rim = 0.0;        ///< xi of the rim of the punch
+    std::size_t lump = 0;    ///< index of the eta line on the sphere
+    std::size_t far = 0;     ///< index of the eta line below which the first cell is omitted
 };
 
 Lines linesOf(double sphereRadius, double cover, const LumpFineness& fineness)
 {
-    constexpr double kInside = 3.5, kLargest = 0.35; // eta: what is nearer to the focus is one ring of cells
+    constexpr double kInside = 3.5, kLargest = 0.35; // eta; the region closer to the focus is a single ring of cells
     Lines lines;
     lines.focus = std::sqrt(cover * (cover + 2.0 * sphereRadius));
     lines.rim = 2.0 * std::atan(lines.focus);
@@ -75,7 +75,7 @@ Lines linesOf(double sphereRadius, double cover, const LumpFineness& fineness)
     return lines;
 }
 
-/// Makes nodes when a cell first asks for them.
+/// Creates nodes on first use by a cell.
 class GridBuilder
 {
   public:
@@ -108,7 +108,7 @@ class GridBuilder
   private:
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    /// Value of a line, or half-way between two.
+    /// Value of a line, or the midpoint between two lines for odd `half`.
     static double at(const std::vector<double>& lines, std::size_t half)
     {
         return half % 2 == 0 ? lines[half / 2] : 0.5 * (lines[half / 2] + lines[half / 2 + 1]);

@@ -11,20 +11,20 @@
 
 namespace palpate::evaluation {
 
-/// Quadrilaterals of nine nodes that fill a half-space with a sphere in it, in a plane through the axis.
+/// Nine-node quadrilaterals that fill a half-space with an embedded sphere, in a plane through the axis.
 ///
-/// They are a rectangular grid in bispherical coordinates, in which the surface is eta = 0 and the sphere another
-/// eta = constant: edges lie on both. The grid is graded towards the punch's rim and towards (0, 0), which is infinity;
-/// the one cell there is left out, and its border is the far edge.
+/// The grid is rectangular in bispherical coordinates, in which the surface is eta = 0 and the sphere is another line
+/// of constant eta, so element edges follow both. The grid is graded towards the rim of the punch and towards (0, 0),
+/// the point at infinity; the single cell at that point is omitted, and its border is the far boundary.
 struct LumpGrid
 {
-    using Cell = std::array<std::size_t, 9>; ///< nodes row by row; the first three towards the surface
+    using Cell = std::array<std::size_t, 9>; ///< node indices row by row; the first three are closest to the surface
 
     std::vector<Eigen::Vector2d> nodes;                        ///< distance from the axis, depth [contact radii]
-    std::vector<char> isOnAxis, isFar, isUnderPunch, isInLump; ///< of each node; the sphere's own are in the lump
+    std::vector<char> isOnAxis, isFar, isUnderPunch, isInLump; ///< per node; nodes on the sphere belong to the lump
     std::vector<Cell> cells;
     std::vector<char> isCellInLump;
-    std::vector<std::array<std::size_t, 3>> surface; ///< edges of cells on the surface
+    std::vector<std::array<std::size_t, 3>> surface; ///< cell edges on the surface
 };
 
 /// @param sphereRadius, cover  > 0 [contact radii]

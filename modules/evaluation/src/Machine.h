@@ -5,7 +5,7 @@
 
 namespace palpate::evaluation {
 
-/// @return what this program runs on and was built with.
+/// Describes the current machine and the build.
 [[nodiscard]] Machine thisMachine();
 
 } // namespace palpate::evaluation

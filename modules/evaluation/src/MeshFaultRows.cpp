@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases of meshes that are not as they should be.
+// Hard cases with defective meshes.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -37,7 +37,7 @@ TriangleMesh bumpySoup()
     return shapes::soup(shapes::bumpySphere(14, 40.0, 0.03));
 }
 
-/// Presses at several places of a plate at z = 0 of half size 10, then drags across it and leaves.
+/// Presses at several places of a plate at z = 0 with a half size of 10, then drags across the plate and lifts off.
 HandPath acrossPlate(double depth_mm)
 {
     return HandPath({-8, -7.3, 2})
@@ -48,7 +48,7 @@ HandPath acrossPlate(double depth_mm)
         .to({0.3, 8.3, 3}, 0.2);
 }
 
-/// Depth below the plane z = 0 inside the square.
+/// Returns the depth below the plane z = 0 inside the square.
 std::function<double(const Vec3&)> belowSquare(double halfSize_mm, double floor_mm)
 {
     return [=](const Vec3& p) {
@@ -57,12 +57,12 @@ std::function<double(const Vec3&)> belowSquare(double halfSize_mm, double floor_
     };
 }
 
-/// Plate whose left and right halves share an edge that only the right one cuts.
+/// Plate whose halves share an edge that only the right half subdivides.
 TriangleMesh tJunctions()
 {
     TriangleMesh mesh = shapes::plate({-10, 0}, {-10, 10}, 6.0);
     shapes::append(mesh, shapes::plate({0, 10}, {-10, -3, 1.7, 10}, 6.0));
-    // The walls between the halves go: one plate with a seam.
+    // Remove the walls between the halves to leave one plate with a seam.
     std::erase_if(mesh.triangles, [&mesh](const geometry::Triangle& t) {
         return mesh.vertices[t[0]].x() == 0 && mesh.vertices[t[1]].x() == 0 && mesh.vertices[t[2]].x() == 0;
     });
@@ -126,7 +126,7 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
             formatted("needles off a diagonal, aspect %.0e", aspect),
             [aspect] {
                 TriangleMesh mesh = shapes::plate({-10, 10}, {-10, 10}, 6.0);
-                // The top's diagonal becomes two needles around a corner just beside it.
+                // Replaces the top's diagonal by two needles around a vertex close to the diagonal.
                 std::erase_if(mesh.triangles, [&mesh](const geometry::Triangle& t) {
                     return mesh.vertices[t[0]].z() == 0 && mesh.vertices[t[1]].z() == 0 && mesh.vertices[t[2]].z() == 0;
                 });
@@ -147,7 +147,7 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
     rows.push_back(row(
         "collinear corners on an edge",
         [] {
-            // A T-junction filled with triangles of exactly no area.
+            // T-junction filled with triangles of exactly zero area.
             TriangleMesh mesh = tJunctions();
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             for (const double y : {-10.0, -3.0, 1.7, 10.0}) {
@@ -196,10 +196,10 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
         },
         HandPath({-5, 0.3, 3})
             .to({-5, 0.3, -2}, 0.05)
-            .to({4, 0.7, -2}, 0.05) // into the corner of fin and box
+            .to({4, 0.7, -2}, 0.05) // into the corner between fin and box
             .to({4, 3, 3}, 0.05)    // up along the fin
-            .to({4, 3, 7}, 0.1)     // over it
-            .to({-4, -3, -1}, 0.05) // and against its other side
+            .to({4, 3, 7}, 0.1)     // over the fin
+            .to({-4, -3, -1}, 0.05) // against the other side of the fin
             .to({-4, -3, 4}, 0.1)));
     rows.back().intrusion_mm = belowSquare(10.0, -6.0);
     rows.push_back(row(
@@ -211,7 +211,7 @@ void addMeshFaultRows(std::vector<HardCase>& rows)
         },
         HandPath({-6, 1, 14})
             .to({-6, 1, 7}, 0.1)
-            .to({2, 1, 7}, 0.05) // into the corner where they cross
+            .to({2, 1, 7}, 0.05) // into the corner where the boxes intersect
             .to({2, -7, 6}, 0.05)
             .to({12, -3, 6}, 0.05)
             .to({12, 0, 4}, 0.05)

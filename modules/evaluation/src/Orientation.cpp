@@ -10,7 +10,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// A number as a sum of doubles, smallest first, whose digits do not overlap: no operation rounds.
+/// Number represented as a sum of non-overlapping doubles in ascending order; all operations are exact.
 class Expansion
 {
   public:
@@ -18,14 +18,15 @@ class Expansion
     explicit Expansion(long double x)
     {
         const auto high = static_cast<double>(x);
-        const auto low = static_cast<double>(x - static_cast<long double>(high)); // 64 digits fit into two doubles
+        const auto low =
+            static_cast<double>(x - static_cast<long double>(high)); // a 64-bit mantissa fits into two doubles
         add(low);
         add(high);
     }
 
     void add(double b)
     {
-        // Grows by one: each digit group takes the sum, its exact rounding error stays behind.
+        // Grow-expansion: carry the sum through the terms and keep each exact rounding error.
         std::vector<double> grown;
         grown.reserve(m_terms.size() + 1);
         for (const double e : m_terms) {
@@ -97,7 +98,8 @@ int orientation(const Long3& a, const Long3& b, const Long3& c, const Long3& d)
 {
     const Long3 u = b - a, v = c - a, w = d - a;
     const long double volume = u.dot(v.cross(w));
-    // Each of the six products has at most 6 rounding steps of half an ulp; 16 leaves room for the sum of magnitudes.
+    // Each of the six products has at most 6 rounding steps of half an ulp; 16 includes a margin for the sum of
+    // magnitudes.
     const Long3 au = u.cwiseAbs(), av = v.cwiseAbs(), aw = w.cwiseAbs();
     const long double magnitude = au[0] * (av[1] * aw[2] + av[2] * aw[1]) + au[1] * (av[2] * aw[0] + av[0] * aw[2]) +
                                   au[2] * (av[0] * aw[1] + av[1] * aw[0]);

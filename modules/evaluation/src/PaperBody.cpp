@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kMeridians = 28, kRings = 11; // 2 kMeridians kRings = 616 triangles
 constexpr double kBodyHalfLength_mm = 50.0, kSpindle_mm = 10.0, kSpan_mm = 24.0, kFin_mm = 16.0, kFlatness = 0.6;
 
-/// A point of the body: a spindle, with wings where the angle is 0 and 180 degrees and a fin where it is 90.
+/// Point on the body: a spindle with wings at angles of 0 and 180 degrees and a fin at 90 degrees.
 core::Vec3 pointAt(std::uint32_t ring, std::uint32_t meridian)
 {
     const double s = static_cast<double>(ring) / (kRings + 1); // 0 at the nose, 1 at the tail

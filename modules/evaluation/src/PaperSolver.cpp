@@ -12,7 +12,8 @@ namespace palpate::evaluation {
 PaperSolver::PaperSolver(const Surface& surface, Search search)
     : m_surface(surface)
     , m_search(search)
-    // A float of the paper's time resolves 1e-7; a double far less, so 1e-10 of the scene covers its rounding.
+    // Single precision, usual at the time of the paper, resolves 1e-7; for doubles 1e-10 of the scene covers the
+    // rounding.
     , m_roundoff_mm(1e-10 * surface.magnitude_mm())
 {
     for (std::uint32_t i = 0; i < surface.triangleCount(); ++i) {
@@ -24,8 +25,9 @@ PaperSolver::PaperSolver(const Surface& surface, Search search)
     std::iota(m_near.begin(), m_near.end(), 0u);
 }
 
-/// Facets that a move from the god-object to `target` can meet. A facet counts as met up to a roundoff beyond its
-/// edges, which is farther beyond a sharp corner: the margin covers corners of a tenth of a degree.
+/// Collects the facets that a move from the god-object to `target` can intersect. A facet counts as intersected up to
+/// the roundoff tolerance beyond its edges, which reaches farther at a sharp corner: the margin covers corners down to
+/// a tenth of a degree.
 void PaperSolver::findNear(const Vec3& target)
 {
     if (m_search == Search::BruteForce) {
@@ -37,8 +39,8 @@ void PaperSolver::findNear(const Vec3& target)
     std::sort(m_near.begin(), m_near.end());
 }
 
-/// The paper's two conditions: positive distance of the old god-object and negative distance of the target, and the
-/// line between them passes inside the facet's edges.
+/// The two conditions of the paper: positive distance of the old god-object and negative distance of the target, and
+/// an intersection of the line with the interior of the facet.
 bool PaperSolver::meets(const Facet& facet, const Vec3& target, double& share, double& side) const
 {
     double start = facet.n.dot(m_god - facet.a), end = facet.n.dot(target - facet.a);

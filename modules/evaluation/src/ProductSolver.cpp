@@ -7,7 +7,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-/// The same scene with one of its layers alone.
+/// Returns the scene with only the given layer.
 std::shared_ptr<const haptics::HapticScene> layerOf(const haptics::HapticScene& scene, std::size_t layer)
 {
     std::vector<haptics::HapticStructure> structures = scene.structures();
@@ -16,7 +16,7 @@ std::shared_ptr<const haptics::HapticScene> layerOf(const haptics::HapticScene& 
             return std::find(of.structures.begin(), of.structures.end(), i) != of.structures.end();
         };
         if (layer >= scene.layerCount() || !isIn(scene.layer(layer))) {
-            structures[i].surface = nullptr; // it keeps its number
+            structures[i].surface = nullptr; // keeps its index
         }
     }
     return std::make_shared<haptics::HapticScene>(std::move(structures), scene.fingertip_mm());
@@ -57,7 +57,7 @@ SolverStep ProductSolver::step(const Vec3& p_WH)
     result.constraints = tick.constraints;
     result.iterations = tick.iterations;
     result.isConverged = tick.status == haptics::TickStatus::Converged;
-    if (tick.constraints > 0) { // no surface, no force
+    if (tick.constraints > 0) { // no contact, no force
         result.spring_mm = tick.p_WG - p_WH;
     }
     return result;

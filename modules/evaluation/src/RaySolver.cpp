@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kPasses = 32;
 
-/// The point nearest to `hip` in front of all planes: the smallest set of them, at most three, whose multipliers push
-/// outwards and whose point no other plane forbids. The newest plane is always in it.
+/// Finds the point closest to `hip` in front of all planes: the smallest set of at most three planes whose multipliers
+/// push outwards and whose point violates no other plane. The newest plane is always in the set.
 bool nearestInFront(const Vec3& hip, const std::vector<Plane>& planes, double allowance_mm, Vec3& p)
 {
     const std::size_t newest = planes.size() - 1;
@@ -55,7 +55,7 @@ RaySolver::RaySolver(const Surface& surface, std::unique_ptr<SegmentCaster> cast
 
 RaySolver::~RaySolver() = default;
 
-/// First hit that faces the move, its normal towards the god-object.
+/// Finds the first hit that blocks the move; `n` is the normal towards the god-object.
 bool RaySolver::firstBlocking(const Vec3& target, SegmentCaster::Hit& hit, Vec3& n)
 {
     const Vec3 way = target - m_god;
@@ -74,7 +74,7 @@ bool RaySolver::firstBlocking(const Vec3& target, SegmentCaster::Hit& hit, Vec3&
             n = isBack ? Vec3(-n) : n;
             return true;
         }
-        done = hit.share + m_gap_mm / way.norm(); // came from inside: goes on behind it
+        done = hit.share + m_gap_mm / way.norm(); // hit from inside: continue behind the hit
         if (done >= 1.0) {
             return false;
         }
@@ -82,7 +82,7 @@ bool RaySolver::firstBlocking(const Vec3& target, SegmentCaster::Hit& hit, Vec3&
     return false;
 }
 
-/// From no plane to as many as it takes. @return how many held in the end
+/// Adds planes from none until the god-object rests. @return number of constraining planes at the end
 int RaySolver::pass(const Vec3& p_WH)
 {
     std::vector<Plane> planes;

@@ -16,7 +16,7 @@ namespace palpate::evaluation {
 namespace {
 
 constexpr double kBudget_us = 1000.0;
-constexpr double kFloor_mm = 1e-12; // what is drawn for an error of exactly 0
+constexpr double kFloor_mm = 1e-12; // plotted position of an error of exactly 0
 
 MarkShape shapeOf(const Trial& t)
 {
@@ -72,7 +72,7 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
     std::vector<const Trial*> shown;
     double spring_mm = 0.0;
     if (!evaluation.paperBody.empty()) {
-        shown.push_back(&evaluation.paperBody.front()); // where it began
+        shown.push_back(&evaluation.paperBody.front()); // the paper's solver as the starting point
     }
     for (const Trial& t : evaluation.trials) {
         if (t.subject == subject && !t.isReference) {
@@ -199,7 +199,7 @@ std::string errorOverTimeChart(const Evaluation& evaluation, const std::string& 
         if (s.subject != subject || s.time_s.empty()) {
             continue;
         }
-        // The largest error of each column: thinning must not hide what is worst.
+        // Keep the largest error per column, so that thinning does not hide peaks.
         std::map<std::size_t, double> worst;
         for (std::size_t i = 0; i < s.time_s.size(); ++i) {
             double& w = worst[static_cast<std::size_t>(x.share(s.time_s[i]) * kColumns)];

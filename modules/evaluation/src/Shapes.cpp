@@ -19,7 +19,7 @@ void addTriangle(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c
     mesh.triangles.push_back({addVertex(mesh, a), addVertex(mesh, b), addVertex(mesh, c)});
 }
 
-/// Corners counter-clockwise seen from the front.
+/// Adds a quad with corners counter-clockwise seen from the front.
 void addQuad(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     addTriangle(mesh, a, b, c);
@@ -35,7 +35,7 @@ std::vector<double> evenly(double low, double high, int n)
     return values;
 }
 
-/// The six faces of a box, cut along the given coordinates.
+/// Adds the six faces of a box, subdivided at the given coordinates.
 TriangleMesh cutBox(const std::vector<double>& xs, const std::vector<double>& ys, const std::vector<double>& zs)
 {
     TriangleMesh mesh;
@@ -73,7 +73,7 @@ TriangleMesh box(const Vec3& low, const Vec3& high, int n)
 
 TriangleMesh bumpySphere(int n, double radius_mm, double bump)
 {
-    // The octahedron's faces would be the simplest; the icosahedron's give triangles of nearly one size.
+    // Subdivides an icosahedron rather than an octahedron, because the triangles are more uniform.
     const double g = std::numbers::phi;
     TriangleMesh mesh;
     std::vector<Vec3> corners;
@@ -83,7 +83,7 @@ TriangleMesh bumpySphere(int n, double radius_mm, double bump)
         }
     }
     const auto project = [&](const Vec3& p) {
-        // Faces compute common corners in different orders: rounding makes them equal to the last bit.
+        // Faces compute shared vertices in different orders; rounding makes the results bit-identical.
         const Vec3 u = (p.normalized() * 0x1p36).array().round() * 0x1p-36;
         return Vec3(radius_mm * (1.0 + bump * std::sin(20 * u.x()) * std::sin(20 * u.y()) * std::sin(20 * u.z())) * u);
     };

@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
-/// Student's t at 97.5 %.
+/// Student's t quantile at 97.5 %.
 double studentT(std::size_t degreesOfFreedom)
 {
     constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179};
     if (degreesOfFreedom <= kTable.size()) {
         return kTable[degreesOfFreedom - 1];
     }
-    // Expansion in 1/df around the normal quantile, Abramowitz & Stegun 26.7.5, 3e-3 off at most here.
+    // Expansion in 1/df around the normal quantile, Abramowitz & Stegun 26.7.5; error at most 3e-3 here.
     const auto df = static_cast<double>(degreesOfFreedom);
     return 1.960 + 2.372 / df + 2.823 / (df * df);
 }
 
-/// Probability that the median lies between the values of rank k and n + 1 - k, both from 1.
+/// Probability that the median is between the values of rank k and n + 1 - k, both counted from 1.
 double medianCoverage(std::size_t n, std::size_t k)
 {
     double below = 0.0, term = std::pow(0.5, static_cast<double>(n));

@@ -32,7 +32,7 @@ SweepPoint pointOf(double x, const Shape& wall, Setup setup)
     return point;
 }
 
-/// Calls `measured` and tells how far all is.
+/// Runs `measured` and reports the overall progress.
 class Progress
 {
   public:
@@ -107,7 +107,7 @@ double largestStiffness(const Shape& shape, const Setup& setup)
         if (!isHeld && (held > 0.0 || std::isfinite(moved))) {
             break;
         }
-        // So soft that every hand slipped off: stiffer.
+        // Too soft: every hold slipped off. Continue with a stiffer setting.
         held = isHeld ? lost : 0.0;
         if (lost >= kStiffest_N_per_mm) {
             return held;

@@ -37,7 +37,7 @@ Shape single(std::string name, const geometry::TriangleMesh& mesh, const Hold& h
     return shape;
 }
 
-/// A hand that comes straight down there touches: nothing lies over it that it would start in.
+/// Returns true if a straight approach reaches the hold without starting inside another structure.
 bool isReached(const Hold& hold, const haptics::HapticScene& scene)
 {
     haptics::Palpator palpator;
@@ -49,7 +49,7 @@ bool isReached(const Hold& hold, const haptics::HapticScene& scene)
     return felt.structure >= 0 && hold.d_W.allFinite();
 }
 
-/// Three slabs that meet in the origin.
+/// Builds three slabs that meet at the origin.
 geometry::TriangleMesh innerCorner()
 {
     geometry::TriangleMesh mesh = shapes::box(Vec3(-20, -20, -20), Vec3(40, 40, 0));
@@ -58,7 +58,7 @@ geometry::TriangleMesh innerCorner()
     return mesh;
 }
 
-/// A stiff block let into a soft one, flush: what a lump's border feels like in one layer.
+/// Stiff block embedded flush in a soft one: the border of a lump within one layer.
 Shape lump()
 {
     Shape shape;
@@ -70,8 +70,8 @@ Shape lump()
     return shape;
 }
 
-/// A soft cover over a block that lies just below it in the next layer: a hand that presses feels both, and the
-/// stiffness is that of both together. The cover is thin, so that a light push reaches the block through a stiff one.
+/// Soft cover over a block just below in the next layer: a press contacts both, and the stiffnesses add up. The cover
+/// is thin, so that a light press reaches the block even through a stiff cover.
 Shape cover()
 {
     constexpr double kCover_mm = 0.2;
@@ -82,11 +82,11 @@ Shape cover()
     shape.structures[1].layer = 1;
     shape.share = {0.5, 0.5};
     shape.holds = {{Vec3(0.3, 0.2, 0), -Vec3::UnitZ(), Vec3::Zero()},
-                   {Vec3(20, 0.2, 0), -Vec3::UnitZ(), Vec3(5, 0, 0)}}; // from beside the block onto its border
+                   {Vec3(20, 0.2, 0), -Vec3::UnitZ(), Vec3(5, 0, 0)}}; // from beside the block onto the block's border
     return shape;
 }
 
-/// A wall that is twice as stiff to one side: a map that rises over 10 mm, which the hand presses on.
+/// Wall that is twice as stiff on one side; the press is on the 10 mm ramp of the map.
 Shape mapStep()
 {
     const geometry::RepairedMesh mesh = geometry::repair(shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), 6));
@@ -124,7 +124,7 @@ Corners corners(const geometry::SurfaceIndex& surface, std::uint32_t triangle)
     return {surface.vertex(t[0]), surface.vertex(t[1]), surface.vertex(t[2])};
 }
 
-/// How steeply what is given at a triangle's corners changes over it [1/mm]; 0 for one without an area.
+/// Gradient over a triangle of the values at its corners [1/mm]; 0 for zero-area triangles.
 double steepness(const Corners& at, const std::array<float, 3>& values)
 {
     const Vec3 first = at[1] - at[0], second = at[2] - at[0], normal = first.cross(second);
@@ -132,8 +132,8 @@ double steepness(const Corners& at, const std::array<float, 3>& values)
     return normal.squaredNorm() > 0.0 ? along.norm() / normal.squaredNorm() : 0.0;
 }
 
-/// Where a structure is pressed: at a few of its triangles, and where a map of its stiffness or of what lumps below
-/// make of it says most and changes most.
+/// Triangles of a structure to press: a few regular ones, plus those with the largest value and the largest gradient
+/// of a stiffness map or of a map of buried lumps.
 std::vector<std::uint32_t> pressedTriangles(const haptics::HapticStructure& one)
 {
     constexpr std::uint32_t kUsual = 4;
@@ -163,8 +163,8 @@ std::vector<std::uint32_t> pressedTriangles(const haptics::HapticStructure& one)
     return pressed;
 }
 
-/// By how much maps make a structure stiffer where they do most [1]. Of what lumps below add it is that of a light
-/// press: on what is stiff enough to oscillate the few newtons of a hand come no deeper.
+/// Largest stiffening factor of the maps [1]. Buried lumps count with the factor of a light press: on a surface stiff
+/// enough to oscillate, the few newtons of a hand do not press deeper.
 double stiffening(const haptics::TissueMaps& maps)
 {
     double most = maps.stiffness.isEmpty() ? 1.0 : maps.stiffness.greatest();
@@ -209,7 +209,7 @@ Shape shapeOf(std::string name, const haptics::HapticScene& scene)
         }
     }
     for (const haptics::HapticStructure& one : shape.structures) {
-        // Layers that are met together are stiffer still.
+        // Layers in contact together are stiffer still.
         shape.share.push_back(stiffest_N_per_mm > 0.0 ? haptics::greatestStiffness(one.tissue) / stiffest_N_per_mm
                                                       : 1.0);
         for (const std::uint32_t triangle : pressedTriangles(one)) {

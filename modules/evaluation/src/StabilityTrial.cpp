@@ -13,11 +13,12 @@ namespace palpate::evaluation::stability {
 
 namespace {
 
-constexpr double kEaseIn_s = 0.55; // the gate's, and a bit: pressing begins with all of the force
+constexpr double kEaseIn_s =
+    0.55; // slightly longer than the ramp of the gate, so that the press starts with the full force
 constexpr double kWatch_s = 0.5;
 constexpr double kSlideSpeed_mm_per_s = 50.0;
 
-/// A script that comes down at a speed, slides if asked to, and rests.
+/// Hand script: approach at a given speed, optional slide, rest.
 std::vector<device::HandTarget> pressing(const Hold& hold, double depth_mm, double speed_mm_per_s, double settle_s)
 {
     const Vec3 high = hold.p_W + hold.slideFrom_mm - kClearance_mm * hold.d_W;
@@ -48,7 +49,7 @@ std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double s
 {
     std::vector<haptics::HapticStructure> structures = shape.structures;
     for (std::size_t i = 0; i < structures.size(); ++i) {
-        structures[i].tissue.law = {}; // it would stand for the stiffness that is tried
+        structures[i].tissue.law = {}; // would replace the stiffness under test
         structures[i].law = nullptr;
         structures[i].tissue.stiffness_N_per_mm = shape.share[i] * stiffness_N_per_mm;
         structures[i].tissue.damping_Ns_per_mm = damping_Ns_per_mm;
@@ -76,7 +77,7 @@ void closeLoop(const haptics::HapticScene& scene, const std::vector<device::Hand
         return;
     }
     device::DeviceInfo info = device::deviceInfo(setup.preset);
-    info.workspaceRadius_mm = 0.0; // the device is taken along, as SimulatedHand says
+    info.workspaceRadius_mm = 0.0; // the device is moved with the hand, as documented in SimulatedHand
     servo::PassivityLimits passivity = servo::PassivityLimits::forDevice(info);
     passivity.delayTicks = setup.delayTicks;
     passivity.isOn = passivity.isOn && setup.isControlled;
@@ -114,9 +115,9 @@ double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setu
                 }
                 const double moved = box.sizes().maxCoeff();
                 if (!(moved < kLimitCycle_mm)) {
-                    return moved; // decided
+                    return moved; // limit cycle found
                 }
-                // At rest and touching nothing, it slipped off something small and soft, which says nothing.
+                // A tip at rest without contact has slipped off a small, soft object: no result.
                 if (isTouching) {
                     isAnyPressed = true;
                     worst = std::max(worst, moved);
@@ -132,12 +133,12 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
     const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
     std::vector<double> percents;
     double largest_N = 0.0;
-    std::vector<std::pair<double, double>> ticks; // force of the model, what was added to it
+    std::vector<std::pair<double, double>> ticks; // force of the model and the force added by the controller
     for (const Grip& grip : grips()) {
         for (const Hold& hold : shape.holds) {
             const double depth_mm = push_N(setup.preset) / grip.stiffness_N_per_mm;
             auto script = pressing(hold, depth_mm, 100.0, setup.settle_s);
-            script.back().time_s += kEaseIn_s - setup.settle_s; // a slide instead of the rest
+            script.back().time_s += kEaseIn_s - setup.settle_s; // slide instead of rest
             const Vec3 along = hold.d_W.unitOrthogonal();
             for (const double side : {10.0, -10.0, 0.0}) {
                 const Vec3 to = hold.p_W + depth_mm * hold.d_W + side * along;
@@ -145,7 +146,7 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
                 script.push_back({script.back().time_s + time_s, to});
             }
             closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3&) {
-                // Where the gate bounds the force as well, what it takes is not the controller's doing.
+                // Skip ticks in which the gate also limits the force: that reduction is not due to the controller.
                 const double force_N = tick.felt.f_W.norm();
                 if (tick.felt.structure >= 0 &&
                     force_N<setup.preset.maxForce_N&& static_cast<double>(tick.tick)> kEaseIn_s * setup.rate_Hz) {

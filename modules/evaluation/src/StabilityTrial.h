@@ -11,18 +11,18 @@
 
 namespace palpate::evaluation::stability {
 
-/// A hand begins this far off the surface. [mm]
+/// Initial distance of the hand from the surface. [mm]
 inline constexpr double kClearance_mm = 5.0;
 
-/// A hand's push when it rests [N]: 3 N, or 40 % of what the device can.
+/// Force of a resting hand [N]: 3 N, or 40 % of the device's maximum if lower.
 [[nodiscard]] double push_N(const device::DevicePreset& preset);
 
-/// The shape's structures with this stiffness, as the servo touches them.
+/// Scene with the structures of the shape at the given stiffness and damping, ready for the servo.
 [[nodiscard]] std::shared_ptr<const haptics::HapticScene> sceneOf(const Shape& shape, double stiffness_N_per_mm,
                                                                   double damping_Ns_per_mm);
 
-/// Closes the loop over a hand's script, one servo tick after the other.
-/// @param each  gets every tick, with the tip's true place
+/// Runs the closed loop over a hand script, one servo tick at a time.
+/// @param each  called for every tick with the true position of the tip
 void closeLoop(const haptics::HapticScene& scene, const std::vector<device::HandTarget>& script, const Grip& grip,
                const Setup& setup, const std::function<void(const servo::TickRecord&, const Vec3& tip_W)>& each);
 

@@ -14,17 +14,17 @@ namespace palpate::evaluation {
 
 namespace {
 
-// A god-object is as far from what it touches as a skin or, for the ray solvers, a millionth of the scene.
+// Contact tolerance: a god-object keeps a gap of one skin or, with the ray solvers, 1e-6 of the scene to the surface.
 constexpr double kTouch_mm = 1e-3, kTouchShare = 4e-6;
 
-/// A structure before it is put into its layer.
+/// Structure with its mesh, before the layers are merged.
 struct Part
 {
     const geometry::RepairedMesh* mesh;
     meshio::SceneStructure description;
 };
 
-/// Layers keep their order and lose gaps in their numbers; those beyond the most are merged, as in HapticScene.
+/// Renumbers the layers without gaps in the same order; excess layers are merged, as in HapticScene.
 void numberLayers(std::vector<Part>& parts)
 {
     std::set<std::uint32_t> used;
@@ -140,7 +140,7 @@ std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedS
 std::shared_ptr<const Subject> subjectOf(std::string name, const geometry::TriangleMesh& mesh)
 {
     const geometry::RepairedMesh repaired = geometry::repair(mesh);
-    meshio::SceneStructure description; // with a new structure's tissue, in layer 0
+    meshio::SceneStructure description; // default tissue of a new structure, layer 0
     description.name = name;
     return repaired.mesh.triangles.empty() ? nullptr : make(name, {{&repaired, description}});
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-/// Interleaves the bits of three numbers of 10 bits each: neighbours in space become neighbours in order.
+/// Morton code: interleaves the bits of three 10-bit numbers, so that neighbours in space are close in the order.
 std::uint32_t curvePosition(const Vec3& p, const Box& bounds)
 {
     std::uint32_t code = 0;
@@ -29,7 +29,7 @@ std::uint32_t curvePosition(const Vec3& p, const Box& bounds)
 
 std::uint32_t numberComponents(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t>& componentOf)
 {
-    // Vertices joined by a triangle belong together; the mesh is welded.
+    // Vertices joined by a triangle are connected; the mesh is welded.
     std::vector<std::uint32_t> root(mesh.vertices.size());
     std::iota(root.begin(), root.end(), 0u);
     const auto find = [&root](std::uint32_t v) {
@@ -118,7 +118,7 @@ void Surface::appendNear(const Box& wanted, std::vector<std::uint32_t>& triangle
 
 int Surface::winding(const Vec3& p, int component) const
 {
-    // Along an axis few boxes are met. A direction in which a crossing is not plain is left for the next one.
+    // Near-axis directions cross few boxes. If a crossing is degenerate, try the next direction.
     constexpr std::array<std::array<double, 3>, 6> kSlant{{{1, 1.3e-3, 2.9e-3},
                                                            {-2.3e-3, 1, 1.7e-3},
                                                            {3.1e-3, -1.9e-3, 1},
@@ -153,13 +153,13 @@ int Surface::winding(const Vec3& p, int component) const
                 isPlain = false;
                 break;
             }
-            turns += start < 0 ? 1 : -1; // leaves through the front: was inside
+            turns += start < 0 ? 1 : -1; // leaves through the front, so was inside
         }
         if (isPlain) {
             return turns;
         }
     }
-    return 0; // on the surface in every direction
+    return 0; // degenerate in every direction: on the surface
 }
 
 geometry::RepairedMesh merged(const std::vector<const geometry::RepairedMesh*>& meshes)

@@ -170,7 +170,7 @@ void SvgChart::addBar(double xLow, double xHigh, double y, std::string_view colo
               "<title>" + escaped(tooltip) + "</title></rect>";
 }
 
-/// Beside its mark where nothing else is yet: tries places around it, farther out each time.
+/// Places a label next to its mark at the first free position, trying positions at increasing distance.
 void SvgChart::placeLabel(double x, double y, const std::string& label, std::string_view colour, bool isStrong)
 {
     std::size_t letters = 0;

@@ -18,7 +18,7 @@ enum class MarkShape
     Triangle,
 };
 
-/// Draws one chart as SVG, by itself: axes, marks whose labels avoid each other, lines and bars.
+/// Draws a self-contained SVG chart: axes, marks with non-overlapping labels, lines and bars.
 class SvgChart
 {
   public:
@@ -27,18 +27,18 @@ class SvgChart
     struct Mark
     {
         double x = 0.0, y = 0.0;
-        double xEnd = 0.0, yEnd = 0.0; ///< whiskers to here when larger
-        double xLow = 0.0, yLow = 0.0; ///< and to here when smaller; 0 is none
+        double xEnd = 0.0, yEnd = 0.0; ///< upper ends of the error bars; drawn if larger than x, y
+        double xLow = 0.0, yLow = 0.0; ///< lower ends of the error bars; drawn if smaller than x, y; 0: no bar
         MarkShape shape = MarkShape::Circle;
         std::string colour;
         bool isHollow = false;
-        std::string label, tooltip; ///< label may be empty
+        std::string label, tooltip; ///< label: may be empty
         bool isStrong = false;
     };
     void add(const Mark& mark);
     void addLine(const std::vector<std::array<double, 2>>& points, std::string_view colour, double width_px,
                  bool isDashed = false, std::string_view label = {});
-    /// Fills between two lines. @param lower, upper  with the same x, ascending
+    /// Fills the area between two lines. @param lower, upper  with the same ascending x values
     void addRegion(const std::vector<std::array<double, 2>>& lower, const std::vector<std::array<double, 2>>& upper,
                    std::string_view colour);
     void addBand(double yLow, double yHigh, std::string_view colour);
@@ -46,7 +46,7 @@ class SvgChart
     void addHorizontalRule(double y, std::string_view label);
     void addBar(double xLow, double xHigh, double y, std::string_view colour, std::string_view tooltip);
 
-    /// @param description  what the chart shows, for readers that don't see it
+    /// @param description  text alternative of the chart for screen readers
     [[nodiscard]] std::string svg(std::string_view description) const;
 
   private:

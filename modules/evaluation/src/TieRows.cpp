@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases in which numbers tie: HIPs exactly on vertices, on edges and in planes of meshes that lie anyhow, and
-// god-objects within the skin of one surface beside another. Scripts, grids and CAD models bring them.
+// Hard cases with ties: HIPs exactly on vertices, on edges and in planes of arbitrarily oriented meshes, and
+// god-objects within the skin of one surface next to another. Such inputs occur with scripts, grids and CAD models.
 #include "HardCaseRows.h"
 
 #include "palpate/evaluation/Shapes.h"
@@ -29,7 +29,7 @@ std::function<TriangleMesh()> turned(const std::function<TriangleMesh()>& mesh)
     };
 }
 
-/// A path whose points are turned as the vertices of `turned` are: those that are equal stay so.
+/// Rotates a path exactly like the vertices of `turned`, so that equal points remain equal.
 HandPath turned(const HandPath& path)
 {
     HandPath result(kTurn * path.points().front());
@@ -39,8 +39,8 @@ HandPath turned(const HandPath& path)
     return result;
 }
 
-/// Positive inside of the closed mesh and not within 1e-8 mm of its surface: for bodies that are touched from both
-/// sides because of what else hangs on them.
+/// Positive inside the closed mesh, except within 1e-8 mm of the surface. For bodies that are two-sided because of
+/// attached open surfaces.
 std::function<double(const Vec3&)> inside(const TriangleMesh& mesh)
 {
     const auto surface = std::make_shared<const Surface>(geometry::repair(mesh));
@@ -62,7 +62,7 @@ TriangleMesh floorAndWall()
     return mesh;
 }
 
-/// Just above the floor and just beside the wall, then far to the side and next to nothing below the floor.
+/// Starts just above the floor and just beside the wall, then moves far to the side and minimally below the floor.
 void addFloorAndWall(std::vector<HardCase>& rows)
 {
     const double skin = geometry::SurfaceIndex::build(geometry::repair(floorAndWall())).skin_mm();
@@ -103,7 +103,7 @@ void addNoiseOnFins(std::vector<HardCase>& rows)
     }
     rows.push_back(row("white noise of 15 mm in a sphere with fins", finnedSphere, path));
     rows.back().intrusion_mm = inside(shapes::bumpySphere(4, 20.0, 0.05));
-    rows.back().mostElsewhere_percent = 2.0; // around a fin there are two ways
+    rows.back().mostElsewhere_percent = 2.0; // around a fin there are two paths
 }
 
 TriangleMesh touchingBoxes(int left, int right)
@@ -113,7 +113,7 @@ TriangleMesh touchingBoxes(int left, int right)
     return mesh;
 }
 
-/// On a grid of the box's own lines, 2 mm below its top, and from the sides.
+/// Path on a grid of the box's edge lines, 2 mm below the top, and from the sides.
 HandPath alongEdges(const std::vector<double>& lines)
 {
     HandPath path({lines[0], 0, 14});
@@ -129,9 +129,9 @@ void addEdgeLines(std::vector<HardCase>& rows)
 {
     const auto box = [] { return shapes::box({-10, -10, -10}, {10, 10, 10}, 4); };
     rows.push_back(row("along the edges of a box, turned", turned(box), turned(alongEdges({0.0, 5.0, -5.0}))));
-    // With equal squares the wall between is one, of triangles that both boxes have: no box is closed, and the
-    // god-object must not come into either. With unequal ones each is closed, and judged so. Turned, their edges at x =
-    // 0 part by a last digit there: a HIP exactly in that crack has no one right answer.
+    // With equal squares, the wall in between consists of triangles shared by both boxes: neither box is closed, and
+    // the god-object must not enter either. With unequal squares each box is closed and checked as such. When rotated,
+    // their edges at x = 0 differ in the last digit, and a HIP exactly in that crack has no unique correct result.
     for (const bool isEqual : {true, false}) {
         const std::function<TriangleMesh()> mesh = [isEqual] { return touchingBoxes(2, isEqual ? 2 : 3); };
         const std::string name =
@@ -150,7 +150,7 @@ void addEdgeLines(std::vector<HardCase>& rows)
     }
 }
 
-/// From above onto the vertices and the middles of edges and facets of a grid of 2 mm, and from there below it.
+/// Presses from above onto vertices, edge midpoints and facet centres of a 2 mm grid, and below.
 HandPath ontoFeatures(const TriangleMesh& grid, double deep_mm)
 {
     Dice dice(81);
@@ -161,7 +161,7 @@ HandPath ontoFeatures(const TriangleMesh& grid, double deep_mm)
         const Vec3 &a = grid.vertices[t[0]], &b = grid.vertices[t[1]], &c = grid.vertices[t[2]];
         if (std::max({a.head<2>().cwiseAbs().maxCoeff(), b.head<2>().cwiseAbs().maxCoeff(),
                       c.head<2>().cwiseAbs().maxCoeff()}) > 7.0) {
-            continue; // far from the rim, around which the way below is free
+            continue; // away from the rim, around which the path to the other side is free
         }
         const double kind = dice.next();
         const Vec3 on = kind < 0.4 ? a : kind < 0.7 ? Vec3(0.5 * (a + b)) : Vec3((a + b + c) / 3.0);
@@ -186,7 +186,7 @@ void addOpenGrids(std::vector<HardCase>& rows)
         }
         return mesh;
     };
-    // Below the sheet, between it and a floor that closes the way round: the same squares seen from above.
+    // Region between the sheet and a floor that closes the path around: the same squares seen from above.
     const auto below = [](const TriangleMesh& sheet, double deep_mm) {
         TriangleMesh body = sheet;
         const auto count = static_cast<std::uint32_t>(body.vertices.size());
@@ -218,14 +218,14 @@ void addOpenGrids(std::vector<HardCase>& rows)
             isWavy ? "onto the vertices and edges of a wavy sheet" : "onto the vertices and edges of a flat sheet";
         rows.push_back(row(name, mesh, path));
         rows.back().intrusion_mm = inside(body);
-        rows.back().mostElsewhere_percent = isWavy ? 2.0 : 0.0; // off a hill's very top there are many ways
+        rows.back().mostElsewhere_percent = isWavy ? 2.0 : 0.0; // from the top of a hill there are many paths
         rows.push_back(row(name + ", turned", turned(mesh), turned(path)));
         rows.back().intrusion_mm = inside(turned([body] { return body; })());
         rows.back().mostElsewhere_percent = isWavy ? 2.0 : 0.0;
     }
 }
 
-/// HIPs in the planes of facets that are far away, of one that is touched, and between them.
+/// HIPs in the planes of far facets, of a touched facet, and in between.
 void addPlanes(std::vector<HardCase>& rows)
 {
     const auto mesh = [] {
@@ -237,7 +237,7 @@ void addPlanes(std::vector<HardCase>& rows)
             }
             shapes::append(two, other);
         }
-        shapes::append(two, shapes::box({-9, 10, -10}, {9, 20, 0}, 2)); // its top lies in the plane, too
+        shapes::append(two, shapes::box({-9, 10, -10}, {9, 20, 0}, 2)); // coplanar top
         return two;
     };
     Dice dice(91);
@@ -247,9 +247,9 @@ void addPlanes(std::vector<HardCase>& rows)
         const double kind = dice.next();
         path.jump({x, y, kind < 0.7 ? 0.0 : kind < 0.8 ? 1e-9 * dice.normal() : 2.0 * dice.normal()});
     }
-    // A HIP in the plane of the box's top, come to from its side: the wall ends there, and rounding says whether the
-    // exact solver's straight way, which knows no skin, is blocked by the wall's very edge. It is the one that stays
-    // behind.
+    // For a HIP in the plane of the box's top, approached from the side where the wall ends, rounding decides whether
+    // the edge of the wall blocks the exact solver, whose straight move has no skin. In these ticks the exact solver
+    // stays behind.
     rows.push_back(row("in the planes of far facets", mesh, path));
     rows.back().mostElsewhere_percent = 4.0;
     rows.push_back(row("in the planes of far facets, turned", turned(mesh), turned(path)));

@@ -18,18 +18,18 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr std::size_t kResidualEvery = 16; // ticks: it takes a step of the exact solver for each
-// God-objects in the same minimum are nearer to each other, the gaps of the ray solvers included. In mm, or as a share
-// of the surface's extent where that is less.
+constexpr std::size_t kResidualEvery = 16; // ticks; each check costs a step of the exact solver
+// Largest distance between god-objects in the same minimum, including the gaps of the ray solvers, in mm or relative
+// to the extent of the surface, whichever is less.
 constexpr double kApart_mm = 1e-3, kApartShare = 1e-5;
-constexpr double kLeastShare = 0.02;   // of the largest force: less has no direction, and percentages are of this
-constexpr double kContact_mm = 1e-9;   // a shorter spring is none
-constexpr double kIntrusion_mm = 1e-6; // of a ball
+constexpr double kLeastShare = 0.02;   // of the largest force: limit for directions and smallest base of percentages
+constexpr double kContact_mm = 1e-9;   // shorter springs count as no contact
+constexpr double kIntrusion_mm = 1e-6; // for a sphere
 constexpr std::size_t kIterationCounts = 33;
 constexpr std::size_t kLeadIn = 4;          // ticks before the first contact
-constexpr std::size_t kFewestTicks = 12;    // of a motion, however long they take: some in contact
-constexpr std::size_t kPopThroughEvery = 4; // ticks: the winding number costs more than the tick
-constexpr double kLeastError_mm = 1e-12, kLeastPercent = 1e-9, kLeastTime_us = 1e-3; // in logarithms
+constexpr std::size_t kFewestTicks = 12;    // per motion regardless of the time limit, so that some are in contact
+constexpr std::size_t kPopThroughEvery = 4; // ticks; the winding number costs more than the tick
+constexpr double kLeastError_mm = 1e-12, kLeastPercent = 1e-9, kLeastTime_us = 1e-3; // lower limits for logarithms
 
 } // namespace
 
@@ -128,8 +128,8 @@ TrialRun::TrialRun(Trial description, std::vector<const Surface*> own, bool isOn
     }
 }
 
-/// A god-object is behind a surface that it started in front of, a ball nearer to one than its radius; a penalty pushes
-/// the hand further in.
+/// Pop-through: a point is behind a surface that it started in front of, a sphere is closer than its radius to one, or
+/// a penalty force pushes the hand further in.
 bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring)
 {
     const SolverStep& step = m_steps[layer];
@@ -138,11 +138,12 @@ bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring)
     }
     if (m_trial.fingertip_mm > 0.0) {
         const double before = std::exchange(m_intrusion_mm[layer], m_exact[layer]->intrusion_mm(step.p_WG));
-        if (m_intrusion_mm[layer] > std::max(0.0, before) + kIntrusion_mm) { // put down too deep, it goes no deeper
+        if (m_intrusion_mm[layer] >
+            std::max(0.0, before) + kIntrusion_mm) { // a sphere released too deep must not go deeper
             return true;
         }
     }
-    // On a surface the winding number is a matter of rounding: only what lies deeper counts.
+    // On the surface, the winding number is decided by rounding: only deeper positions count.
     const Surface& own = *m_own[layer];
     if (!own.isClosed() || own.winding(step.p_WG) <= m_windingAtStart[layer]) {
         return false;
@@ -151,7 +152,7 @@ bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring)
     return own.winding(step.p_WG + out) > m_windingAtStart[layer];
 }
 
-/// The same tick by the exact solver, from where the solver was: what this tick alone did differently.
+/// Runs the exact solver for the same tick from the solver's state, to isolate the error of this tick.
 void TrialRun::compareFromSameState(const std::vector<Vec3>& before, const Vec3& hipBefore, const Vec3& hip)
 {
     double apart = 0.0, longer = 0.0;
@@ -199,7 +200,8 @@ TrialRun::Errors TrialRun::errorsAt(const Truth& truth, std::size_t index) const
             errors.position_mm = std::max(errors.position_mm, (m_steps[l].p_WG - layer.p_WG[index]).norm());
             stiffest = std::max(stiffest, answer.stiffest_N_per_mm());
         }
-        f_W += answer.force(m_steps[l].spring_mm); // of the same planes: a seam by rounding is no error
+        f_W += answer.force(
+            m_steps[l].spring_mm); // with the same planes, so that rounding at a seam does not count as an error
     }
     const Vec3& exact = truth.f_W[index];
     const double exact_N = exact.norm(), length_N = f_W.norm(), least_N = kLeastShare * truth.largest_N;
@@ -215,7 +217,7 @@ TrialRun::Errors TrialRun::errorsAt(const Truth& truth, std::size_t index) const
     return errors;
 }
 
-/// What the hand feels of a tick.
+/// Records the errors of one tick.
 void TrialRun::take(const Errors& errors, double time_s)
 {
     if (!errors.isTouching) {
@@ -242,7 +244,7 @@ void TrialRun::takeElsewhere(const Errors& errors)
     }
 }
 
-/// One tick of all layers. @return what it took [µs], which is kept as its time when `isTimed`
+/// Runs one tick of all layers. @return duration [µs], recorded if `isTimed`
 double TrialRun::step(LayerSolvers& solvers, const Vec3& hip, bool isTouching, bool isTimed)
 {
     const long interruptionsBefore = interruptions();
@@ -304,7 +306,7 @@ void TrialRun::feel(LayerSolvers& solvers, const HandMotion& motion, const Truth
         takeElsewhere(errors);
         if (m_trial.knob != Knob::Rate) {
             take(errors, static_cast<double>(sample) / HandMotion::kBase_Hz);
-        } else if (next < truth.ticks) { // held until here, where it is oldest
+        } else if (next < truth.ticks) { // the held force is oldest at this sample
             take(errorsAt(truth, next), static_cast<double>(sample + stride) / HandMotion::kBase_Hz);
         }
         ++m_trial.ticks;
@@ -356,7 +358,7 @@ void TrialRun::endPath()
 Trial TrialRun::result() const
 {
     Trial trial = m_trial;
-    // A tick longer than a program's turn is always interrupted: then those times are all there is.
+    // Ticks longer than a scheduler time slice are always preempted; then only those times are available.
     const std::vector<double>& times = m_all.time_us.empty() ? m_interrupted_us : m_all.time_us;
     trial.time_us = percentilesOf(times);
     trial.freeTime_us = percentilesOf(m_freeTime_us);

@@ -9,33 +9,33 @@
 
 namespace palpate::evaluation {
 
-/// What the exact solver says of one layer, tick by tick.
+/// Results of the exact solver for one layer, by tick.
 struct LayerTruth
 {
     std::vector<Vec3> p_WG;             ///< [mm]
     std::vector<Vec3> spring_mm;        ///< zero in free space
-    std::vector<ContactSprings> answer; ///< of the tissue touched; in free space the layer's stiffest
+    std::vector<ContactSprings> answer; ///< tissue in contact; in free space the stiffest tissue of the layer
 };
 
-/// What the exact solver says of a motion that it is given at one rate.
+/// Results of the exact solver for a motion at one rate.
 struct Truth
 {
-    std::size_t stride = 1; ///< base samples of a tick: 4 at 1 kHz
+    std::size_t stride = 1; ///< base samples per tick: 4 at 1 kHz
     std::vector<LayerTruth> layers;
-    std::vector<Vec3> f_W;        ///< the layers' answers together; zero in free space [N]
-    std::vector<char> isTouching; ///< any layer
-    Percentiles time_us;          ///< a tick
-    std::size_t ticks = 0;        ///< computed; fewer than the motion has when time was up
-    double largest_N = 0.0;       ///< force
+    std::vector<Vec3> f_W;        ///< sum of the forces of all layers; zero in free space [N]
+    std::vector<char> isTouching; ///< contact in any layer
+    Percentiles time_us;          ///< per tick
+    std::size_t ticks = 0;        ///< computed; fewer than in the motion if the time limit was reached
+    double largest_N = 0.0;       ///< largest force
 };
 
-/// One solver for each layer of a subject.
+/// One solver per layer of a subject.
 using LayerSolvers = std::vector<std::unique_ptr<ReferenceSolver>>;
 
-/// Processor time of this thread: how much is run must not depend on what else the machine does. [s]
+/// CPU time of this thread. Used for time limits, so that the amount of work does not depend on other load. [s]
 [[nodiscard]] double threadTime_s();
 
-/// Processor time that a piece of work may take. [s]
+/// CPU time limit of a piece of work. [s]
 class TimeLimit
 {
   public:
@@ -49,42 +49,42 @@ class TimeLimit
     double m_end_s;
 };
 
-/// Runs the exact solver over every `stride`-th sample of a motion, at most `seconds` long.
-/// @param fingertip_mm  radius of the ball that touches; 0 is a point
+/// Runs the exact solver over every `stride`-th sample of a motion for at most `seconds`.
+/// @param fingertip_mm  fingertip radius; 0: point contact
 [[nodiscard]] Truth truthOf(const Subject& subject, const HandMotion& motion, std::size_t stride, double seconds,
                             double fingertip_mm = 0.0);
 
-/// Adds up one trial over the motions of its paths.
+/// Accumulates one trial over all motions of its paths.
 class TrialRun
 {
   public:
-    /// @param own  what the solvers touch, layer by layer: for pop-throughs
-    /// @param isOnTruth  true for god-objects on the very surfaces of the truth: their residuals are taken
+    /// @param own  surfaces of the solvers by layer, used to detect pop-throughs
+    /// @param isOnTruth  true for god-objects on the same surfaces as the exact solver, which allows residuals
     TrialRun(Trial description, std::vector<const Surface*> own, bool isOnTruth);
 
-    /// Feels one motion, at most `seconds` long, with all that is measured of it.
-    /// @param truth  with the stride of the trial's rate; for Knob::Rate every sample of the motion
+    /// Runs one motion for at most `seconds` and records all figures.
+    /// @param truth  with the stride of the trial's rate; for Knob::Rate with every sample of the motion
     void feel(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
-    /// Takes only times, from just before the first contact on: of solvers too slow for a whole path. What `feel` took
-    /// of the same trial is no time then.
+    /// Records only times, starting just before the first contact, for solvers too slow for a whole path. The times
+    /// recorded by `feel` are then discarded.
     void time(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
-    /// Closes a path: the figures of its motions together are one value of each spread.
+    /// Ends a path: each figure of its motions becomes one value of the corresponding spread.
     void endPath();
     [[nodiscard]] Trial result() const;
     [[nodiscard]] const Trial& description() const noexcept { return m_trial; }
-    /// Errors of the motion last felt. [mm]
+    /// Errors over the last motion. [mm]
     [[nodiscard]] const ErrorSeries& series() const noexcept { return m_series; }
 
   private:
-    /// The solver against the truth, at one tick of it.
+    /// Errors of the solver against the exact solver in one tick.
     struct Errors
     {
-        bool isTouching = false; ///< either of them
+        bool isTouching = false; ///< contact of either solver
         double position_mm = 0.0, force_N = 0.0, forcePercent = 0.0;
-        double direction_deg = -1.0; ///< negative: the force is too small to have one
+        double direction_deg = -1.0; ///< negative: force too small for a direction
         double spring_mm = 0.0;
     };
-    /// Values of a path's ticks, or of all of them.
+    /// Values of the ticks of one path, or of all paths.
     struct Ticks
     {
         std::vector<double> time_us, position_mm, forcePercent;
@@ -101,11 +101,11 @@ class TrialRun
 
     Trial m_trial;
     std::vector<const Surface*> m_own;
-    std::vector<std::unique_ptr<ExactSolver>> m_exact; ///< by layer; empty without residuals
-    std::vector<SolverStep> m_steps;                   ///< of this tick, by layer
+    std::vector<std::unique_ptr<ExactSolver>> m_exact; ///< per layer; empty without residuals
+    std::vector<SolverStep> m_steps;                   ///< of the current tick, per layer
     std::vector<int> m_windingAtStart;
-    std::vector<double> m_intrusion_mm; ///< of a ball, by layer, when last looked at
-    double m_apart_mm;                  ///< what is farther from the exact one is elsewhere
+    std::vector<double> m_intrusion_mm; ///< penetration of a sphere per layer at the last check
+    double m_apart_mm;                  ///< larger distances to the exact god-object count as `elsewhere`
     Ticks m_path, m_all;
     std::vector<double> m_interrupted_us, m_freeTime_us, m_force_N, m_direction_deg, m_residual_mm, m_elsewhere_mm,
         m_elsewhereForcePercent;

@@ -19,7 +19,7 @@ std::string VectorFieldSolver::name() const
     return m_overlap == Overlap::Nearest ? "vector field, nearest" : "vector field, sum";
 }
 
-/// Nearest point of the surface, of one component unless `component` is negative: brute force in growing boxes.
+/// Nearest point of the surface, or of one component if `component` is not negative; brute force in growing boxes.
 Vec3 VectorFieldSolver::nearest(const Vec3& p, int component) const
 {
     Vec3 best = p;

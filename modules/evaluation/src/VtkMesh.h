@@ -8,10 +8,10 @@
 
 namespace palpate::evaluation {
 
-/// The same triangles for VTK, in double precision; cell i is triangle i.
+/// Converts a mesh to VTK in double precision; cell i is triangle i.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const geometry::TriangleMesh& mesh);
 
-/// A copy with about `share` of the triangles, by quadric error (vtkQuadricDecimation). @param share  0 … 1
+/// Returns a copy with about `share` (0 to 1) of the triangles, simplified by quadric error (vtkQuadricDecimation).
 [[nodiscard]] geometry::TriangleMesh decimated(const geometry::TriangleMesh& mesh, double share);
 
 } // namespace palpate::evaluation
