@@ -85,7 +85,7 @@ std::string tailOfTime(const Trial& t)
                                             : std::string(tail.name) + " of them at most " + value;
 }
 
-/// Describes the time saved by a setting, if it is faster on most paths.
+/// Describes the time saved by a setting relative to `full`. Counts only if the confidence intervals do not overlap.
 std::string savedBy(const Trial& other, const Trial& full)
 {
     const double saved_us = full.pathTime_us.median - other.pathTime_us.median;

@@ -11,7 +11,7 @@ namespace palpate::evaluation {
 [[nodiscard]] std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds);
 
 /// The same slide for the product, interleaved: plain, with friction, with a force law, with a stiffness map, with
-/// all.
+/// buried lumps, and with friction, law and map together.
 [[nodiscard]] std::vector<SizePoint> costOfTissue(int n, double seconds);
 
 /// Median times of the other solvers divided by the product's, for each sphere.

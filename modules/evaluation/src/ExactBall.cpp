@@ -13,7 +13,7 @@ namespace palpate::evaluation {
 namespace {
 
 constexpr long double kSpare = 1.0L / 64; // skins: margin for rounding errors of the distance
-constexpr long double kTangent = 1e-17L;  // relative to a move: contacts closer than this coincide
+constexpr long double kTangent = 1e-17L;  // relative to a move: a contact violated by less is satisfied
 constexpr long double kLongest = 0.1L;    // radii: longest extrapolated move
 constexpr long double kSlow = 0.3L;       // ratio of successive moves above which to extrapolate
 constexpr long double kAlike = 0.9L;      // cosine between successive moves
@@ -197,7 +197,8 @@ Long3 ExactBall::free(const Long3& wanted)
     return Long3::Zero();
 }
 
-/// Around an edge or a corner, the moves shrink geometrically; extrapolates to the limit of the series.
+/// Extrapolates successive moves around an edge or a corner, which shrink geometrically, to the limit of the series.
+/// @return factor for the length of `way`, at least 1
 long double ExactBall::drawnOut(const Long3& way, const Long3& before) const
 {
     const long double length = way.norm(), last = before.norm();

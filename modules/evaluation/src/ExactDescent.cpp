@@ -151,8 +151,7 @@ void ExactDescent::findPairs()
         }
         return;
     }
-    std::vector<std::array<std::uint32_t, 3>>
-        uses; // smaller and larger vertex of the edge, index of the touched triangle
+    std::vector<std::array<std::uint32_t, 3>> uses; // edge vertices (ascending), touched triangle
     for (std::uint32_t i = 0; i < count; ++i) {
         const geometry::Triangle& t = m_surface.repaired().mesh.triangles[m_touched[i].triangle->triangle];
         for (std::size_t k = 0; k < 3; ++k) {

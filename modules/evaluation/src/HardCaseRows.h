@@ -15,8 +15,7 @@ void addTransformRows(std::vector<HardCase>& rows); ///< translated, scaled and 
 void addHandRows(std::vector<HardCase>& rows);  ///< noise, teleports, stillness, invalid numbers, long random motion
 void addTieRows(std::vector<HardCase>& rows);   ///< HIPs on vertices, on edges, in planes and within the skin
 void addLayerRows(std::vector<HardCase>& rows); ///< surrounding layer that is alternately shown and hidden
-void addFingertipRows(
-    std::vector<HardCase>& rows); ///< existing cases with a spherical fingertip; large spheres on fine meshes
+void addFingertipRows(std::vector<HardCase>& rows); ///< existing cases with a spherical fingertip, and large spheres
 
 /// @return a case that follows `path` on `mesh`
 [[nodiscard]] HardCase row(std::string name, std::function<geometry::TriangleMesh()> mesh, const HandPath& path);

@@ -174,8 +174,7 @@ class Run
         ++m_checked;
         const double intrusion = m_straight.intrusion_mm(god);
         if ((m_case.intrusion_mm ? m_case.intrusion_mm(god) > 0.0 : isBehind(god)) ||
-            intrusion >
-                std::max(0.0, m_intrusion_mm) + m_onSurface_mm) { // a sphere released too deep must not go deeper
+            intrusion > std::max(0.0, m_intrusion_mm) + m_onSurface_mm) { // deeper than before
             m_popThrough.count(number);
         }
         m_intrusion_mm = intrusion;

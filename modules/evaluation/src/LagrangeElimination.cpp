@@ -32,8 +32,8 @@ Elimination eliminate(const Vec3& hip, std::span<const Plane> planes)
             n[i][axis] = {planes[i].n[static_cast<Eigen::Index>(axis)], count};
         }
     }
-    // Subtracting N times the identity rows from the rows of N leaves -N N^T (of which one triangle is computed) and d
-    // - N hip.
+    // Subtracting N times the identity rows from the rows of N leaves -N N^T (of which one triangle is computed)
+    // and d - N hip.
     std::array<std::array<Counted, 3>, 3> s;
     std::array<Counted, 3> r;
     for (std::size_t i = 0; i < k; ++i) {

@@ -47,8 +47,8 @@ double layerCompliance(double u, double ratio)
         return rigidBase(u);
     }
     // W(s): vertical displacement as a function of s = depth times wave number. Boundary conditions: no shear and unit
-    // normal traction on top; displacements and tractions continuous with the half-space below, where W = (A + B s)
-    // e^-s.
+    // normal traction on top; displacements and tractions continuous with the half-space below,
+    // where W = (A + B s) e^-s.
     const auto w = [u](double s, int derivative) { return basis(s, derivative, u); };
     Eigen::MatrixXd equations(4, 4);
     equations.row(0) = w(0.0, 2) + w(0.0, 0);

@@ -18,8 +18,7 @@ class Expansion
     explicit Expansion(long double x)
     {
         const auto high = static_cast<double>(x);
-        const auto low =
-            static_cast<double>(x - static_cast<long double>(high)); // a 64-bit mantissa fits into two doubles
+        const auto low = static_cast<double>(x - static_cast<long double>(high)); // 64 bits fit into two doubles
         add(low);
         add(high);
     }

@@ -13,8 +13,7 @@ namespace palpate::evaluation::stability {
 
 namespace {
 
-constexpr double kEaseIn_s =
-    0.55; // slightly longer than the ramp of the gate, so that the press starts with the full force
+constexpr double kEaseIn_s = 0.55; // slightly longer than the ramp of the gate: press with the full force
 constexpr double kWatch_s = 0.5;
 constexpr double kSlideSpeed_mm_per_s = 50.0;
 

@@ -138,8 +138,7 @@ bool TrialRun::isPoppedThrough(std::size_t layer, const Vec3& spring)
     }
     if (m_trial.fingertip_mm > 0.0) {
         const double before = std::exchange(m_intrusion_mm[layer], m_exact[layer]->intrusion_mm(step.p_WG));
-        if (m_intrusion_mm[layer] >
-            std::max(0.0, before) + kIntrusion_mm) { // a sphere released too deep must not go deeper
+        if (m_intrusion_mm[layer] > std::max(0.0, before) + kIntrusion_mm) { // deeper than before
             return true;
         }
     }
@@ -200,8 +199,8 @@ TrialRun::Errors TrialRun::errorsAt(const Truth& truth, std::size_t index) const
             errors.position_mm = std::max(errors.position_mm, (m_steps[l].p_WG - layer.p_WG[index]).norm());
             stiffest = std::max(stiffest, answer.stiffest_N_per_mm());
         }
-        f_W += answer.force(
-            m_steps[l].spring_mm); // with the same planes, so that rounding at a seam does not count as an error
+        // With the same planes, so that rounding at a seam does not count as an error.
+        f_W += answer.force(m_steps[l].spring_mm);
     }
     const Vec3& exact = truth.f_W[index];
     const double exact_N = exact.norm(), length_N = f_W.norm(), least_N = kLeastShare * truth.largest_N;

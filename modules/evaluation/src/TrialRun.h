@@ -65,10 +65,10 @@ class TrialRun
     /// Runs one motion for at most `seconds` and records all figures.
     /// @param truth  with the stride of the trial's rate; for Knob::Rate with every sample of the motion
     void feel(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
-    /// Records only times, starting just before the first contact, for solvers too slow for a whole path. The times
-    /// recorded by `feel` are then discarded.
+    /// Records only times, starting just before the first contact, for solvers too slow for a whole path. From then on
+    /// `feel` records no times.
     void time(LayerSolvers& solvers, const HandMotion& motion, const Truth& truth, double seconds);
-    /// Ends a path: each figure of its motions becomes one value of the corresponding spread.
+    /// Ends a path: its motions together give one value of each Spread.
     void endPath();
     [[nodiscard]] Trial result() const;
     [[nodiscard]] const Trial& description() const noexcept { return m_trial; }

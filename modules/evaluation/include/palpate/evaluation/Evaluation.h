@@ -124,6 +124,7 @@ struct SizePoint
     Percentiles time_us;
 };
 
+/// Geometry, structures and paths of an evaluated subject.
 struct SubjectInfo
 {
     std::string name, hash;
@@ -153,6 +154,7 @@ struct Ratio
     double wanted = 0.0; ///< required minimum
 };
 
+/// Hardware and build of a run.
 struct Machine
 {
     std::string cpu, compiler, build, startedUtc;
@@ -175,7 +177,7 @@ struct Evaluation
     std::vector<ErrorSeries> series; ///< first motion of the first path
     std::vector<SizePoint> sizes;
     std::vector<SizePoint> tissues; ///< the product on one sphere: plain, with friction, with a force law, with a
-                                    ///< stiffness map, with all of them
+                                    ///< stiffness map, with buried lumps; with friction, law and map
     std::vector<Ratio> ratios;
     std::vector<HardCaseResult> hardCases;
     std::vector<Advice> advice;
@@ -185,6 +187,7 @@ struct Evaluation
     std::array<int, 3> eliminationOperations{}; ///< for 1, 2 and 3 planes
 };
 
+/// Extent of an evaluation. The defaults run everything that fits into ten minutes.
 struct EvaluateOptions
 {
     bool isQuick = false; ///< fewer paths, smaller spheres, no long hard cases
@@ -197,7 +200,12 @@ struct EvaluateOptions
     std::function<bool(double, const std::string&)> progress;
 };
 
-/// Runs all solvers and all product variants.
+/// Runs all solvers and all product variants. For example, for a sphere of 50 mm radius:
+/// @code
+/// const auto sphere = subjectOf("sphere", shapes::bumpySphere(16, 50.0, 0.0));
+/// const Evaluation result = evaluate({sphere}, {}, {.isQuick = true});
+/// const core::Status written = writeReport("report", result);
+/// @endcode
 /// @param subjects  at least one
 /// @param given     recorded motions, each evaluated as a separate path
 [[nodiscard]] Evaluation evaluate(const std::vector<std::shared_ptr<const Subject>>& subjects,

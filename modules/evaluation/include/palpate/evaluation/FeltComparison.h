@@ -34,6 +34,7 @@ struct SphereCase
     buried::Stiffening model, modelWithPunch; ///< from `share` and from `shareOfPunch`
 };
 
+/// Results of all cases.
 struct Comparison
 {
     std::vector<LayerCase> layers;
@@ -44,6 +45,7 @@ struct Comparison
     bool isQuick = false, isWhole = true; ///< isWhole: false after cancelling; the results present are valid
 };
 
+/// Extent of a comparison.
 struct Options
 {
     bool isQuick = false; ///< 30 spheres instead of 100
@@ -83,6 +85,7 @@ struct Verdict
 /// Writes `felt.html` (self-contained), `felt.csv` (one row per case) and the figures `felt-cover.svg` and
 /// `felt-estimate.svg` to an existing folder. Files are replaced atomically.
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Comparison& comparison);
+/// Content of the individual files.
 [[nodiscard]] std::string html(const Comparison& comparison);
 [[nodiscard]] std::string csv(const Comparison& comparison);
 

@@ -64,14 +64,14 @@ struct HardCaseFigure
     [[nodiscard]] bool passed() const { return measured <= bound; }
 };
 
+/// Figures of one case.
 struct HardCaseResult
 {
     std::string name;
     std::int64_t ticks = 0;
     std::size_t triangles = 0;
     std::vector<HardCaseFigure> figures;
-    std::vector<std::int64_t>
-        iterations; ///< number of ticks by iteration count; the last entry includes all higher counts
+    std::vector<std::int64_t> iterations; ///< ticks by iteration count; the last entry includes all higher counts
 
     [[nodiscard]] bool passed() const;
     /// The first failed figure, or else the one closest to its bound; null without figures.

@@ -8,8 +8,8 @@ namespace palpate::evaluation {
 /// quadrature error (1e-6).
 ///
 /// The Hankel transform gives the surface compliance for a sinusoidal pressure, layerCompliance; the pressure below
-/// the punch follows from a Fredholm equation, chi(x) - int_0^1 chi(t) (2/pi) int_0^inf (1 - L) cos kx cos kt dk dt =
-/// 1, k/k0 = int chi.
+/// the punch follows from a Fredholm equation,
+/// chi(x) - int_0^1 chi(t) (2/pi) int_0^inf (1 - L) cos kx cos kt dk dt = 1, k/k0 = int chi.
 ///
 /// @param thickness  of the layer in punch radii, > 0.05
 /// @param ratio      modulus below divided by modulus of the layer, > 0; infinite: rigid base

@@ -32,6 +32,7 @@ using geometry::TriangleMesh;
 /// Open square sheet at z = 0, normal +z, n × n squares.
 [[nodiscard]] TriangleMesh sheet(double halfSize_mm, int n = 1);
 
+/// Appends the vertices and triangles of `other` to `mesh`.
 void append(TriangleMesh& mesh, const TriangleMesh& other);
 /// Copies the mesh with three separate vertices per triangle.
 [[nodiscard]] TriangleMesh soup(const TriangleMesh& mesh);

@@ -30,8 +30,8 @@ struct Hold
 {
     Vec3 p_W = Vec3::Zero();   ///< contact point at rest on the surface [mm]
     Vec3 d_W = -Vec3::UnitZ(); ///< unit press direction, into the surface
-    Vec3 slideFrom_mm =
-        Vec3::Zero(); ///< offset of the touchdown point from `p_W`, followed by a slide to `p_W`; zero: no slide
+    /// Offset of the touchdown point from `p_W`, followed by a slide to `p_W`; zero: no slide.
+    Vec3 slideFrom_mm = Vec3::Zero();
 };
 
 /// Geometry and tissue to press.
@@ -39,8 +39,8 @@ struct Shape
 {
     std::string name;
     std::vector<haptics::HapticStructure> structures; ///< stiffness, damping and law are replaced
-    std::vector<double>
-        share; ///< fraction of the total contact stiffness for each structure; overlapping layers add up
+    /// Fraction of the total contact stiffness for each structure; overlapping layers add up.
+    std::vector<double> share;
     std::vector<Hold> holds;
     double own_N_per_mm = 0.0; ///< largest stiffness of an unmodified scene; 0: not a scene
 };
@@ -76,6 +76,11 @@ inline constexpr double kLimitCycle_mm = study::kLeastSwing_mm;
 inline constexpr double kStiffest_N_per_mm = 25.0;
 
 /// Largest stiffness without a limit cycle, to within 4 %; kStiffest_N_per_mm if no limit cycle was found at all.
+/// @code
+/// Setup setup;
+/// setup.preset = *device::findDevicePreset("touch");
+/// const double stiffest_N_per_mm = largestStiffness(standardShapes().front(), setup); // the wall
+/// @endcode
 [[nodiscard]] double largestStiffness(const Shape& shape, const Setup& setup);
 
 /// @param setup  device, rate and delay; the tissue is that of the scene
@@ -113,12 +118,14 @@ struct SweepPoint
     double passive_N_per_mm = 0.0; ///< 2 (b - |B|) / T
     double held_N_per_mm = 0.0;    ///< limit in the user interface, servo::heldStiffness_N_per_mm
 };
+/// Series of points for one device; `what` and `unit` describe x.
 struct Sweep
 {
     std::string device, what, unit;
     std::vector<SweepPoint> points;
 };
 
+/// Results of `measure`.
 struct Result
 {
     std::string subject; ///< "standard shapes" or the scene
@@ -129,14 +136,17 @@ struct Result
     double duration_s = 0.0;
 };
 
+/// Devices and control loop to measure.
 struct Options
 {
     std::vector<device::DevicePreset> presets; ///< devices to measure
     double rate_Hz = 1000.0;
     int delayTicks = 1;
     bool hasSweeps = true;
+    /// Progress callback: fraction done (0 to 1) and current activity. May be empty.
     std::function<void(double share, const std::string& what)> progress;
 };
+/// Measures all shapes with all devices: about half a minute of one core per device for the standard shapes.
 [[nodiscard]] Result measure(const std::string& subject, const std::vector<Shape>& shapes, const Options& options);
 
 /// @return one line per device of `options` and structure whose stiffness maps can sustain an oscillation: structure,
@@ -147,6 +157,7 @@ struct Options
 [[nodiscard]] core::Status writeReport(const std::filesystem::path& folder, const Result& result);
 /// @return paths of the files written by writeReport
 [[nodiscard]] std::vector<std::filesystem::path> reportFiles(const std::filesystem::path& folder);
+/// Content of the individual files.
 [[nodiscard]] std::string html(const Result& result);
 [[nodiscard]] std::string csv(const Result& result);
 

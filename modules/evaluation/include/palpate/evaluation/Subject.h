@@ -19,9 +19,8 @@ struct SubjectStructure
 {
     std::string name;
     double stiffness_N_per_mm = 0.5;
-    std::uint32_t layer = 0; ///< index in `Subject::layers`
-    std::uint32_t firstTriangle =
-        0; ///< index of the first triangle in the surface of the layer, which concatenates its structures
+    std::uint32_t layer = 0;         ///< index in `Subject::layers`
+    std::uint32_t firstTriangle = 0; ///< index in the surface of the layer, which concatenates its structures
 };
 
 /// Structures that share one god-object, merged into one surface.
